@@ -1,0 +1,14 @@
+# Compiler settings that every target shares.
+find_program(CCACHE ccache)
+if(CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+endif()
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -fdiagnostics-color=always)
+# The same expression must give the same bits in every translation unit: no contraction into fused operations.
+add_compile_options(-ffp-contract=off)
+
+if(CSGSCOPE_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+    add_link_options(-fsanitize=address,undefined)
+endif()

@@ -1,0 +1,11 @@
+# Writes OUTPUT, a C++ file that holds the text of SHADERS as gl::ShaderFile values in NAMESPACE.
+set(text "// Written by cmake/write_shader_files.cmake.\n#include \"gl/shader_file.h\"\n\nnamespace ${NAMESPACE} {\n\n")
+string(APPEND text "std::span<const gl::ShaderFile> shader_files();\n\nstd::span<const gl::ShaderFile> shader_files() {\n")
+string(APPEND text "    static const gl::ShaderFile files[] = {\n")
+foreach(shader IN LISTS SHADERS)
+    file(READ "${shader}" body)
+    file(RELATIVE_PATH name "${ROOT}" "${shader}")
+    string(APPEND text "        {\"${name}\", R\"GLSL(${body})GLSL\"},\n")
+endforeach()
+string(APPEND text "    };\n    return files;\n}\n\n}  // namespace ${NAMESPACE}\n")
+file(WRITE "${OUTPUT}" "${text}")

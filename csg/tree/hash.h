@@ -1,0 +1,22 @@
+// Content hashes: 64 bits, the same in every run and on every machine.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace csg {
+
+/// Mixes `value` into `seed` (the finalizer of SplitMix64 over a rotated seed).
+[[nodiscard]] constexpr std::uint64_t mix(std::uint64_t seed, std::uint64_t value) {
+    std::uint64_t x = std::rotl(seed, 23) ^ (value + 0x9e3779b97f4a7c15ULL);
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+    return x ^ (x >> 31);
+}
+
+/// Zeros of either sign hash alike, as they compare equal.
+[[nodiscard]] constexpr std::uint64_t mix(std::uint64_t seed, double value) {
+    return mix(seed, std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value));
+}
+
+}  // namespace csg

@@ -1,0 +1,143 @@
+#include "csg/tree/scene.h"
+
+#include <deque>
+#include <utility>
+
+namespace csg {
+namespace {
+
+/// A subtree to be drawn as one part, with what it inherits from above.
+struct PartRoot {
+    PartKind kind;
+    NodeId node;
+    glm::dmat4 to_world;
+    Rgba color;
+};
+
+/// A node on the way down; `built` collects the expressions of the children that are done.
+struct Frame {
+    NodeId node;
+    glm::dmat4 to_world;
+    Rgba color;
+    bool top_level;  ///< Only unions between here and the part's root.
+    std::uint32_t next_child = 0;
+    std::vector<std::uint32_t> built;
+};
+
+class SceneMaker {
+  public:
+    explicit SceneMaker(const Tree& tree) : tree_(tree) {}
+
+    Scene make() {
+        if (tree_.root() == kNoNode)
+            return {};
+        waiting_.push_back({PartKind::Solid, tree_.root(), glm::dmat4(1.0), Rgba{}});
+        while (!waiting_.empty()) {
+            const PartRoot root = waiting_.front();
+            waiting_.pop_front();
+            build(root);
+        }
+        return std::move(scene_);
+    }
+
+  private:
+    void build(const PartRoot& from) {
+        Part part;
+        part.kind = from.kind;
+        part.first_expression = static_cast<std::uint32_t>(scene_.expressions.size());
+        part.first_leaf = static_cast<LeafId>(scene_.leaves.size());
+        std::vector<Frame> stack;
+        stack.push_back(enter(from.node, from.to_world, from.color, true));
+        for (;;) {
+            Frame& frame = stack.back();
+            const auto children = tree_.children(frame.node);
+            if (frame.next_child < children.size()) {
+                const NodeId child = children[frame.next_child++];
+                if (set_aside(child, frame, from.kind))
+                    continue;
+                const bool top = frame.top_level && is_union(tree_.node(frame.node).operation);
+                stack.push_back(enter(child, frame.to_world, frame.color, top));
+                continue;
+            }
+            const std::uint32_t expression = leave(frame);
+            stack.pop_back();
+            if (stack.empty())
+                break;
+            stack.back().built.push_back(expression);
+        }
+        part.root = static_cast<std::uint32_t>(scene_.expressions.size() - 1);
+        part.leaf_count = static_cast<LeafId>(scene_.leaves.size()) - part.first_leaf;
+        if (part.leaf_count == 0) {
+            // Nothing to draw: take the empty expressions back.
+            scene_.expressions.resize(part.first_expression);
+            return;
+        }
+        scene_.parts.push_back(part);
+    }
+
+    static bool is_union(Operation op) {
+        return op == Operation::Group || op == Operation::Union || op == Operation::Transform ||
+               op == Operation::Color;
+    }
+
+    Frame enter(NodeId id, const glm::dmat4& to_world, const Rgba& color, bool top_level) const {
+        Frame frame{id, to_world, color, top_level, 0, {}};
+        const Operation op = tree_.node(id).operation;
+        if (op == Operation::Transform)
+            frame.to_world = to_world * tree_.matrix(id);
+        else if (op == Operation::Color && !color.given())
+            frame.color = tree_.color(id);
+        return frame;
+    }
+
+    /// True where `child` is not part of the expression being built, but of a part of its own.
+    bool set_aside(NodeId child, const Frame& parent, PartKind kind) {
+        const Node& node = tree_.node(child);
+        if (node.modifiers.background) {
+            if (kind != PartKind::Highlight)  // there it was queued when the solid was built
+                waiting_.push_back({PartKind::Background, child, parent.to_world, parent.color});
+            return true;
+        }
+        if (node.modifiers.highlight && kind != PartKind::Highlight && kind != PartKind::Background)
+            waiting_.push_back({PartKind::Highlight, child, parent.to_world, parent.color});
+        if (kind == PartKind::Solid && node.operation == Operation::Color && !parent.color.given() &&
+            tree_.color(child).a < 1 && parent.top_level && is_union(tree_.node(parent.node).operation)) {
+            waiting_.push_back({PartKind::Translucent, child, parent.to_world, parent.color});
+            return true;
+        }
+        return false;
+    }
+
+    std::uint32_t leave(const Frame& frame) {
+        const Operation op = tree_.node(frame.node).operation;
+        Expression e;
+        if (op == Operation::Leaf) {
+            e.kind = ExpressionKind::Leaf;
+            e.leaf = static_cast<LeafId>(scene_.leaves.size());
+            scene_.leaves.push_back({frame.node, frame.to_world, frame.color, tree_.node(frame.node).where,
+                                     static_cast<PartId>(scene_.parts.size())});
+        } else {
+            if (frame.built.size() == 1)
+                return frame.built[0];
+            e.kind = op == Operation::Difference     ? ExpressionKind::Difference
+                     : op == Operation::Intersection ? ExpressionKind::Intersection
+                                                     : ExpressionKind::Union;
+            e.first_child = static_cast<std::uint32_t>(scene_.expression_children.size());
+            e.child_count = static_cast<std::uint32_t>(frame.built.size());
+            scene_.expression_children.insert(scene_.expression_children.end(), frame.built.begin(),
+                                              frame.built.end());
+        }
+        scene_.expressions.push_back(e);
+        return static_cast<std::uint32_t>(scene_.expressions.size() - 1);
+    }
+
+    const Tree& tree_;
+    Scene scene_;
+    std::deque<PartRoot> waiting_;
+};
+
+}  // namespace
+
+Scene make_scene(const Tree& tree) { return SceneMaker(tree).make(); }
+
+}  // namespace csg

@@ -1,0 +1,99 @@
+// A tree made ready for drawing: leaves placed in the world, and one boolean expression per part.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "csg/tree/tree.h"
+
+namespace csg {
+
+using LeafId = std::uint32_t;  ///< Index of a leaf occurrence, in document order.
+using PartId = std::uint32_t;
+
+/// One occurrence of a leaf of the tree. Leaves are numbered in document order.
+struct LeafInstance {
+    NodeId node = kNoNode;     ///< The leaf in the tree.
+    glm::dmat4 to_world{1.0};  ///< Leaf coordinates to world coordinates.
+    Rgba color;                ///< As given by the outermost color(); `given()` is false where there is none.
+    SourceLocation where;
+    PartId part = 0;
+};
+
+enum class ExpressionKind : std::uint8_t { Leaf, Union, Intersection, Difference };
+
+/// A node of a part's expression. Children stand before their parents in Scene::expressions.
+struct Expression {
+    ExpressionKind kind = ExpressionKind::Leaf;
+    LeafId leaf = 0;                ///< For Leaf.
+    std::uint32_t first_child = 0;  ///< Into Scene::expression_children; a Difference is first minus the others.
+    std::uint32_t child_count = 0;  ///< A Union of none is empty.
+};
+
+enum class PartKind : std::uint8_t {
+    Solid,        ///< What the model is.
+    Translucent,  ///< A subtree of the top-level union whose color() has an opacity below 1.
+    Background,   ///< `%`
+    Highlight,    ///< `#`, drawn over what it belongs to.
+};
+
+/// A subtree drawn as one object.
+struct Part {
+    PartKind kind = PartKind::Solid;
+    std::uint32_t first_expression = 0;  ///< The part's expressions are a range of Scene::expressions, …
+    std::uint32_t root = 0;              ///< … and this, its last, is the root.
+    LeafId first_leaf = 0;               ///< The part's leaves are a range of Scene::leaves.
+    LeafId leaf_count = 0;
+};
+
+struct Scene {
+    std::vector<LeafInstance> leaves;
+    std::vector<Expression> expressions;
+    std::vector<std::uint32_t> expression_children;
+    std::vector<Part> parts;
+
+    [[nodiscard]] std::span<const std::uint32_t> children(const Expression& e) const {
+        return std::span(expression_children).subspan(e.first_child, e.child_count);
+    }
+};
+
+/// Flattens `tree`: transforms are multiplied through, colours inherited (the outermost wins, as in OpenSCAD), shared
+/// subtrees become occurrences, `%` subtrees parts of their own, `#` subtrees are repeated as highlight parts,
+/// translucent subtrees of the top-level union parts of their own. Groups that hold one child are that child.
+/// The first part, if any, is the Solid one. A tree without geometry gives no parts.
+[[nodiscard]] Scene make_scene(const Tree& tree);
+
+/// The value of a part's expression where `inside(leaf)` tells whether the point is in a leaf. Each leaf of the part
+/// is asked once. `values` is scratch, kept by the caller to spare allocations; afterwards `values[i]` holds the value
+/// of expression `part.first_expression + i`.
+template <typename Inside>
+[[nodiscard]] bool evaluate(const Scene& scene, const Part& part, Inside&& inside, std::vector<char>& values) {
+    values.resize(part.root - part.first_expression + 1);
+    for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {
+        const Expression& e = scene.expressions[i];
+        const auto children = scene.children(e);
+        const auto value = [&](std::uint32_t child) { return values[child - part.first_expression] != 0; };
+        bool result = false;
+        switch (e.kind) {
+            case ExpressionKind::Leaf:
+                result = inside(e.leaf);
+                break;
+            case ExpressionKind::Union:
+                result = std::any_of(children.begin(), children.end(), value);
+                break;
+            case ExpressionKind::Intersection:
+                result = !children.empty() && std::all_of(children.begin(), children.end(), value);
+                break;
+            case ExpressionKind::Difference:
+                result = !children.empty() && value(children[0]) && std::none_of(children.begin() + 1, children.end(), value);
+                break;
+        }
+        values[i - part.first_expression] = result;
+    }
+    return values.back() != 0;
+}
+
+}  // namespace csg
