@@ -1,0 +1,32 @@
+// Pictures in memory and in PNG files.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gl {
+
+/// 8-bit sRGB with straight alpha, rows from top to bottom.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+
+    [[nodiscard]] const std::uint8_t* pixel(int x, int y) const {
+        return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+    }
+};
+
+/// The bytes of a PNG file; RGB where every pixel is opaque, RGBA otherwise. The same image gives the same bytes.
+[[nodiscard]] std::string encode_png(const Image& image);
+
+/// Writes whole or not at all: to a temporary name in the same folder, then renamed. Throws std::runtime_error with the
+/// file's name and the reason.
+void write_file(const std::filesystem::path& path, const std::string& bytes);
+
+/// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the reason.
+[[nodiscard]] Image read_png(const std::filesystem::path& path);
+
+}  // namespace gl

@@ -1,0 +1,127 @@
+#include "gl/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include "gl/error.h"
+
+namespace gl {
+namespace {
+
+/// A stage's text with its includes in place; `files` are the names that #line numbers stand for.
+struct Assembled {
+    std::string text;
+    std::vector<std::string> files;
+};
+
+void append(const ShaderLibrary& library, std::string_view name, Assembled& out) {
+    if (std::find(out.files.begin(), out.files.end(), name) != out.files.end())
+        return;
+    const std::size_t number = out.files.size();
+    out.files.emplace_back(name);
+    out.text += fmt::format("#line 1 {}\n", number);
+    std::istringstream lines{std::string(library.find(name).text)};
+    std::string line;
+    for (int n = 1; std::getline(lines, line); ++n) {
+        if (line.starts_with("#include")) {
+            const auto open = line.find('"'), close = line.rfind('"');
+            if (open == close)
+                throw Error(fmt::format("{}:{}: malformed #include", name, n));
+            append(library, std::string_view(line).substr(open + 1, close - open - 1), out);
+            out.text += fmt::format("#line {} {}\n", n + 1, number);
+        } else {
+            out.text += line + '\n';
+        }
+    }
+}
+
+/// Replaces the driver's "0:12" or "0(12)" by the file's name and line.
+std::string name_lines(const std::string& log, const std::vector<std::string>& files) {
+    static const std::regex place(R"((^|\n|ERROR: |WARNING: )(\d+)[:(](\d+)\)?)");
+    std::string result;
+    auto at = log.cbegin();
+    for (std::sregex_iterator it(log.begin(), log.end(), place), end; it != end; ++it) {
+        const std::size_t file = std::stoul((*it)[2]);
+        result.append(at, (*it)[0].first);
+        result += (*it)[1].str() + (file < files.size() ? files[file] : (*it)[2].str()) + ":" + (*it)[3].str();
+        at = (*it)[0].second;
+    }
+    result.append(at, log.cend());
+    return result;
+}
+
+GLenum stage_of(std::string_view name) {
+    if (name.ends_with(".vert"))
+        return GL_VERTEX_SHADER;
+    if (name.ends_with(".frag"))
+        return GL_FRAGMENT_SHADER;
+    if (name.ends_with(".comp"))
+        return GL_COMPUTE_SHADER;
+    throw Error(fmt::format("{}: not a shader stage", name));
+}
+
+}  // namespace
+
+const ShaderFile& ShaderLibrary::find(std::string_view name) const {
+    const auto found = std::find_if(files_.begin(), files_.end(), [&](const ShaderFile& f) { return f.name == name; });
+    if (found == files_.end())
+        throw Error(fmt::format("no embedded shader file '{}'", name));
+    return *found;
+}
+
+Program::Program(const Functions& gl, const ShaderLibrary& library, std::initializer_list<std::string_view> files,
+                 const Defines& defines)
+    : Name(gl, gl.CreateProgram()) {
+    std::string head = "#version 450 core\n";
+    for (const auto& [name, value] : defines)
+        head += fmt::format("#define {} {}\n", name, value);
+    std::string all;
+    for (const std::string_view file : files) {
+        Assembled assembled;
+        append(library, file, assembled);
+        const std::string text = head + assembled.text;
+        const GLuint shader = gl.CreateShader(stage_of(file));
+        const char* data = text.c_str();
+        gl.ShaderSource(shader, 1, &data, nullptr);
+        gl.CompileShader(shader);
+        gl.AttachShader(id_, shader);
+        gl.DeleteShader(shader);  // lives on with the program
+        GLint ok = 0, length = 0;
+        gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+        gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+        std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+        gl.GetShaderInfoLog(shader, length, nullptr, log.data());
+        if (!ok) {
+            gl.DeleteProgram(std::exchange(id_, 0));
+            throw Error(fmt::format("{} does not compile:\n{}", file, name_lines(log, assembled.files)));
+        }
+        all += fmt::format("{} ", file);
+    }
+    gl.LinkProgram(id_);
+    GLint ok = 0, length = 0;
+    gl.GetProgramiv(id_, GL_LINK_STATUS, &ok);
+    gl.GetProgramiv(id_, GL_INFO_LOG_LENGTH, &length);
+    if (!ok) {
+        std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+        gl.GetProgramInfoLog(id_, length, nullptr, log.data());
+        gl.DeleteProgram(std::exchange(id_, 0));
+        throw Error(fmt::format("{}does not link:\n{}", all, log));
+    }
+}
+
+Program::~Program() {
+    if (id_)
+        gl_->DeleteProgram(id_);
+}
+
+GLint Program::at(const char* name) const {
+    const auto [it, added] = locations_.try_emplace(name, -1);
+    if (added)
+        it->second = gl_->GetUniformLocation(id_, name);
+    return it->second;
+}
+
+}  // namespace gl
