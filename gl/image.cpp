@@ -6,23 +6,13 @@
 #include <png.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 
 namespace gl {
 namespace {
-
-[[noreturn]] void png_failed(png_structp png, png_const_charp message) {
-    *static_cast<std::string*>(png_get_error_ptr(png)) = message;
-    png_longjmp(png, 1);
-}
-
-void png_warned(png_structp, png_const_charp) {}
-
-void append_bytes(png_structp png, png_bytep data, png_size_t size) {
-    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
-}
 
 bool opaque(const Image& image) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4)
@@ -34,39 +24,30 @@ bool opaque(const Image& image) {
 }  // namespace
 
 std::string encode_png(const Image& image) {
-    std::string bytes, error;
-    const bool rgb = opaque(image);
-    const auto width = static_cast<std::size_t>(image.width);
-    std::vector<std::uint8_t> row(width * 4);
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, png_failed, png_warned);
-    png_infop info = png_create_info_struct(png);
-    if (setjmp(png_jmpbuf(png))) {
-        png_destroy_write_struct(&png, &info);
-        throw std::runtime_error("PNG: " + error);
+    std::vector<std::uint8_t> rgb;
+    const void* pixels = image.rgba.data();
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = static_cast<png_uint_32>(image.width);
+    png.height = static_cast<png_uint_32>(image.height);
+    png.format = PNG_FORMAT_RGBA;
+    if (opaque(image)) {
+        png.format = PNG_FORMAT_RGB;
+        rgb.resize(image.rgba.size() / 4 * 3);
+        for (std::size_t i = 0; i < rgb.size() / 3; ++i)
+            std::copy_n(&image.rgba[4 * i], 3, &rgb[3 * i]);
+        pixels = rgb.data();
     }
-    png_set_write_fn(png, &bytes, append_bytes, nullptr);
-    png_set_compression_level(png, 6);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                 rgb ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_write_info(png, info);
-    for (int y = 0; y < image.height; ++y) {
-        const std::uint8_t* from = image.pixel(0, y);
-        if (rgb) {
-            for (std::size_t x = 0; x < width; ++x)
-                std::memcpy(&row[3 * x], from + 4 * x, 3);
-            png_write_row(png, row.data());
-        } else {
-            png_write_row(png, from);
-        }
-    }
-    png_write_end(png, nullptr);
-    png_destroy_write_struct(&png, &info);
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::string bytes(size, '\0');
+    if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, nullptr))
+        throw std::runtime_error(std::string("PNG: ") + png.message);
+    bytes.resize(size);
     return bytes;
 }
 
 void write_file(const std::filesystem::path& path, const std::string& bytes) {
-    std::string temporary = (path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string();
+    std::string temporary = (path.parent_path() / fmt::format(".{}.XXXXXX", path.filename().string())).string();
     const auto fail = [&](const char* what) {
         throw std::runtime_error(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
     };
@@ -116,8 +97,7 @@ void write_file(const std::filesystem::path& path, const std::string& bytes) {
 }
 
 Image read_png(const std::filesystem::path& path) {
-    png_image png;
-    std::memset(&png, 0, sizeof png);
+    png_image png{};
     png.version = PNG_IMAGE_VERSION;
     if (!png_image_begin_read_from_file(&png, path.c_str()))
         throw std::runtime_error(fmt::format("{}: {}", path.string(), png.message));

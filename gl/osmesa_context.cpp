@@ -1,6 +1,5 @@
 // OSMesa is opened at run time: its library brings its own OpenGL, which must not meet EGL's at link time, and Mesa
 // 25.1 no longer has it. Nothing but this file knows of it.
-#include <GL/osmesa.h>
 #include <dlfcn.h>
 
 #include <array>
@@ -11,6 +10,15 @@
 namespace gl {
 namespace {
 
+// OSMesa's interface; its own header cannot stand beside <GL/glcorearb.h>.
+using OSMesaContext = void*;
+using CreateContextAttribs = OSMesaContext (*)(const int* attributes, OSMesaContext share);
+using DestroyContext = void (*)(OSMesaContext);
+using MakeCurrent = GLboolean (*)(OSMesaContext, void* buffer, GLenum type, GLsizei width, GLsizei height);
+using GetProcAddress = void (*(*)(const char* name))();
+constexpr int kFormat = 0x22, kRgba = GL_RGBA, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34,
+              kMajorVersion = 0x36, kMinorVersion = 0x37;
+
 class OsmesaContext final : public Context {
   public:
     OsmesaContext() : Context(ContextKind::Osmesa) {
@@ -19,21 +27,12 @@ class OsmesaContext final : public Context {
                 break;
         if (!library_)
             throw Error("OSMesa is not installed (libOSMesa.so.8)");
-        const auto create = symbol<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
-        destroy_ = symbol<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext");
-        activate_ = symbol<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
-        const auto address = symbol<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress");
-        const int attributes[] = {OSMESA_FORMAT,
-                                  OSMESA_RGBA,
-                                  OSMESA_DEPTH_BITS,
-                                  0,
-                                  OSMESA_PROFILE,
-                                  OSMESA_CORE_PROFILE,
-                                  OSMESA_CONTEXT_MAJOR_VERSION,
-                                  4,
-                                  OSMESA_CONTEXT_MINOR_VERSION,
-                                  5,
-                                  0};
+        const auto create = symbol<CreateContextAttribs>("OSMesaCreateContextAttribs");
+        destroy_ = symbol<DestroyContext>("OSMesaDestroyContext");
+        activate_ = symbol<MakeCurrent>("OSMesaMakeCurrent");
+        const auto address = symbol<GetProcAddress>("OSMesaGetProcAddress");
+        const int attributes[] = {kFormat,      kRgba,         kDepthBits, 0,  kProfile,
+                                  kCoreProfile, kMajorVersion, 4,          kMinorVersion, 5, 0};
         context_ = create(attributes, nullptr);
         if (!context_)
             throw Error("OSMesa gives no OpenGL 4.5 core context");
@@ -63,8 +62,8 @@ class OsmesaContext final : public Context {
 
     void* library_ = nullptr;
     OSMesaContext context_ = nullptr;
-    decltype(&OSMesaDestroyContext) destroy_ = nullptr;
-    decltype(&OSMesaMakeCurrent) activate_ = nullptr;
+    DestroyContext destroy_ = nullptr;
+    MakeCurrent activate_ = nullptr;
     std::array<unsigned char, 4> front_{};  ///< OSMesa wants a front buffer; nothing is drawn to it.
 };
 
