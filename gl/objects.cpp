@@ -15,9 +15,13 @@ Buffer::~Buffer() {
         gl_->DeleteBuffers(1, &id_);
 }
 
-void Buffer::upload_bytes(const void* data, std::size_t size, GLenum usage) {
+void Buffer::reserve(std::size_t size, GLenum usage) {
     size_ = size;
     gl_->NamedBufferData(id_, static_cast<GLsizeiptr>(std::max<std::size_t>(size, 16)), nullptr, usage);
+}
+
+void Buffer::upload_bytes(const void* data, std::size_t size, GLenum usage) {
+    reserve(size, usage);
     if (size)
         gl_->NamedBufferSubData(id_, 0, static_cast<GLsizeiptr>(size), data);
 }

@@ -49,6 +49,8 @@ class Buffer : public Name {
         upload_bytes(data.data(), data.size_bytes(), usage);
     }
     void upload_bytes(const void* data, std::size_t size, GLenum usage);
+    /// Allocates `size` bytes of undefined content.
+    void reserve(std::size_t size, GLenum usage);
     void bind(GLenum target, GLuint index) const { gl_->BindBufferBase(target, index, id_); }
     [[nodiscard]] std::size_t size() const { return size_; }
 

@@ -1,0 +1,84 @@
+// Goldfeather's algorithm with visibility transfer, on OpenGL 4.5.
+//
+// Goldfeather 1989: a surface of a literal is visible where the parity of every other literal of its product agrees.
+// Wiegand 1996; Kirsch and Döllner 2004, 2005: visibility is carried to the merge in a texture.
+//
+// As built here, the candidate layers of all products of a part are peeled together, front to back, a "walk" of every
+// pixel along its ray. The parity of all leaves is kept in one bit each and toggled from event to event instead of
+// being counted again for every candidate; leaves that do not touch on the screen share a bit (screen_plan.h). After
+// each event the sum of products is evaluated by tiles, and where its value changes the pixel stores the next layer as
+// discrete ids (leaf, orientation, plane). So layer k+1 continues where layer k ended, faces that coincide are one
+// event by construction (their depths are bit-equal), and all layers cost one walk. A geometry pass toggles an event
+// and finds the next one at the same time. docs/ENGINES.md tells why this replaced one pass per literal and layer.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gl/context.h"
+#include "gl/program.h"
+#include "gl/view_block.h"
+#include "goldfeather/layer_stack.h"
+#include "goldfeather/leaf_buffers.h"
+#include "goldfeather/products.h"
+#include "goldfeather/screen_plan.h"
+
+namespace goldfeather {
+
+/// What one walk cost.
+struct WalkStats {
+    int passes = 0;  ///< Geometry passes.
+    int bands = 0;   ///< Horizontal bands that the picture was split into to keep the memory budget.
+    std::uint64_t fragments = 0;  ///< Surfaces that were ahead of a pixel's event and passed the depth test.
+    std::uint32_t drawn_leaves = 0;
+    std::uint32_t drawn_products = 0;
+    std::uint32_t slots = 0;  ///< Parity bits per pixel.
+    int layers = 0;           ///< The most layers of any pixel, as far as it was asked for.
+};
+
+/// All layers there are.
+inline constexpr int kAllLayers = 0;
+
+/// The products of a part, with the boxes of all leaves of the scene.
+struct PartProducts {
+    std::span<const Product> products;
+    std::span<const csg::Box> leaf_boxes;  ///< World boxes by LeafId.
+};
+
+class Goldfeather {
+  public:
+    /// Compiles its programs; throws gl::Error. `gl` must outlive the engine. `memory_budget`: bytes of per-pixel
+    /// state before the picture is split into bands.
+    explicit Goldfeather(const gl::Functions& gl, std::size_t memory_budget = std::size_t{128} << 20);
+    ~Goldfeather();
+
+    /// Fills a stack with the first `max_layers` surfaces of the part (kAllLayers: all of them).
+    /// `leaves` holds the scene's leaves, `tables` what the ids stand for.
+    [[nodiscard]] LayerStack walk(const gl::View& view, LeafBuffers& leaves, const PartProducts& part,
+                                  std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats);
+
+  private:
+    struct Band;
+    /// Gives the most layers that a pixel of the band has.
+    int draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats);
+    [[nodiscard]] int most_layers(std::size_t pixel_count) const;
+    void upload(const ScreenPlan& plan, const LeafBuffers& leaves);
+    void grow(LayerStack& stack, int layers) const;
+    void clear_from(const LayerStack& stack, int layer) const;
+
+    const gl::Functions& gl_;
+    std::size_t memory_budget_;
+    gl::Program geometry_, resolve_;
+    gl::ViewBlock view_block_;
+    gl::VertexArray leaf_array_, tile_array_;
+    gl::Buffer draw_ids_, draw_commands_, tiles_;
+    gl::Buffer products_, entries_, tile_products_, tile_leaves_;
+    gl::Buffer pixels_, inside_bits_, toggled_bits_;
+    gl::Texture next_depth_;
+    gl::Framebuffer geometry_target_, resolve_target_;
+    gl::Texture resolve_color_;
+    gl::Query candidates_, filled_;
+    GLsizei draw_count_ = 0;
+};
+
+}  // namespace goldfeather

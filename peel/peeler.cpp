@@ -1,0 +1,88 @@
+#include "peel/peeler.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace peel {
+namespace {
+
+gl::ShaderLibrary shaders() {
+    gl::ShaderLibrary library;
+    library.add(gl::shader_files());
+    library.add(peel::shader_files());
+    return library;
+}
+
+}  // namespace
+
+PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg::solid::Geometry& geometry,
+                     std::vector<std::vector<goldfeather::Product>> part_products)
+    : tables(goldfeather::SurfaceTables::make(gl, scene, geometry)),
+      leaves(gl, geometry, tables->local_centre),
+      products(std::move(part_products)),
+      box(geometry.box) {
+    leaf_boxes.reserve(geometry.leaves.size());
+    for (const auto& leaf : geometry.leaves)
+        leaf_boxes.push_back(leaf.box);
+    for (const auto& part : scene.parts)
+        kinds.push_back(part.kind);
+}
+
+Peeler::Peeler(const gl::Functions& gl)
+    : gl_(gl),
+      engine_(gl),
+      merge_(gl, shaders(), {"peel/fullscreen.vert", "peel/merge.frag"}),
+      empty_array_(gl),
+      target_(gl) {}
+
+LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
+    const auto walk = [&](std::size_t part) {
+        return engine_.walk(view, model.leaves, {model.products[part], model.leaf_boxes}, model.tables, max_layers,
+                            stats);
+    };
+    if (model.products.empty())
+        return engine_.walk(view, model.leaves, {{}, model.leaf_boxes}, model.tables, max_layers, stats);
+    LayerStack result = walk(0);
+    for (std::size_t part = 1; part < model.products.size(); ++part) {
+        LayerStack next = walk(part);
+        result = model.kinds[part] == csg::PartKind::Highlight ? merge(next, result, max_layers)
+                                                               : merge(result, next, max_layers);
+    }
+    return result;
+}
+
+LayerStack Peeler::merge(const LayerStack& front, const LayerStack& back, int max_layers) {
+    LayerStack merged;
+    merged.size = front.size;
+    merged.tables = front.tables;
+    const int both = front.layers + back.layers;
+    merged.layers = max_layers == kAllLayers ? both : std::min(both, max_layers);
+    merged.complete = front.complete && back.complete && (max_layers == kAllLayers || both <= max_layers);
+    merged.depth = gl::Texture::make_2d_array(gl_, GL_R32F, merged.size, merged.layers);
+    merged.surface = gl::Texture::make_2d_array(gl_, GL_RG32UI, merged.size, merged.layers);
+
+    if (!target_color_ || target_color_.size() != merged.size) {
+        target_color_ = gl::Texture::make_2d(gl_, GL_R8, merged.size);
+        target_.attach({&target_color_});
+    }
+    target_.bind();
+    gl_.Viewport(0, 0, merged.size.x, merged.size.y);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_BLEND);
+    front.depth.bind(0);
+    front.surface.bind(1);
+    back.depth.bind(2);
+    back.surface.bind(3);
+    gl_.BindImageTexture(0, merged.depth.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
+    gl_.BindImageTexture(1, merged.surface.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32UI);
+    merge_.set("front_layers", front.layers);
+    merge_.set("back_layers", back.layers);
+    merge_.set("layers", merged.layers);
+    merge_.use();
+    empty_array_.bind();
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    return merged;
+}
+
+}  // namespace peel

@@ -1,0 +1,51 @@
+// Peels a scene into its stack of layers.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "goldfeather/engine.h"
+#include "peel/layer_stack.h"
+
+namespace peel {
+
+using goldfeather::kAllLayers;
+using goldfeather::WalkStats;
+
+/// A scene on the GPU with the sum of products of each part, ready to be peeled from any view.
+struct PeelModel {
+    /// `products[i]` belongs to `scene.parts[i]`.
+    PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg::solid::Geometry& geometry,
+              std::vector<std::vector<goldfeather::Product>> products);
+
+    std::shared_ptr<const goldfeather::SurfaceTables> tables;
+    goldfeather::LeafBuffers leaves;
+    std::vector<csg::Box> leaf_boxes;
+    std::vector<std::vector<goldfeather::Product>> products;
+    std::vector<csg::PartKind> kinds;
+    csg::Box box;  ///< Of all leaves, world coordinates.
+};
+
+/// Peels parts by the Goldfeather engine and merges them by depth.
+class Peeler {
+  public:
+    /// Throws gl::Error. `gl` must outlive the peeler.
+    explicit Peeler(const gl::Functions& gl);
+
+    /// The first `max_layers` surfaces of the whole scene (kAllLayers: all). Where surfaces of two parts coincide, a
+    /// highlighted part comes first, and otherwise the part with the smaller id.
+    [[nodiscard]] LayerStack peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
+
+  private:
+    [[nodiscard]] LayerStack merge(const LayerStack& front, const LayerStack& back, int max_layers);
+
+    const gl::Functions& gl_;
+    goldfeather::Goldfeather engine_;
+    gl::Program merge_;
+    gl::VertexArray empty_array_;
+    gl::Framebuffer target_;
+    gl::Texture target_color_;
+};
+
+}  // namespace peel
