@@ -75,6 +75,7 @@ struct Goldfeather::Band {
 Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget)
     : gl_(gl),
       memory_budget_(memory_budget),
+      prepare_(gl, shaders(), {"goldfeather/prepare.comp"}),
       geometry_(gl, shaders(), {"goldfeather/leaf.vert", "goldfeather/walk.frag"}),
       resolve_(gl, shaders(), {"goldfeather/tile.vert", "goldfeather/resolve.frag"}),
       view_block_(gl),
@@ -98,6 +99,9 @@ Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget)
     gl.VertexArrayAttribIFormat(leaf_array_.id(), 0, 2, GL_UNSIGNED_INT, 0);
     gl.VertexArrayAttribBinding(leaf_array_.id(), 0, 0);
     gl.VertexArrayBindingDivisor(leaf_array_.id(), 0, 1);
+    gl.EnableVertexArrayAttrib(leaf_array_.id(), 1);
+    gl.VertexArrayAttribFormat(leaf_array_.id(), 1, 4, GL_FLOAT, GL_FALSE, 0);
+    gl.VertexArrayAttribBinding(leaf_array_.id(), 1, 1);
     for (GLuint i = 0; i < 2; ++i) {
         gl.EnableVertexArrayAttrib(tile_array_.id(), i);
         gl.VertexArrayAttribIFormat(tile_array_.id(), i, 4, GL_UNSIGNED_INT, i * static_cast<GLuint>(sizeof(glm::uvec4)));
@@ -157,9 +161,11 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
     int most = 0;
 
     upload(screen, leaves);
-    leaves.bind(view);
     view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
     view_block_.bind();
+    leaves.project(view, prepare_);
+    leaves.bind();
+    gl_.VertexArrayVertexBuffer(leaf_array_.id(), 1, leaves.positions().id(), 0, sizeof(glm::vec4));
 
     // The state of a row of pixels decides how many rows are walked at once.
     const std::size_t row = static_cast<std::size_t>(view.size().x) * (sizeof(PixelState) + 8 * std::size_t{screen.words()});

@@ -68,7 +68,7 @@ class Goldfeather {
 
     const gl::Functions& gl_;
     std::size_t memory_budget_;
-    gl::Program geometry_, resolve_;
+    gl::Program prepare_, geometry_, resolve_;
     gl::ViewBlock view_block_;
     gl::VertexArray leaf_array_, tile_array_;
     gl::Buffer draw_ids_, draw_commands_, tiles_;

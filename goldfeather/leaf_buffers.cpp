@@ -4,7 +4,13 @@ namespace goldfeather {
 
 LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry,
                          const glm::dvec3& local_centre)
-    : planes_(geometry.planes.planes()), vertices_(gl), triangle_planes_(gl), plane_depths_(gl) {
+    : gl_(gl),
+      planes_(geometry.planes.planes()),
+      vertices_(gl),
+      triangle_planes_(gl),
+      plane_depths_(gl),
+      positions_(gl),
+      triangles_(gl) {
     std::vector<glm::vec3> vertices;
     std::vector<std::uint32_t> planes;
     for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
@@ -20,20 +26,25 @@ LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& ge
     triangle_count_ = planes.size();
     vertices_.upload<glm::vec3>(vertices);
     triangle_planes_.upload<std::uint32_t>(planes);
-    vertex_texels_ = gl::Texture::make_buffer(gl, GL_RGB32F, vertices_);
-    plane_texels_ = gl::Texture::make_buffer(gl, GL_R32UI, triangle_planes_);
+    positions_.reserve(3 * triangle_count_ * sizeof(glm::vec4), GL_DYNAMIC_COPY);
+    triangles_.reserve(triangle_count_ * 2 * sizeof(glm::vec4), GL_DYNAMIC_COPY);  // as TriangleRow
 }
 
-void LeafBuffers::bind(const gl::View& view) {
+void LeafBuffers::project(const gl::View& view, const gl::Program& prepare) {
     scratch_.clear();
     for (const csg::solid::Plane& plane : planes_) {
         const gl::View::PlaneDepth d = view.plane_depth(plane.normal, plane.offset);
         scratch_.emplace_back(d.a, d.b, d.c, d.edge_on ? 1.0F : 0.0F);
     }
     plane_depths_.upload<glm::vec4>(scratch_, GL_STREAM_DRAW);
-    vertex_texels_.bind(8);
-    plane_texels_.bind(9);
-    plane_depths_.bind(GL_SHADER_STORAGE_BUFFER, 8);
+    GLuint binding = 2;
+    for (const gl::Buffer* buffer : {&vertices_, &triangle_planes_, &plane_depths_, &positions_, &triangles_})
+        buffer->bind(GL_SHADER_STORAGE_BUFFER, binding++);
+    const auto count = static_cast<unsigned>(triangle_count_);
+    prepare.set("triangle_count", count);
+    prepare.use();
+    gl_.DispatchCompute((count + 63) / 64, 1, 1);
+    gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 }  // namespace goldfeather

@@ -1,4 +1,4 @@
-// The leaves of a scene in GPU buffers, drawn by every geometry pass.
+// The leaves of a scene in GPU buffers, projected once a view and drawn by every geometry pass.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include "csg/solid/placed.h"
 #include "gl/camera.h"
-#include "gl/objects.h"
+#include "gl/program.h"
 
 namespace goldfeather {
 
@@ -20,19 +20,24 @@ class LeafBuffers {
         std::uint32_t first_vertex = 0;
         std::uint32_t vertex_count = 0;
     };
-    [[nodiscard]] const std::vector<Range>& ranges() const { return ranges_; }
+    [[nodiscard]] const std::vector<Range>& ranges() const { return ranges_; }  ///< By LeafId.
     [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }
 
-    /// Computes the depth functions of all planes for `view`, and binds vertices (texture unit 8), planes of
-    /// triangles (texture unit 9) and depth functions (storage block 8), for goldfeather/leaf.glsl.
-    void bind(const gl::View& view);
+    /// Computes the depth functions of all planes (in double precision) and projects all triangles for `view` with
+    /// `prepare` (goldfeather/prepare.comp); gl/view.glsl's block must be bound. Uses storage blocks 2 to 6.
+    void project(const gl::View& view, const gl::Program& prepare);
+
+    /// Binds the rows of the projected triangles to storage block 8; goldfeather/leaf.vert's attribute 1 comes from
+    /// `positions()`.
+    void bind() const { triangles_.bind(GL_SHADER_STORAGE_BUFFER, 8); }
+    [[nodiscard]] const gl::Buffer& positions() const { return positions_; }
 
   private:
+    const gl::Functions& gl_;
     std::vector<csg::solid::Plane> planes_;
     std::vector<Range> ranges_;
     std::size_t triangle_count_ = 0;
-    gl::Buffer vertices_, triangle_planes_, plane_depths_;
-    gl::Texture vertex_texels_, plane_texels_;
+    gl::Buffer vertices_, triangle_planes_, plane_depths_, positions_, triangles_;
     std::vector<glm::vec4> scratch_;
 };
 

@@ -3,7 +3,6 @@
 #include "goldfeather/surface_depth.glsl"
 #include "goldfeather/walk.glsl"
 
-flat in uint leaf;
 flat in uint slot;
 flat in uint plane;
 

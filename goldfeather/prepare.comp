@@ -1,0 +1,30 @@
+// Projects the triangles of all leaves, once a view.
+#include "gl/view.glsl"
+#include "goldfeather/triangles.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 2) readonly buffer Vertices { float vertices[]; };  // three floats each, local coordinates
+layout(std430, binding = 3) readonly buffer TrianglePlanes { uint triangle_planes[]; };
+layout(std430, binding = 4) readonly buffer PlaneDepths { vec4 plane_depths[]; };
+layout(std430, binding = 5) writeonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = 6) writeonly buffer Triangles { TriangleRow triangles[]; };
+
+uniform uint triangle_count;
+
+void main() {
+    uint triangle = gl_GlobalInvocationID.x;
+    if (triangle >= triangle_count)
+        return;
+    float nearest = 0.0, farthest = 1.0;
+    for (uint v = 3u * triangle; v < 3u * triangle + 3u; ++v) {
+        vec4 p = view.clip_from_local * vec4(vertices[3u * v], vertices[3u * v + 1u], vertices[3u * v + 2u], 1.0);
+        positions[v] = p;
+        // A vertex in front of the near plane is clipped: the triangle reaches up to it.
+        float depth = p.z < p.w ? p.z / p.w : 1.0;
+        nearest = max(nearest, depth);
+        farthest = min(farthest, depth);
+    }
+    uint plane = triangle_planes[triangle];
+    triangles[triangle] = TriangleRow(plane_depths[plane], vec2(farthest, nearest), plane, 0u);
+}
