@@ -1,0 +1,61 @@
+#include "gl/image.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImageTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path folder_;
+};
+
+TEST_F(ImageTest, PngGivesBackWhatWasWritten) {
+    for (const int alpha : {255, 100}) {
+        gl::Image image{9, 5, {}};
+        for (int i = 0; i < 9 * 5; ++i)
+            for (const int v : {i * 5, 255 - i, i * i, alpha})
+                image.rgba.push_back(static_cast<std::uint8_t>(v & 255));
+        gl::write_file(folder_ / "a.png", gl::encode_png(image));
+        const gl::Image back = gl::read_png(folder_ / "a.png");
+        EXPECT_EQ(back.width, 9);
+        EXPECT_EQ(back.height, 5);
+        EXPECT_EQ(back.rgba, image.rgba);
+    }
+}
+
+TEST_F(ImageTest, WritingLeavesNothingElseBehind) {
+    gl::write_file(folder_ / "a", "first");
+    gl::write_file(folder_ / "a", "second");
+    std::ifstream in(folder_ / "a");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "second");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(ImageTest, AMissingFolderIsNamed) {
+    try {
+        gl::write_file(folder_ / "no" / "a", "x");
+        FAIL() << "it was written";
+    } catch (const std::runtime_error& e) {
+        EXPECT_NE(std::string(e.what()).find("/no/a"), std::string::npos) << e.what();
+    }
+}
+
+TEST_F(ImageTest, NotAPngIsAnError) {
+    gl::write_file(folder_ / "a.png", "not a picture");
+    EXPECT_THROW((void)gl::read_png(folder_ / "a.png"), std::runtime_error);
+    EXPECT_THROW((void)gl::read_png(folder_ / "none.png"), std::runtime_error);
+}
+
+}  // namespace

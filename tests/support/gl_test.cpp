@@ -1,0 +1,38 @@
+#include "tests/support/gl_test.h"
+
+#include <cstdlib>
+
+#include "gl/error.h"
+
+namespace test_support {
+
+MaybeContext try_context(gl::ContextKind kind) {
+    try {
+        return {gl::create_context(kind), {}};
+    } catch (const gl::Error& e) {
+        return {nullptr, e.what()};
+    }
+}
+
+void GlTest::SetUp() {
+    MaybeContext made = try_context(GetParam());
+    if (made.context) {
+        context_ = std::move(made.context);
+        return;
+    }
+    const char* required = std::getenv("CSGSCOPE_REQUIRE_GL");
+    if (required && *required == '1') {
+        FAIL() << "no OpenGL: " << made.reason;
+    }
+    GTEST_SKIP() << "no OpenGL: " << made.reason;
+}
+
+void GlTest::TearDown() {
+    if (!context_ || HasFailure())
+        return;
+    EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+std::string context_name(const testing::TestParamInfo<gl::ContextKind>& info) { return gl::name(info.param); }
+
+}  // namespace test_support
