@@ -54,8 +54,8 @@ struct FunctionObject : ValueObject {
 
 class Value {
   public:
-    Value() : type_(ValueType::Undef), number_(0) {}
-    Value(bool b) : type_(ValueType::Bool), bool_(b) {}
+    Value() : type_(ValueType::Undef), bits_(0) {}
+    Value(bool b) : type_(ValueType::Bool), bits_(b) {}
     Value(double number) : type_(ValueType::Number), number_(number) {}
     Value(int number) : Value(static_cast<double>(number)) {}
     Value(std::string text);
@@ -70,17 +70,12 @@ class Value {
         return v;
     }
 
-    Value(const Value& other) noexcept : type_(other.type_), number_(other.number_) {
+    Value(const Value& other) noexcept : type_(other.type_), bits_(other.bits_) {
         if (shared()) {
-            object_ = other.object_;
             ++object_->references;
         }
     }
-    Value(Value&& other) noexcept : type_(std::exchange(other.type_, ValueType::Undef)), number_(other.number_) {
-        if (shared()) {
-            object_ = other.object_;
-        }
-    }
+    Value(Value&& other) noexcept : type_(std::exchange(other.type_, ValueType::Undef)), bits_(other.bits_) {}
     Value& operator=(Value other) noexcept {
         swap(other);
         return *this;
@@ -106,7 +101,7 @@ class Value {
     [[nodiscard]] bool is_function() const { return type_ == ValueType::Function; }
 
     // Each of these requires the type.
-    [[nodiscard]] bool boolean() const { return bool_; }
+    [[nodiscard]] bool boolean() const { return bits_ != 0; }
     [[nodiscard]] double number() const { return number_; }
     [[nodiscard]] const std::string& string() const;
     [[nodiscard]] std::span<const Value> elements() const;
@@ -118,8 +113,8 @@ class Value {
     /// undef, false, 0, "" and [] are false; all else is true.
     [[nodiscard]] explicit operator bool() const;
 
-    /// Vectors only: the list to append to, in place where nobody else holds it, else a copy.
-    [[nodiscard]] std::vector<Value>& unique_elements();
+    /// Vectors only: in place where nobody else holds the list, else to a copy of it.
+    void append(Value element);
 
     /// As str() and nested in vectors: strings without quotes at top level, with quotes inside.
     [[nodiscard]] std::string text() const;
@@ -132,7 +127,6 @@ class Value {
 
     ValueType type_;
     union {
-        bool bool_;
         double number_;
         ValueObject* object_;
         std::uint64_t bits_;
@@ -143,7 +137,7 @@ static_assert(sizeof(Value) == 16);
 /// == of the language: different types are never equal; undef equals undef.
 [[nodiscard]] bool equal(const Value& a, const Value& b);
 
-/// A number as OpenSCAD prints it: six significant digits, shortest form ("0.1", "1e+6", "inf", "nan", "0" for -0).
+/// A number as OpenSCAD prints it: six significant digits, ("0.1", "1e+6", "inf", "nan", "0" for -0).
 [[nodiscard]] std::string number_text(double number);
 
 /// How many list elements are alive on this thread; evaluators bound it.
