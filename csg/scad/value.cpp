@@ -183,7 +183,8 @@ bool equal(const Value& a, const Value& b) {
             return a.string() == b.string();
         case ValueType::Range: {
             const Range &r = a.range(), &s = b.range();
-            return r.begin == s.begin && r.step == s.step && r.end == s.end;
+            const std::uint32_t m = r.count();
+            return m == s.count() && (m == 0 || (r.begin == s.begin && (m == 1 || r.step == s.step)));
         }
         case ValueType::Function:
             return &a.function() == &b.function();
