@@ -66,9 +66,17 @@ double tan_degrees(double degrees) {
     return sin_degrees(degrees) / cos_degrees(degrees);
 }
 
-double asin_degrees(double x) { return round_if_near(std::asin(x) / kRadians); }
-double acos_degrees(double x) { return round_if_near(std::acos(x) / kRadians); }
-double atan_degrees(double x) { return round_if_near(std::atan(x) / kRadians); }
-double atan2_degrees(double y, double x) { return round_if_near(std::atan2(y, x) / kRadians); }
+double asin_degrees(double x) {
+    return round_if_near(std::asin(x) / kRadians);
+}
+double acos_degrees(double x) {
+    return round_if_near(std::acos(x) / kRadians);
+}
+double atan_degrees(double x) {
+    return round_if_near(std::atan(x) / kRadians);
+}
+double atan2_degrees(double y, double x) {
+    return round_if_near(std::atan2(y, x) / kRadians);
+}
 
 }  // namespace csg
