@@ -70,6 +70,8 @@ class ValueStack {
         Region(const Region&) = delete;
         Region& operator=(const Region&) = delete;
         [[nodiscard]] Value* data() const { return data_; }
+        /// Takes over the values of `newer`, the innermost region; grows where they do not fit.
+        void replace(Region& newer);
         [[nodiscard]] std::size_t size() const { return count_; }
 
       private:
@@ -129,9 +131,6 @@ class Evaluator {
     /// The children of an instantiation, in a frame of their own.
     void children_of(const Instantiation& i, const Frame* frame, Nodes& out);
     void run_block(BlockId block, const Frame* frame, Nodes& out);
-    /// Runs `body(frame)` for each combination of the variables of a for or intersection_for.
-    template <typename Body>
-    void loop(const Instantiation& i, const Frame* frame, Body&& body);
     /// Only some of the children of a module call; an index is of its instantiations.
     void run_child(const ModuleCall& call, std::size_t index, Nodes& out);
     [[nodiscard]] std::size_t child_count(const ModuleCall& call) const;
@@ -141,8 +140,6 @@ class Evaluator {
     void check_stop(const SourceRange& where);
     [[nodiscard]] ValueStack& stack() { return stack_; }
     [[nodiscard]] const Resolution& resolution() const { return r_; }
-    /// The values that a for goes through; warns of ranges that are too long.
-    class Sequence;
 
   private:
     friend class DynamicMark;
@@ -173,7 +170,7 @@ class Evaluator {
     bool find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee);
     Value call_builtin(const Expr& e, BuiltinFunction function, Scope& scope);
     void bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
-                        const SourceRange& where, Scope& caller, Value* slots, bool is_module);
+                        const SourceRange& where, Scope& caller, Value* slots);
     void bind_defaults(std::span<const Argument> parameters, Scope& defining, Value* slots);
 
     // evaluate_module.cpp
@@ -206,6 +203,7 @@ class Evaluator {
         const Value* slot;
     };
     std::vector<Late> late_;                ///< Captures that wait for their variable.
+    std::vector<std::pair<std::uint32_t, Value>> pending_dynamics_;  ///< `$` arguments of the call being bound.
     std::vector<Value> knotted_;            ///< Closures that may hold each other: untied at the end.
     struct UnitFrame {
         Frame frame;
