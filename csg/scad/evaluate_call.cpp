@@ -121,13 +121,14 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
 }
 
 void Evaluator::bind_defaults(std::span<const Argument> parameters, Scope& defining, Value* slots) {
+    for (auto& [slot, value] : pending_dynamics_) {
+        bind_dynamic(slot, std::move(value));
+    }
+    pending_dynamics_.clear();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if (slots[i].is_unset()) {
             slots[i] = parameters[i].value == kNone ? Value() : evaluate(parameters[i].value, defining);
         }
-    }
-    for (auto& [slot, value] : std::exchange(pending_dynamics_, {})) {
-        bind_dynamic(slot, std::move(value));
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if (is_dynamic(name(parameters[i].name))) {
@@ -168,11 +169,11 @@ Value Evaluator::call(ExprId id, Scope& caller) {
     }
     check_stack(e->where, "calling function", callee.name);
     DynamicMark mark(*this);
-    auto slots = std::make_unique<ValueStack::Region>(stack_, callee.locals);
+    ValueStack::Region slots(stack_, callee.locals);
     try {
-        bind_arguments(p_.arguments_of(*e), callee.parameters, e->where, caller, slots->data());
-        Scope scope = callee.scope(slots->data());
-        bind_defaults(callee.parameters, scope, slots->data());
+        bind_arguments(p_.arguments_of(*e), callee.parameters, e->where, caller, slots.data());
+        Scope scope = callee.scope(slots.data());
+        bind_defaults(callee.parameters, scope, slots.data());
         ExprId body = callee.body;
         for (unsigned tail_calls = 0; body != kNone;) {
             const Expr& b = p_[body];
@@ -204,9 +205,9 @@ Value Evaluator::call(ExprId id, Scope& caller) {
                 bind_arguments(p_.arguments_of(b), next.parameters, b.where, scope, fresh.data());
                 mark.unwind();
                 callee = std::move(next);
-                slots->replace(fresh);
-                scope = callee.scope(slots->data());
-                bind_defaults(callee.parameters, scope, slots->data());
+                slots.replace(fresh);
+                scope = callee.scope(slots.data());
+                bind_defaults(callee.parameters, scope, slots.data());
                 body = callee.body;
             } else {
                 return evaluate(body, scope);

@@ -72,6 +72,7 @@ class ValueStack {
         [[nodiscard]] Value* data() const { return data_; }
         /// Takes over the values of `newer`, the innermost region; grows where they do not fit.
         void replace(Region& newer);
+        void release();
         [[nodiscard]] std::size_t size() const { return count_; }
 
       private:
@@ -81,6 +82,7 @@ class ValueStack {
     };
 
   private:
+    Value* take(std::size_t count);
     struct Chunk {
         std::unique_ptr<Value[]> values;
         std::size_t size;
@@ -134,8 +136,11 @@ class Evaluator {
     /// Only some of the children of a module call; an index is of its instantiations.
     void run_child(const ModuleCall& call, std::size_t index, Nodes& out);
     [[nodiscard]] std::size_t child_count(const ModuleCall& call) const;
-    void assign(const Argument& a, Value value, Frame& frame);
-    void echo_arguments(std::span<const Argument> arguments, const Frame* frame);
+    void assign(const Argument& a, Value value, const Frame& frame);
+    /// Calls `body` with a frame for `block` inside `outer`; `$` variables are as before afterwards.
+    void with_frame(BlockId block, const Frame* outer, const std::function<void(const Frame*)>& body);
+    [[nodiscard]] csg::Modifiers modifiers(const Instantiation& i) const;
+    void echo(std::span<const Argument> arguments, Scope& scope);
     void check_assertion(std::span<const Argument> arguments, const SourceRange& where, Scope& scope);
     void check_stop(const SourceRange& where);
     [[nodiscard]] ValueStack& stack() { return stack_; }
@@ -152,7 +157,6 @@ class Evaluator {
     Value make_closure(ExprId id, Scope& scope);
     void bind_let(std::span<const Argument> arguments, Scope& scope);
     void bind_local(const Argument& a, Value value, Scope& scope);
-    void echo(std::span<const Argument> arguments, Scope& scope);
     Value variable(const VariableRef& ref, const Scope& scope) const;
     Value variable_or_warn(ExprId id, const Scope& scope);
     const Frame* outward(const Frame* frame, std::uint32_t hops) const;
@@ -177,7 +181,7 @@ class Evaluator {
     void instantiate(const Instantiation& i, const Frame* frame, Nodes& out);
     void instantiate_if(const Instantiation& i, const Frame* frame, Nodes& out);
     void instantiate_user(const Instantiation& i, const DefinitionRef& definition, const Frame* frame, Nodes& out);
-    void run_assignments(const Block& block, Frame& frame);
+    void run_assignments(const Block& block, const Frame& frame);
     const Frame* unit_frame(UnitId unit);
 
     void unwind(std::size_t mark);
@@ -214,6 +218,8 @@ class Evaluator {
     TreeBuilder builder_;
     std::vector<std::uint32_t> tree_files_;  ///< By file of the SourceSet.
     NodeId root_ = kNoNode;                  ///< Of the first `!`.
+    std::uint32_t children_index_ = kNone;
+    std::uint32_t parent_modules_index_ = kNone;
     std::uint32_t steps_ = 0;
     std::size_t nodes_ = 0;
 
