@@ -14,11 +14,11 @@ namespace csg::scad {
 
 /// What a built-in function may use besides its arguments.
 struct FunctionHost {
-    std::function<void(std::string text)> warn;               ///< At the place of the call.
+    std::function<void(std::string text)> warn;  ///< At the place of the call.
     std::function<void(std::string text)> warn_without_place;
-    std::vector<std::string_view> module_names;               ///< Of the user modules that run, the outermost first.
-    std::mt19937 random;                                      ///< For rands() without a seed: the same in every run.
-    std::size_t max_elements = 0;                             ///< Of a list that a function makes.
+    std::vector<std::string_view> module_names;  ///< Of the user modules that run, the outermost first.
+    std::mt19937 random;                         ///< For rands() without a seed: the same in every run.
+    std::size_t max_elements = 0;                ///< Of a list that a function makes.
 };
 
 /// Never throws on bad arguments: warns and gives undef, as OpenSCAD does.

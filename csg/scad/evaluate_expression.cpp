@@ -178,10 +178,10 @@ Value Evaluator::evaluate_member(const Expr& e, Scope& scope) {
     }
     if (value.is_range()) {
         const Range& r = value.range();
-        return member == "begin" ? Value(r.begin)
+        return member == "begin"  ? Value(r.begin)
                : member == "step" ? Value(r.step)
-               : member == "end" ? Value(r.end)
-                                 : Value();
+               : member == "end"  ? Value(r.end)
+                                  : Value();
     }
     return {};
 }
@@ -197,9 +197,8 @@ Value Evaluator::make_closure(ExprId id, Scope& scope) {
             late_.push_back({value, closure->captures.size() - 1, &scope.locals[source.slot]});
             continue;
         }
-        closure->captures.push_back(source.from_capture
-                                        ? variable({Place::Capture, 0, source.slot, kNone}, scope)
-                                        : scope.locals[source.slot]);
+        closure->captures.push_back(source.from_capture ? variable({Place::Capture, 0, source.slot, kNone}, scope)
+                                                        : scope.locals[source.slot]);
     }
     return value;
 }
@@ -250,7 +249,9 @@ void Evaluator::bind_let(std::span<const Argument> arguments, Scope& scope) {
     late_.resize(kept);
 }
 
-std::string Closure::text() const { return expression_text(program, literal); }
+std::string Closure::text() const {
+    return expression_text(program, literal);
+}
 
 void Closure::take_captures(std::vector<Value>& out) {
     for (Value& value : captures) {
@@ -276,8 +277,8 @@ void Evaluator::check_assertion(std::span<const Argument> arguments, const Sourc
     const Argument* message = nullptr;
     for (const Argument& a : arguments) {
         const bool named = a.name != kNoSymbol;
-        const Argument*& target = named ? (name(a.name) == "message" ? message : condition)
-                                        : (condition == nullptr ? condition : message);
+        const Argument*& target =
+            named ? (name(a.name) == "message" ? message : condition) : (condition == nullptr ? condition : message);
         target = &a;
     }
     if (condition != nullptr && evaluate(condition->value, scope)) {

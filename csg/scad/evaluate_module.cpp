@@ -168,7 +168,8 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
     } catch (EvaluationError& error) {
         std::string text;
         for (std::size_t k = 0; k < parameters.size(); ++k) {
-            text += fmt::format("{}{} = {}", k == 0 ? "" : ", ", name(parameters[k].name), values.data()[k].echo_text());
+            text +=
+                fmt::format("{}{} = {}", k == 0 ? "" : ", ", name(parameters[k].name), values.data()[k].echo_text());
         }
         error.trace.push_back({Severity::Trace, m.where, fmt::format("call of '{}({})'", name(m.name), text)});
         host_.module_names.pop_back();

@@ -206,9 +206,9 @@ class Evaluator {
         std::size_t capture;
         const Value* slot;
     };
-    std::vector<Late> late_;                ///< Captures that wait for their variable.
+    std::vector<Late> late_;                                         ///< Captures that wait for their variable.
     std::vector<std::pair<std::uint32_t, Value>> pending_dynamics_;  ///< `$` arguments of the call being bound.
-    std::vector<Value> knotted_;            ///< Closures that may hold each other: untied at the end.
+    std::vector<Value> knotted_;  ///< Closures that may hold each other: untied at the end.
     struct UnitFrame {
         Frame frame;
         std::vector<Value> slots;

@@ -173,7 +173,8 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
     const auto natural = [&](std::size_t i, std::size_t otherwise) {
         return i < a.size() && a[i].is_number() && a[i].number() >= 0 && a[i].number() < 4294967296.0
                    ? static_cast<std::size_t>(a[i].number())
-                   : i < a.size() ? 0 : otherwise;
+               : i < a.size() ? 0
+                              : otherwise;
     };
     const std::size_t per_match = natural(2, 1), column = natural(3, 0);
     const Value &sought = a[0], &table = a[1];
@@ -210,9 +211,10 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
     }
     for (std::size_t row = 0; row < rows.size() && !sought.string().empty(); ++row) {
         if (!rows[row].is_vector() || rows[row].elements().size() <= column) {
-            host.warn(fmt::format("Invalid entry in search vector at index {}, required number of values in the entry: "
-                                  "{}. Invalid entry: {}",
-                                  row, column + 1, rows[row].echo_text()));
+            host.warn(
+                fmt::format("Invalid entry in search vector at index {}, required number of values in the entry: "
+                            "{}. Invalid entry: {}",
+                            row, column + 1, rows[row].echo_text()));
             return {};
         }
     }
@@ -226,7 +228,9 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
     return result;
 }
 
-Value version(std::string_view, std::span<const Value>, FunctionHost&) { return std::vector<Value>{2021, 1, 0}; }
+Value version(std::string_view, std::span<const Value>, FunctionHost&) {
+    return std::vector<Value>{2021, 1, 0};
+}
 
 Value version_num(std::string_view name, std::span<const Value> a, FunctionHost& host) {
     const Value v = a.empty() ? version(name, a, host) : a[0];
@@ -277,6 +281,8 @@ constexpr std::array kLists{
 
 }  // namespace
 
-std::span<const FunctionEntry> list_functions() { return kLists; }
+std::span<const FunctionEntry> list_functions() {
+    return kLists;
+}
 
 }  // namespace csg::scad

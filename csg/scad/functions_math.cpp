@@ -53,15 +53,33 @@ Value binary(std::string_view name, std::span<const Value> a, FunctionHost& host
     return F(a[0].number(), a[1].number());
 }
 
-double absolute(double x) { return std::abs(x); }
-double sign(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-double floor_of(double x) { return std::floor(x); }
-double ceil_of(double x) { return std::ceil(x); }
-double round_of(double x) { return std::round(x); }
-double sqrt_of(double x) { return std::sqrt(x); }
-double exp_of(double x) { return std::exp(x); }
-double ln_of(double x) { return std::log(x); }
-double power(double x, double y) { return std::pow(x, y); }
+double absolute(double x) {
+    return std::abs(x);
+}
+double sign(double x) {
+    return x < 0 ? -1 : x > 0 ? 1 : 0;
+}
+double floor_of(double x) {
+    return std::floor(x);
+}
+double ceil_of(double x) {
+    return std::ceil(x);
+}
+double round_of(double x) {
+    return std::round(x);
+}
+double sqrt_of(double x) {
+    return std::sqrt(x);
+}
+double exp_of(double x) {
+    return std::exp(x);
+}
+double ln_of(double x) {
+    return std::log(x);
+}
+double power(double x, double y) {
+    return std::pow(x, y);
+}
 
 Value log(std::string_view name, std::span<const Value> a, FunctionHost& host) {
     if (!check_count(name, a, 1, 2, "2", host) || !check_type(name, a, 0, ValueType::Number, host) ||
@@ -126,8 +144,10 @@ Value cross(std::string_view name, std::span<const Value> a, FunctionHost& host)
     for (std::size_t i = 0; i < 2 * v.size(); ++i) {
         const Value& e = i % 2 == 0 ? v[i / 2] : w[i / 2];
         if (!e.is_number() || !std::isfinite(e.number())) {
-            host.warn(fmt::format("Invalid value{} in parameter vector for cross()",
-                                  !e.is_number() ? "" : std::isnan(e.number()) ? " (NaN)" : " (INF)"));
+            host.warn(fmt::format("Invalid value{} in parameter vector for cross()", !e.is_number() ? ""
+                                                                                     : std::isnan(e.number())
+                                                                                         ? " (NaN)"
+                                                                                         : " (INF)"));
             return {};
         }
         n[i % 2][i / 2] = e.number();
@@ -209,11 +229,14 @@ constexpr std::array kMath{
 
 }  // namespace
 
-std::span<const FunctionEntry> math_functions() { return kMath; }
+std::span<const FunctionEntry> math_functions() {
+    return kMath;
+}
 
 BuiltinFunction find_builtin_function(std::string_view name) {
     for (const auto& table : {math_functions(), list_functions()}) {
-        const auto found = std::find_if(table.begin(), table.end(), [&](const FunctionEntry& e) { return e.name == name; });
+        const auto found =
+            std::find_if(table.begin(), table.end(), [&](const FunctionEntry& e) { return e.name == name; });
         if (found != table.end()) {
             return found->function;
         }

@@ -46,7 +46,8 @@ void ValueStack::Region::replace(Region& newer) {
         std::fill(data_ + newer.count_, data_ + count_, Value::unset());
         return;
     }
-    std::vector<Value> values(std::make_move_iterator(newer.data_), std::make_move_iterator(newer.data_ + newer.count_));
+    std::vector<Value> values(std::make_move_iterator(newer.data_),
+                              std::make_move_iterator(newer.data_ + newer.count_));
     newer.release();
     release();
     count_ = values.size();
