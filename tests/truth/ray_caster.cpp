@@ -162,6 +162,7 @@ Ray RayCaster::cast(int x, int y) const {
     if (crossings.empty())
         return result;
     std::erase_if(crossings, [&](const Crossing& c) { return part_enabled_[scene_.leaves[c.leaf].part] == 0; });
+    result.hit = true;
     result.decided = !band_.near_edge(x, y);
     // Inside at the near plane: what has an odd number of surfaces behind it. Open meshes count from the eye, which
     // sees them from outside.
@@ -171,7 +172,8 @@ Ray RayCaster::cast(int x, int y) const {
         if (c.t >= near && geometry_.leaves[c.leaf].solid->closed)
             inside[c.leaf] ^= 1;
     std::erase_if(crossings, [&](const Crossing& c) { return c.t < near && view_.depth(c.t) > 1.0001; });
-    std::erase_if(crossings, [&](const Crossing& c) { return c.t <= 0; });
+    if (!view_.orthographic())
+        std::erase_if(crossings, [](const Crossing& c) { return c.t <= 0; });
     const std::vector<Event> events = make_events(std::move(crossings), x, y, result.decided);
     std::vector<std::vector<Surface>> by_event(events.size());
     // At one event highlighted parts come first, then the others, each in order of their ids.

@@ -24,6 +24,7 @@ struct Surface {
 struct Ray {
     /// False where the pixel is in the band: an edge is too near, or two events, or an event and the near plane, are
     /// closer than float depth can tell.
+    bool hit = false;  ///< Does the ray meet any leaf?
     bool decided = true;
     std::vector<Surface> surfaces;  ///< Of all parts, nearest first.
 };
