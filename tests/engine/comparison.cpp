@@ -9,8 +9,8 @@ namespace comparison {
 namespace {
 
 std::string text(const truth::Surface& s) {
-    return fmt::format("[depth {:.8f} ±{:.2g} leaf {}{} plane {} {}]", s.depth, s.depth_error, s.leaf,
-                       s.reversed ? " reversed" : "", fmt::join(s.planes, "|"), s.leaving ? "leaving" : "entering");
+    return fmt::format("[depth {:.8f} ±{:.2g} leaf {} reversed {} plane {} {}]", s.depth, s.depth_error,
+                       fmt::join(s.leaves, "|"), fmt::join(s.reversed, "|"), fmt::join(s.planes, "|"), s.leaving ? "leaving" : "entering");
 }
 
 std::string text(const goldfeather::Surface& s) {
@@ -19,10 +19,13 @@ std::string text(const goldfeather::Surface& s) {
 }
 
 bool same(const truth::Surface& expected, const goldfeather::Surface& actual) {
-    return actual.leaf == expected.leaf && actual.reversed == expected.reversed &&
+    const auto holds = [](const std::vector<std::uint32_t>& ids, std::uint32_t id) {
+        return std::find(ids.begin(), ids.end(), id) != ids.end();
+    };
+    return holds(expected.leaves, actual.leaf) && holds(expected.reversed, actual.leaf) == actual.reversed &&
            actual.leaving == expected.leaving &&
            std::abs(static_cast<double>(actual.depth) - expected.depth) <= expected.depth_error &&
-           std::find(expected.planes.begin(), expected.planes.end(), actual.plane) != expected.planes.end();
+           holds(expected.planes, actual.plane);
 }
 
 }  // namespace
@@ -73,7 +76,8 @@ std::string difference(const Subject& subject, const gl::View& view, const goldf
                 continue;
             if (wrong++ > 0)
                 continue;
-            first = fmt::format("pixel {}, {}:\n  expected", x, y);
+            first = fmt::format("pixel {}, {}, {:.5f} pixels from an edge:\n  expected", x, y,
+                                caster.band().edge_distance(x, y));
             for (const truth::Surface& s : ray.surfaces)
                 first += "\n    " + text(s);
             first += "\n  found";

@@ -108,6 +108,15 @@ bool Band::near_edge(int x, int y) const {
     });
 }
 
+double Band::edge_distance(int x, int y) const {
+    const glm::dvec2 s = sample(x, y);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Edge& e : edges_)
+        if (s.x >= e.lo.x && s.x <= e.hi.x && s.y >= e.lo.y && s.y <= e.hi.y)
+            nearest = std::min(nearest, std::abs(glm::dot(e.line, glm::dvec3(s, 1.0))));
+    return nearest;
+}
+
 double Band::depth_error(std::uint32_t plane, int x, int y, double t) const {
     const gl::View::PlaneDepth& p = planes_[plane];
     if (p.edge_on)

@@ -29,6 +29,9 @@ class Band {
     /// Is the sample of the pixel too near to an edge?
     [[nodiscard]] bool near_edge(int x, int y) const;
 
+    /// Distance of the sample from the nearest edge that passes by, in pixels: for messages.
+    [[nodiscard]] double edge_distance(int x, int y) const;
+
     /// Bound of the error of the (reversed) depth of a plane of the table in a pixel, at the distance `t` from the
     /// eye's plane. Infinite for a plane seen edge-on.
     [[nodiscard]] double depth_error(std::uint32_t plane, int x, int y, double t) const;

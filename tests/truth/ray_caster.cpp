@@ -31,30 +31,40 @@ std::optional<double> hit(const gl::View::Ray& ray, const glm::dvec3& a, const g
     return glm::dot(normal, a - ray.origin) / slope;
 }
 
-/// S(node) = value(node) ? ∪ S(children) : ∅, complements pushed down to the leaves; the smallest leaf in S that
-/// switches at the event. `value(expression)` is the value on the result's side of the event.
+/// A leaf that an event is due to.
+struct Due {
+    csg::LeafId leaf;
+    bool complement;  ///< Subtracted.
+    bool strongly;    ///< All nodes above it switch as well.
+    auto operator<=>(const Due&) const = default;
+};
+
+/// S(node) = value(node) ? ∪ S(children) : ∅, complements pushed down to the leaves; of it the leaves that switch.
+/// `value(expression)` is the value on the result's side of the event, `switches(expression)` whether it differs.
 template <typename Value, typename Switches>
-std::optional<std::pair<csg::LeafId, bool>> attribute(const csg::Scene& scene, const csg::Part& part, Value&& value,
-                                                      Switches&& switches) {
-    std::optional<std::pair<csg::LeafId, bool>> best;
-    std::vector<std::pair<std::uint32_t, bool>> open{{part.root, false}};
+std::vector<Due> attribute(const csg::Scene& scene, const csg::Part& part, Value&& value, Switches&& switches) {
+    struct Open {
+        std::uint32_t node;
+        bool complement, strongly;
+    };
+    std::vector<Due> due;
+    std::vector<Open> open{{part.root, false, true}};
     while (!open.empty()) {
-        const auto [node, complement] = open.back();
+        const Open at = open.back();
         open.pop_back();
-        if (value(node) == complement)
+        if (value(at.node) == at.complement)
             continue;
-        const csg::Expression& e = scene.expressions[node];
-        if (e.kind == csg::ExpressionKind::Leaf) {
-            if (switches(e.leaf) && (!best || e.leaf < best->first))
-                best = {e.leaf, complement};
-            continue;
-        }
+        const csg::Expression& e = scene.expressions[at.node];
+        const bool strongly = at.strongly && switches(at.node);
+        if (e.kind == csg::ExpressionKind::Leaf && switches(at.node))
+            due.push_back({e.leaf, at.complement, strongly});
         const auto children = scene.children(e);
         for (std::size_t i = 0; i < children.size(); ++i)
-            open.emplace_back(children[i],
-                              complement != (e.kind == csg::ExpressionKind::Difference && i > 0));
+            open.push_back(
+                {children[i], at.complement != (e.kind == csg::ExpressionKind::Difference && i > 0), strongly});
     }
-    return best;
+    std::sort(due.begin(), due.end());
+    return due;
 }
 
 }  // namespace
@@ -131,8 +141,7 @@ void RayCaster::add_surfaces(csg::PartId id, std::span<const Event> events, std:
     std::vector<char> values_before, values_after;
     bool was = evaluate(values_before);
     for (std::size_t i = 0; i < events.size(); ++i) {
-        std::vector<char> before_event = inside;
-        Surface surface{events[i].distance, events[i].depth, events[i].error, 0, {}, false, false};
+        Surface surface{events[i].distance, events[i].depth, events[i].error, {}, {}, {}, false};
         for (const Crossing& c : events[i].crossings) {
             inside[c.leaf] ^= 1;
             surface.planes.push_back(c.plane);
@@ -140,12 +149,16 @@ void RayCaster::add_surfaces(csg::PartId id, std::span<const Event> events, std:
         const bool is = evaluate(values_after);
         if (is != was) {
             const std::vector<char>& values = is ? values_after : values_before;
-            const auto leaf = attribute(
-                scene_, part, [&](std::uint32_t e) { return values[e - part.first_expression] != 0; },
-                [&](csg::LeafId l) { return inside[l] != before_event[l]; });
-            if (leaf) {
-                surface.leaf = leaf->first;
-                surface.reversed = leaf->second;
+            for (const Due& due : attribute(
+                     scene_, part, [&](std::uint32_t e) { return values[e - part.first_expression] != 0; },
+                     [&](std::uint32_t e) {
+                         return values_before[e - part.first_expression] != values_after[e - part.first_expression];
+                     })) {
+                surface.leaves.push_back(due.leaf);
+                if (due.complement)
+                    surface.reversed.push_back(due.leaf);
+                if (due.strongly)
+                    break;
             }
             surface.leaving = was;
             by_event[i].push_back(std::move(surface));
@@ -157,13 +170,13 @@ void RayCaster::add_surfaces(csg::PartId id, std::span<const Event> events, std:
 
 Ray RayCaster::cast(int x, int y) const {
     Ray result;
+    result.decided = !band_.near_edge(x, y);
     std::vector<Crossing> crossings;
     find_crossings(x, y, crossings);
     if (crossings.empty())
         return result;
     std::erase_if(crossings, [&](const Crossing& c) { return part_enabled_[scene_.leaves[c.leaf].part] == 0; });
     result.hit = true;
-    result.decided = !band_.near_edge(x, y);
     // Inside at the near plane: what has an odd number of surfaces behind it. Open meshes count from the eye, which
     // sees them from outside.
     std::vector<char> inside(scene_.leaves.size(), 0);

@@ -15,9 +15,11 @@ struct Surface {
     double distance = 0;     ///< Along the axis of view, as in gl::View.
     double depth = 0;        ///< The same as reversed depth.
     double depth_error = 0;  ///< Bound of an engine's error.
-    csg::LeafId leaf = 0;
+    /// The leaves that may be named: the smallest of S, and what remains the smallest where pruning by boxes has left
+    /// out leaves of S below a node that does not switch itself. S: see docs/ENGINES.md, "Whose surface it is".
+    std::vector<csg::LeafId> leaves;
     std::vector<std::uint32_t> planes;  ///< Entries of the plane table that meet in the event.
-    bool reversed = false;
+    std::vector<csg::LeafId> reversed;  ///< Of `leaves`, those that switch against the event.
     bool leaving = false;
 };
 
@@ -35,11 +37,13 @@ struct Ray {
 /// of them is hit. Nothing here is shared with the engines: no products, no slots, no depth coefficients.
 class RayCaster {
   public:
-    /// All three must outlive the caster. `leaf_enabled`: leaves of parts that are left out are false (empty: all).
+    /// All three must outlive the caster. `part_enabled`: 0 for parts that are left out
+    /// (empty: none).
     RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geometry, const gl::View& view,
               std::vector<char> part_enabled = {});
 
     [[nodiscard]] Ray cast(int x, int y) const;
+    [[nodiscard]] const Band& band() const { return band_; }
 
   private:
     struct Triangle {
