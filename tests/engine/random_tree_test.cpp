@@ -19,7 +19,20 @@ struct Sample {
 
 Sample make_sample(std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    Sample sample{random_tree::make_model(random), {}};
+    random_tree::Options options;
+    if (seed % 16 == 0)
+        options = {60, 8, true};  // more leaves than parity bits in a word
+    Sample sample{random_tree::make_model(random, options), {}};
+    // Some are tiny, huge, or far from the origin.
+    glm::dmat4 placed(1.0);
+    if (seed % 16 == 1)
+        placed = glm::dmat4(glm::dmat3(1e6));
+    else if (seed % 16 == 2)
+        placed = glm::dmat4(glm::dmat3(1e-4));
+    else if (seed % 16 == 3)
+        placed[3] = {1000, -2000, 300, 1};
+    if (seed % 16 >= 1 && seed % 16 <= 3)
+        sample.model = {csg::Operation::Transform, {}, {}, placed, {}, {sample.model}};
     const Subject subject(random_tree::make_tree(sample.model));
     sample.camera = random_tree::make_camera(random, subject.geometry.box.lo, subject.geometry.box.hi);
     return sample;

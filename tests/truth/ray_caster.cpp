@@ -110,7 +110,8 @@ void RayCaster::find_crossings(int x, int y, std::vector<Crossing>& crossings) c
 
 std::vector<RayCaster::Event> RayCaster::make_events(std::vector<Crossing> crossings, int x, int y,
                                                      bool& decided) const {
-    // Crossings on one plane are one event, whatever the rounding of their distances.
+    // Crossings on one plane are one event, whatever the rounding of their distances. Different planes at one depth are
+    // nearer than float depth can tell.
     std::map<std::uint32_t, double> plane_distance;
     for (Crossing& c : crossings)
         c.t = plane_distance.try_emplace(c.plane, c.t).first->second;
@@ -120,7 +121,7 @@ std::vector<RayCaster::Event> RayCaster::make_events(std::vector<Crossing> cross
     std::vector<Event> events;
     double lowest = std::numeric_limits<double>::infinity();  // depth falls along the ray
     for (const Crossing& c : crossings) {
-        if (!events.empty() && events.back().distance == c.t) {
+        if (!events.empty() && events.back().crossings.back().plane == c.plane) {
             events.back().crossings.push_back(c);
             continue;
         }
