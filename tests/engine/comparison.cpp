@@ -10,7 +10,8 @@ namespace {
 
 std::string text(const truth::Surface& s) {
     return fmt::format("[depth {:.8f} ±{:.2g} leaf {} reversed {} plane {} {}]", s.depth, s.depth_error,
-                       fmt::join(s.leaves, "|"), fmt::join(s.reversed, "|"), fmt::join(s.planes, "|"), s.leaving ? "leaving" : "entering");
+                       fmt::join(s.leaves, "|"), fmt::join(s.reversed, "|"), fmt::join(s.planes, "|"),
+                       s.leaving ? "leaving" : "entering");
 }
 
 std::string text(const goldfeather::Surface& s) {
@@ -54,8 +55,15 @@ goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, 
     return peel::read_back(gl, peeler.peel(view, model, max_layers, stats));
 }
 
-std::string difference(const Subject& subject, const gl::View& view, const goldfeather::HostLayers& stack,
-                       Count& count, int most) {
+std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers) {
+    std::vector<goldfeather::Surface> surfaces = stack.surfaces;
+    surfaces.resize(static_cast<std::size_t>(layers) * static_cast<std::size_t>(stack.size.x) *
+                    static_cast<std::size_t>(stack.size.y));
+    return surfaces;
+}
+
+std::string difference(const Subject& subject, const gl::View& view, const goldfeather::HostLayers& stack, Count& count,
+                       int most) {
     const truth::RayCaster caster(subject.scene, subject.geometry, view, subject.part_enabled);
     std::string first;
     int wrong = 0;

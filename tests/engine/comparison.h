@@ -26,14 +26,17 @@ struct Subject {
 };
 
 struct Count {
-    std::size_t pixels = 0;      ///< With something along the ray.
-    std::size_t undecided = 0;   ///< Of those, in the band.
-    std::size_t surfaces = 0;    ///< Compared.
+    std::size_t pixels = 0;     ///< With something along the ray.
+    std::size_t undecided = 0;  ///< Of those, in the band.
+    std::size_t surfaces = 0;   ///< Compared.
 };
 
 /// Peels all layers.
 [[nodiscard]] goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
                                                const gl::View& view, int max_layers = peel::kAllLayers);
+
+/// The first `layers` layers of a stack; empty ones where it has fewer.
+[[nodiscard]] std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers);
 
 /// Empty where the stack agrees with the truth at every pixel outside the band; otherwise what differs first, and
 /// in how many pixels. `most`: layers that the stack was limited to.

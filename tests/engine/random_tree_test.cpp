@@ -98,13 +98,77 @@ TEST_P(RandomTrees, AgreeWithTheRayCaster) {
         ADD_FAILURE() << "seed " << seed << ": " << check.run(small, again, over_budget)
                       << random_tree::camera_text(small.camera) << random_tree::scad_text(small.model);
     }
-    const double band = static_cast<double>(count.undecided) / static_cast<double>(std::max<std::size_t>(1, count.pixels));
-    std::cout << fmt::format("{} trees, {} pixels with something along the ray, {} of them in the band ({:.2f} %), {} "
-                             "surfaces compared, {} parts over budget\n",
-                             trees, count.pixels, count.undecided, 100 * band, count.surfaces, over_budget);
+    const double band =
+        static_cast<double>(count.undecided) / static_cast<double>(std::max<std::size_t>(1, count.pixels));
+    std::cout << fmt::format(
+        "{} trees, {} pixels with something along the ray, {} of them in the band ({:.2f} %), {} "
+        "surfaces compared, {} parts over budget\n",
+        trees, count.pixels, count.undecided, 100 * band, count.surfaces, over_budget);
     EXPECT_LT(band, 0.05);
 }
 
+/// The first k layers are the first k of all.
+TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
+    peel::Peeler peeler(gl());
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        const Sample sample = make_sample(seed);
+        const Subject subject(random_tree::make_tree(sample.model));
+        const gl::View view = subject.view(sample.camera, kSize);
+        const auto all = comparison::peel_all(gl(), peeler, subject, view);
+        for (const int k : {1, 2}) {
+            const auto few = comparison::peel_all(gl(), peeler, subject, view, k);
+            ASSERT_LE(few.layers, k);
+            ASSERT_TRUE(few.surfaces == comparison::padded(all, few.layers))
+                << "seed " << seed << ", " << k << " layers\n"
+                << random_tree::scad_text(sample.model);
+        }
+    }
+}
+
+/// Walking the picture in bands is only a matter of memory.
+TEST_P(RandomTrees, BandsDoNotShow) {
+    goldfeather::Goldfeather whole(gl()), split(gl(), 48 * 24 * 5);
+    int most_bands = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const Sample sample = make_sample(seed);
+        const Subject subject(random_tree::make_tree(sample.model));
+        if (subject.products.empty())
+            continue;
+        peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
+        const gl::View view = subject.view(sample.camera, kSize);
+        const goldfeather::PartProducts part{model.products[0], model.leaf_boxes};
+        goldfeather::WalkStats stats, split_stats;
+        const auto a = goldfeather::read_back(gl(), whole.walk(view, model.leaves, part, model.tables, 0, stats));
+        const auto b = goldfeather::read_back(gl(), split.walk(view, model.leaves, part, model.tables, 0, split_stats));
+        ASSERT_EQ(a.layers, b.layers) << "seed " << seed;
+        ASSERT_EQ(a.surfaces, b.surfaces) << "seed " << seed;
+        most_bands = std::max(most_bands, split_stats.bands);
+    }
+    EXPECT_GE(most_bands, 8);
+}
+
 INSTANTIATE_TEST_SUITE_P(Contexts, RandomTrees, testing::Values(gl::ContextKind::Egl), test_support::context_name);
+
+/// Both software renderers give the same stacks to the last bit.
+TEST(RandomTreesOnTwoContexts, AreTheSame) {
+    std::vector<std::vector<goldfeather::Surface>> stacks[2];
+    const gl::ContextKind kinds[2]{gl::ContextKind::Egl, gl::ContextKind::Osmesa};
+    for (int i = 0; i < 2; ++i) {
+        const auto made = test_support::try_context(kinds[i]);
+        if (!made.context) {
+            ASSERT_EQ(environment("CSGSCOPE_REQUIRE_GL", 0), 0) << "no OpenGL: " << made.reason;
+            GTEST_SKIP() << "no OpenGL: " << made.reason;
+        }
+        const gl::Functions& gl = made.context->functions();
+        peel::Peeler peeler(gl);
+        for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+            const Sample sample = make_sample(seed);
+            const Subject subject(random_tree::make_tree(sample.model));
+            stacks[i].push_back(comparison::peel_all(gl, peeler, subject, subject.view(sample.camera, kSize)).surfaces);
+        }
+    }
+    for (std::size_t i = 0; i < stacks[0].size(); ++i)
+        ASSERT_EQ(stacks[0][i], stacks[1][i]) << "seed " << i + 1;
+}
 
 }  // namespace

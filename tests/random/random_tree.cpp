@@ -35,10 +35,20 @@ class Maker {
             return decorated(leaf());
         Model node;
         switch (pick(8)) {
-            case 0: case 1: node.operation = Operation::Union; break;
-            case 2: node.operation = Operation::Group; break;
-            case 3: case 4: node.operation = Operation::Intersection; break;
-            default: node.operation = Operation::Difference; break;
+            case 0:
+            case 1:
+                node.operation = Operation::Union;
+                break;
+            case 2:
+                node.operation = Operation::Group;
+                break;
+            case 3:
+            case 4:
+                node.operation = Operation::Intersection;
+                break;
+            default:
+                node.operation = Operation::Difference;
+                break;
         }
         int rest = leaves;
         while (rest > 0) {
@@ -86,14 +96,21 @@ class Maker {
     csg::LeafShape shape() {
         const csg::Fineness fineness{static_cast<double>(3 + pick(10)), 12, 2};
         switch (pick(9)) {
-            case 0: case 1: case 2: case 3: return csg::Cube{{size(), size(), size()}, chance(2)};
-            case 4: return csg::Sphere{size(), fineness};
+            case 0:
+            case 1:
+            case 2:
+            case 3:
+                return csg::Cube{{size(), size(), size()}, chance(2)};
+            case 4:
+                return csg::Sphere{size(), fineness};
             case 5: {
                 const double r = size();
                 return csg::Cylinder{size(), r, r, chance(2), fineness};
             }
-            case 6: return csg::Cylinder{size(), chance(2) ? 0.0 : size(), chance(3) ? 0.0 : size(), chance(2), fineness};
-            default: return polyhedron();
+            case 6:
+                return csg::Cylinder{size(), chance(2) ? 0.0 : size(), chance(3) ? 0.0 : size(), chance(2), fineness};
+            default:
+                return polyhedron();
         }
     }
 
@@ -106,10 +123,10 @@ class Maker {
             return mesh;
         }
         static const std::vector<std::vector<glm::dvec2>> outlines{
-            {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}},                          // L
-            {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}},          // U
-            {{0, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 2}, {0, 2}},          // Z
-            {{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 3}, {0, 2}}};                         // arrow
+            {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}},                  // L
+            {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}},  // U
+            {{0, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 2}, {0, 2}},  // Z
+            {{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 3}, {0, 2}}};                 // arrow
         const auto& outline = outlines[static_cast<std::size_t>(pick(static_cast<int>(outlines.size())))];
         const auto n = static_cast<std::uint32_t>(outline.size());
         const double height = size();
@@ -144,12 +161,25 @@ class Maker {
     glm::dmat4 matrix() {
         glm::dmat4 m(1.0);
         switch (pick(8)) {
-            case 0: case 1: return translation(grid(), grid(), grid());
-            case 2: case 3: return rotation(90.0 * (1 + pick(3)), pick(3));
-            case 4: return rotation(static_cast<double>(pick(3600)) / 10, pick(3)) * rotation(static_cast<double>(pick(360)), pick(3));
-            case 5: m[pick(3)] *= -1.0; return m;                                              // mirror
-            case 6: for (int i = 0; i < 3; ++i) m[i] *= 0.5 * (1 + pick(4)); return m;         // scale
-            default: m[pick(2)][2] = 0.5; return m;                                            // shear
+            case 0:
+            case 1:
+                return translation(grid(), grid(), grid());
+            case 2:
+            case 3:
+                return rotation(90.0 * (1 + pick(3)), pick(3));
+            case 4:
+                return rotation(static_cast<double>(pick(3600)) / 10, pick(3)) *
+                       rotation(static_cast<double>(pick(360)), pick(3));
+            case 5:
+                m[pick(3)] *= -1.0;
+                return m;  // mirror
+            case 6:
+                for (int i = 0; i < 3; ++i)
+                    m[i] *= 0.5 * (1 + pick(4));
+                return m;  // scale
+            default:
+                m[pick(2)][2] = 0.5;
+                return m;  // shear
         }
     }
 
@@ -168,14 +198,20 @@ csg::NodeId add(csg::TreeBuilder& builder, const Model& model, Counter& counter)
     for (const Model& child : model.children)
         children.push_back(add(builder, child, counter));
     switch (model.operation) {
-        case Operation::Leaf: return builder.leaf(model.shape, where, model.modifiers);
-        case Operation::Transform: return builder.transform(model.matrix, children, where, model.modifiers);
-        case Operation::Color: return builder.color(model.color, children, where, model.modifiers);
-        default: return builder.combine(model.operation, children, where, model.modifiers);
+        case Operation::Leaf:
+            return builder.leaf(model.shape, where, model.modifiers);
+        case Operation::Transform:
+            return builder.transform(model.matrix, children, where, model.modifiers);
+        case Operation::Color:
+            return builder.color(model.color, children, where, model.modifiers);
+        default:
+            return builder.combine(model.operation, children, where, model.modifiers);
     }
 }
 
-std::string vector_text(const glm::dvec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
+std::string vector_text(const glm::dvec3& v) {
+    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
+}
 
 struct ShapeText {
     std::string operator()(const csg::Cube& c) const {
@@ -203,10 +239,19 @@ void print(const Model& model, int indent, std::string& text) {
     text += model.modifiers.background ? "%" : "";
     text += model.modifiers.highlight ? "#" : "";
     switch (model.operation) {
-        case Operation::Leaf: text += std::visit(ShapeText{}, model.shape) + ";\n"; return;
-        case Operation::Union: case Operation::Group: text += "union()"; break;
-        case Operation::Difference: text += "difference()"; break;
-        case Operation::Intersection: text += "intersection()"; break;
+        case Operation::Leaf:
+            text += std::visit(ShapeText{}, model.shape) + ";\n";
+            return;
+        case Operation::Union:
+        case Operation::Group:
+            text += "union()";
+            break;
+        case Operation::Difference:
+            text += "difference()";
+            break;
+        case Operation::Intersection:
+            text += "intersection()";
+            break;
         case Operation::Transform: {
             text += "multmatrix([";
             for (int r = 0; r < 4; ++r)
@@ -227,7 +272,9 @@ void print(const Model& model, int indent, std::string& text) {
 
 }  // namespace
 
-Model make_model(std::mt19937_64& random, const Options& options) { return Maker(random, options).make(); }
+Model make_model(std::mt19937_64& random, const Options& options) {
+    return Maker(random, options).make();
+}
 
 gl::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm::dvec3& hi) {
     const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

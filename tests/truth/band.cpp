@@ -10,8 +10,8 @@
 namespace truth {
 namespace {
 
-constexpr double kSnap = 1.0 / 256;   // pixels
-constexpr double kFloat = 0x1p-24;    // half a unit in the last place
+constexpr double kSnap = 1.0 / 256;  // pixels
+constexpr double kFloat = 0x1p-24;   // half a unit in the last place
 
 glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
     return {a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x};
@@ -97,7 +97,9 @@ void Band::add_edge(const Vertex& p, const Vertex& q) {
     edges_.push_back(edge);
 }
 
-glm::dvec2 Band::sample(int x, int y) const { return glm::dvec2(x, y) + 0.5 - 0.5 * glm::dvec2(view_.size()); }
+glm::dvec2 Band::sample(int x, int y) const {
+    return glm::dvec2(x, y) + 0.5 - 0.5 * glm::dvec2(view_.size());
+}
 
 bool Band::near_edge(int x, int y) const {
     const glm::dvec2 s = sample(x, y);

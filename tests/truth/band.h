@@ -15,8 +15,8 @@ namespace truth {
 /// the edges between vertices; we take 1/256 pixel, which leaves 0.001 pixel for the rounding of the window transform.
 /// To this comes the float transform: each of the clip coordinates X, Y, W is a sum of four products of rounded factors
 /// and is wrong by at most 7 · 2⁻²⁴ · Σ|m·v|. An edge between P and Q (homogeneous, pixels) passes the sample s at the
-/// distance det(s, P, Q) / |∇|; the bound of the determinant's error follows from those of P and Q. Samples nearer to an
-/// edge than all that are in the band. An edge between two triangles of one leaf on one plane does not matter: both
+/// distance det(s, P, Q) / |∇|; the bound of the determinant's error follows from those of P and Q. Samples nearer to
+/// an edge than all that are in the band. An edge between two triangles of one leaf on one plane does not matter: both
 /// sides of it are snapped alike, and depth is the same on both.
 ///
 /// *Depth.* a·x + b·y + c in float with rounded coefficients is wrong by at most 4 · 2⁻²⁴ · (|a·x| + |b·y| + |c|); the
@@ -41,9 +41,9 @@ class Band {
         glm::dvec3 at, error;  ///< Homogeneous: x and y in pixels from the centre of the picture times w, and w.
     };
     struct Edge {
-        glm::dvec3 line;         ///< line · (x, y, 1): distance in pixels.
-        glm::dvec3 error;        ///< error · (|x|, |y|, 1): bound of its error.
-        glm::dvec2 lo, hi;       ///< Where the edge is, in pixels from the centre of the picture.
+        glm::dvec3 line;    ///< line · (x, y, 1): distance in pixels.
+        glm::dvec3 error;   ///< error · (|x|, |y|, 1): bound of its error.
+        glm::dvec2 lo, hi;  ///< Where the edge is, in pixels from the centre of the picture.
     };
     [[nodiscard]] Vertex project(const glm::dvec3& world) const;
     void add_edge(const Vertex& p, const Vertex& q);
@@ -51,7 +51,7 @@ class Band {
 
     const csg::solid::Geometry& geometry_;
     gl::View view_;
-    glm::dmat4 to_pixels_;      ///< Local (world minus the centre of the scene's box) to homogeneous pixels.
+    glm::dmat4 to_pixels_;  ///< Local (world minus the centre of the scene's box) to homogeneous pixels.
     glm::dvec3 local_centre_;
     std::vector<Edge> edges_;
     std::vector<gl::View::PlaneDepth> planes_;

@@ -11,7 +11,9 @@
 namespace truth {
 namespace {
 
-bool before(const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+bool before(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
 
 /// On which side of the directed edge p→q the ray passes: computed in one direction of the edge for both.
 bool left_of(const gl::View::Ray& ray, const glm::dvec3& p, const glm::dvec3& q) {
@@ -76,20 +78,27 @@ RayCaster::RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geomet
     for (csg::LeafId l = 0; l < geometry.leaves.size(); ++l) {
         const csg::solid::PlacedLeaf& leaf = geometry.leaves[l];
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
-            Triangle triangle{leaf.points[leaf.triangles[t].x], leaf.points[leaf.triangles[t].y],
-                              leaf.points[leaf.triangles[t].z], l, leaf.planes[t].index, {0, 0, view.size().x, view.size().y}};
+            Triangle triangle{leaf.points[leaf.triangles[t].x],
+                              leaf.points[leaf.triangles[t].y],
+                              leaf.points[leaf.triangles[t].z],
+                              l,
+                              leaf.planes[t].index,
+                              {0, 0, view.size().x, view.size().y}};
             glm::dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
             bool cut = false;
             for (const glm::dvec3& p : {triangle.a, triangle.b, triangle.c}) {
                 const glm::dvec3 eye = view.eye_from_world() * glm::dvec4(p, 1);
                 cut |= !view.orthographic() && -eye.z < view.near_distance();
                 const glm::dvec2 at = glm::dvec2(eye) * (view.size().y / (2 * view.half_height())) /
-                                          (view.orthographic() ? 1.0 : -eye.z) + 0.5 * glm::dvec2(view.size());
+                                          (view.orthographic() ? 1.0 : -eye.z) +
+                                      0.5 * glm::dvec2(view.size());
                 lo = glm::min(lo, at);
                 hi = glm::max(hi, at);
             }
             if (!cut) {
-                const auto pixel = [](double v, int size) { return static_cast<int>(std::clamp(v, 0.0, double(size))); };
+                const auto pixel = [](double v, int size) {
+                    return static_cast<int>(std::clamp(v, 0.0, double(size)));
+                };
                 triangle.box = {pixel(lo.x - 1, view.size().x), pixel(lo.y - 1, view.size().y),
                                 pixel(hi.x + 1, view.size().x), pixel(hi.y + 1, view.size().y)};
             }
@@ -137,7 +146,8 @@ void RayCaster::add_surfaces(csg::PartId id, std::span<const Event> events, std:
                              std::vector<std::vector<Surface>>& by_event) const {
     const csg::Part& part = scene_.parts[id];
     const auto evaluate = [&](std::vector<char>& values) {
-        return csg::evaluate(scene_, part, [&](csg::LeafId leaf) { return inside[leaf] != 0; }, values);
+        return csg::evaluate(
+            scene_, part, [&](csg::LeafId leaf) { return inside[leaf] != 0; }, values);
     };
     std::vector<char> values_before, values_after;
     bool was = evaluate(values_before);

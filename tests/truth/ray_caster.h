@@ -31,10 +31,10 @@ struct Ray {
     std::vector<Surface> surfaces;  ///< Of all parts, nearest first.
 };
 
-/// Casts rays in double precision. Whether a ray hits a triangle is a question of signs; outside the band (band.h) their
-/// arguments are larger than 1e-3 pixel, a billion times the rounding of doubles, so the answer is exact there. On an
-/// edge inside a face the sign is taken from the edge in one direction for both of its triangles, so that just one
-/// of them is hit. Nothing here is shared with the engines: no products, no slots, no depth coefficients.
+/// Casts rays in double precision. Whether a ray hits a triangle is a question of signs; outside the band (band.h)
+/// their arguments are larger than 1e-3 pixel, a billion times the rounding of doubles, so the answer is exact there.
+/// On an edge inside a face the sign is taken from the edge in one direction for both of its triangles, so that just
+/// one of them is hit. Nothing here is shared with the engines: no products, no slots, no depth coefficients.
 class RayCaster {
   public:
     /// All three must outlive the caster. `part_enabled`: 0 for parts that are left out
