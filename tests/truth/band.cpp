@@ -55,16 +55,22 @@ Band::Band(const csg::solid::Geometry& geometry, const gl::View& view)
     project[0][0] = project[1][1] = scale;
     project[view.orthographic() ? 3 : 2][2] = view.orthographic() ? 1 : -1;
     to_pixels_ = project * glm::translate(view.eye_from_world(), local_centre_);
-    for (const csg::solid::PlacedLeaf& leaf : geometry.leaves)
+    for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
+        std::vector<Vertex> vertices;
+        for (const glm::dvec3& p : leaf.points)
+            vertices.push_back(this->project(p));
         for (const auto& [a, b] : bends(leaf))
-            add_edge(this->project(leaf.points[a]), this->project(leaf.points[b]));
+            add_edge(vertices[a], vertices[b]);
+        for (const glm::uvec3& t : leaf.triangles)
+            add_near_cut(vertices[t.x], vertices[t.y], vertices[t.z]);
+    }
     for (const csg::solid::Plane& plane : geometry.planes.planes())
         planes_.push_back(view.plane_depth(plane.normal, plane.offset));
 }
 
 Band::Vertex Band::project(const glm::dvec3& world) const {
     const glm::dvec4 local(world - local_centre_, 1.0);
-    Vertex v;
+    Vertex v{glm::dvec3(0.0), glm::dvec3(0.0)};
     v.at = glm::dvec3(to_pixels_ * local);
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
@@ -95,6 +101,24 @@ void Band::add_edge(const Vertex& p, const Vertex& q) {
         edge.error = glm::dvec3(0.0);
     }
     edges_.push_back(edge);
+}
+
+void Band::add_near_cut(const Vertex& a, const Vertex& b, const Vertex& c) {
+    const double nearest = view_.near_distance();
+    const auto hidden = [&](const Vertex& v) { return v.at.z - v.error.z <= nearest; };
+    if (view_.orthographic() || (!hidden(a) && !hidden(b) && !hidden(c)))
+        return;
+    // On the triangle's plane normal · (x W, y W, W) = offset; at W = near that is a line. Its unit is a pixel there.
+    const glm::dvec3 normal = glm::cross(b.at - a.at, c.at - a.at);
+    const double offset = glm::dot(normal, a.at);
+    const double unit = nearest * std::max(std::hypot(normal.x, normal.y), 1e-9 * glm::length(normal));
+    if (!(unit > 0))
+        return;
+    const double infinity = std::numeric_limits<double>::infinity();
+    const glm::dvec3 error = glm::max(a.error, glm::max(b.error, c.error));
+    edges_.push_back({(nearest * normal - glm::dvec3(0, 0, offset)) / unit,
+                      glm::dvec3(0, 0, glm::dot(glm::abs(normal), error) / unit), glm::dvec2(-infinity),
+                      glm::dvec2(infinity)});
 }
 
 glm::dvec2 Band::sample(int x, int y) const {

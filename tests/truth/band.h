@@ -47,6 +47,7 @@ class Band {
     };
     [[nodiscard]] Vertex project(const glm::dvec3& world) const;
     void add_edge(const Vertex& p, const Vertex& q);
+    void add_near_cut(const Vertex& a, const Vertex& b, const Vertex& c);
     [[nodiscard]] glm::dvec2 sample(int x, int y) const;
 
     const csg::solid::Geometry& geometry_;
