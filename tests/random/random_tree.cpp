@@ -188,15 +188,11 @@ class Maker {
     std::vector<Model> shapes_;
 };
 
-struct Counter {
-    std::uint32_t line = 0;
-};
-
-csg::NodeId add(csg::TreeBuilder& builder, const Model& model, Counter& counter) {
-    const csg::SourceLocation where{0, ++counter.line, 1};
+csg::NodeId add(csg::TreeBuilder& builder, const Model& model, std::uint32_t& line) {
+    const csg::SourceLocation where{0, ++line, 1};
     std::vector<csg::NodeId> children;
     for (const Model& child : model.children)
-        children.push_back(add(builder, child, counter));
+        children.push_back(add(builder, child, line));
     switch (model.operation) {
         case Operation::Leaf:
             return builder.leaf(model.shape, where, model.modifiers);
@@ -309,16 +305,9 @@ gl::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm:
 csg::Tree make_tree(const Model& model) {
     csg::TreeBuilder builder;
     static_cast<void>(builder.file("random.scad"));
-    Counter counter;
-    const csg::NodeId root = add(builder, model, counter);
+    std::uint32_t line = 0;
+    const csg::NodeId root = add(builder, model, line);
     return builder.finish(root);
-}
-
-std::size_t leaf_count(const Model& model) {
-    std::size_t count = model.operation == Operation::Leaf ? 1 : 0;
-    for (const Model& child : model.children)
-        count += leaf_count(child);
-    return count;
 }
 
 std::vector<Model> simpler(const Model& model) {

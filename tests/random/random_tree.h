@@ -36,7 +36,6 @@ struct Options {
 [[nodiscard]] gl::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm::dvec3& hi);
 
 [[nodiscard]] csg::Tree make_tree(const Model& model);
-[[nodiscard]] std::size_t leaf_count(const Model& model);
 
 /// Models with one thing less: for shrinking.
 [[nodiscard]] std::vector<Model> simpler(const Model& model);
