@@ -15,7 +15,6 @@ install_packages() {
         command -v sudo >/dev/null || { echo "error: run as root, or install these packages first" >&2; exit 1; }
         as_root=(sudo)
     fi
-    export DEBIAN_FRONTEND=noninteractive
     local install=(apt-get install -y -qq --no-install-recommends $missing)
     # The lists may be empty or old: fetch them only where the first try fails.
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" >&2 2>/dev/null && return
