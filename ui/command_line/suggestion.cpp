@@ -10,7 +10,9 @@ namespace ui {
 
 namespace {
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+char lower(char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
 
 /// Levenshtein's distance, upper and lower case being the same.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
