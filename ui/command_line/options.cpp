@@ -139,7 +139,7 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     };
     const char* const in = "Input and output";
-    app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("")->group("");
+    app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("");
     list("-o,--o", raw.outputs,
          "Write FILE: .png, .csg, .ast or .echo; - is standard output. May be repeated. Without "
          "it a window opens",
@@ -261,7 +261,6 @@ void interpret(Options& o, const Raw& raw) {
 
 CommandLine read_command_line(const std::vector<std::string>& arguments) {
     CLI::App app("csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.", "csgscope");
-    app.usage("Usage: csgscope [options] file.scad");
     app.set_help_flag("-h,--help", "Print this help")->group("Other");
     app.get_formatter()->column_width(34);
     CommandLine line;
