@@ -67,6 +67,9 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
             return nullptr;
         }
         model->products.push_back(products_of(*model, part, boxes, budget_, statistics));
+        for (const goldfeather::Product& product : model->products.back()) {
+            model->box = csg::enclose(model->box, product.box);
+        }
     }
     statistics.normalize_ms = watch.lap();
     statistics.leaves = model->scene.leaves.size();

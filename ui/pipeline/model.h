@@ -32,11 +32,12 @@ struct Model {
     csg::Scene scene;
     csg::solid::Geometry geometry;
     std::vector<std::vector<goldfeather::Product>> products;  ///< By part; an empty part has none.
-    std::vector<std::string> warnings;                        ///< With file:line:column where known.
+    csg::Box box;                       ///< Encloses all products, so the solid too; empty where nothing is to be seen.
+    std::vector<std::string> warnings;  ///< With file:line:column where known.
     ModelStatistics statistics;
     std::uint64_t generation = 0;  ///< Counts the models of the process: which one a renderer holds.
 
-    [[nodiscard]] bool empty() const { return geometry.box.empty(); }
+    [[nodiscard]] bool empty() const { return box.empty(); }
 };
 
 /// Builds models; keeps the meshes of leaves from one to the next, so that an edit builds only what it changed.
