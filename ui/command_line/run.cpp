@@ -254,3 +254,50 @@ class Run {
     Json picture_json_;
 };
 
+std::string information(gl::ContextKind kind) {
+    std::string text = "csgscope version " CSGSCOPE_VERSION "\n";
+    for (const gl::ContextKind each : {gl::ContextKind::Egl, gl::ContextKind::Osmesa}) {
+        if (kind != gl::ContextKind::Auto && kind != each) {
+            continue;
+        }
+        try {
+            const auto context = gl::create_context(each);
+            text += fmt::format("{}: {}, OpenGL {}{}\n", gl::name(each), context->renderer(), context->version(),
+                                context->software() ? " (software)" : "");
+        } catch (const gl::Error& error) {
+            text += fmt::format("{}: not to be had: {}\n", gl::name(each), error.what());
+        }
+    }
+    return text;
+}
+
+int run_or_throw(const std::vector<std::string>& arguments) {
+    CommandLine line = read_command_line(arguments);
+    Options& options = line.options;
+    if (line.text || options.information) {
+        write_output("-", line.text ? *line.text : information(options.context));
+        return 0;
+    }
+    if (options.input.empty()) {
+        throw UsageError("no input file; see csgscope --help");
+    }
+    if (options.outputs.empty() && !options.statistics && !options.summary && !options.summary_file) {
+        return open_window(options);
+    }
+    return Run(std::move(options))() ? 0 : 1;
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& arguments) {
+    try {
+        return run_or_throw(arguments);
+    } catch (const std::bad_alloc&) {
+        print_error("out of memory");
+    } catch (const std::exception& error) {
+        print_error(error.what());
+    }
+    return 1;
+}
+
+}  // namespace ui
