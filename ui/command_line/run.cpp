@@ -57,7 +57,8 @@ void write_outputs(const Options& options, Format format, const std::string& byt
 /// One run: the source, what became of it, and the figures.
 class Run {
   public:
-    explicit Run(Options options) : options_(std::move(options)), messages_(options_.quiet), progress_(options_.quiet) {}
+    explicit Run(Options options)
+        : options_(std::move(options)), messages_(options_.quiet), progress_(options_.quiet) {}
 
     /// False where an error in the file ended it; the messages have said why.
     bool operator()() {
@@ -97,7 +98,8 @@ class Run {
             }
         }
         if (to_standard_output.size() > 1) {
-            throw UsageError(fmt::format("only one of {} can go to standard output", fmt::join(to_standard_output, ", ")));
+            throw UsageError(
+                fmt::format("only one of {} can go to standard output", fmt::join(to_standard_output, ", ")));
         }
         check_picture(picture_request({}));
     }
@@ -118,7 +120,9 @@ class Run {
         if (options_.camera) {
             const gl::Camera& camera = *options_.camera;
             request_.view = {{camera.target.x, camera.target.y, camera.target.z},
-                             {camera.rotation.x, camera.rotation.y, camera.rotation.z}, camera.distance, camera.fov};
+                             {camera.rotation.x, camera.rotation.y, camera.rotation.z},
+                             camera.distance,
+                             camera.fov};
         }
     }
 
