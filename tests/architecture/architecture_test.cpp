@@ -24,7 +24,7 @@ const std::map<std::string, Names> kMayInclude = {
     {"csg/reference", {"csg/tree", "csg/solid"}},
     {"gl", {}},
     {"goldfeather", {"csg/tree", "csg/solid", "gl"}},
-    {"peel", {"goldfeather", "gl", "csg/tree", "csg/solid"}},
+    {"peel", {"goldfeather", "gl"}},
     {"npr", {"peel", "gl"}},
     {"ui/pipeline", {"csg/tree", "csg/scad", "csg/solid", "csg/reference", "gl", "goldfeather", "peel", "npr"}},
     {"ui/viewer", {"csg/tree", "csg/scad", "csg/solid", "gl", "goldfeather", "peel", "npr", "ui/pipeline"}},
