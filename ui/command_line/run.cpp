@@ -258,6 +258,16 @@ class Run {
     Json picture_json_;
 };
 
+std::string Run::syntax_tree() const {
+    const csg::scad::Program program = csg::scad::parse(request_.path, *request_.text);
+    return csg::scad::ast_text(program);
+}
+
+/// The window is a library of its own, where it is built.
+int open_window(const Options&) {
+    throw UsageError("no window in this build; write a picture with -o picture.png");
+}
+
 std::string information(gl::ContextKind kind) {
     std::string text = "csgscope version " CSGSCOPE_VERSION "\n";
     for (const gl::ContextKind each : {gl::ContextKind::Egl, gl::ContextKind::Osmesa}) {

@@ -28,3 +28,33 @@ struct PictureRequest {
     int samples = 4;  ///< Per pixel.
     bool transparent_background = false;
 };
+
+/// Throws std::runtime_error where there is no such style, parameter, value or scheme; names the nearest one.
+void check_picture(const PictureRequest& request);
+
+/// Holds one model on the GPU and the programs of all styles. Its context must be current whenever it is used, and
+/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs.
+class Renderer {
+  public:
+    explicit Renderer(const gl::Context& context);
+
+    /// The picture in main memory.
+    [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request);
+
+    /// Draws the picture into `target` (0: the window), its lower left corner at `corner`.
+    void draw(const Model& model, const PictureRequest& request, GLuint target, glm::ivec2 corner);
+
+    /// Of the last picture.
+    [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
+
+  private:
+    void hold(const Model& model);
+
+    const gl::Functions& gl_;
+    peel::Peeler peeler_;
+    std::unique_ptr<peel::PeelModel> model_;
+    std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
+    PictureStatistics statistics_;
+};
+
+}  // namespace ui
