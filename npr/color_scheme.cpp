@@ -20,13 +20,19 @@ constexpr ColorScheme scheme(std::string_view name, unsigned background, unsigne
             glm::vec4(rgb(0xb4b4b4), 128.0F / 255.0F)};
 }
 
+constexpr ColorScheme clear_sky() {
+    ColorScheme s = scheme("ClearSky", 0x87ceeb, 0xf9d72c, 0x9dcb51);
+    s.background_stop = rgb(0xc9e9f6);
+    return s;
+}
+
 constexpr std::array kSchemes{
     scheme("Cornfield", 0xffffe5, 0xf9d72c, 0x9dcb51),  scheme("Metallic", 0xaaaaff, 0xddddff, 0xdd22dd),
     scheme("Sunset", 0xaa4444, 0xffaaaa, 0x882233),     scheme("Starnight", 0x000000, 0xffffe0, 0x00ffff),
     scheme("BeforeDawn", 0x333333, 0xcccccc, 0x5563dd), scheme("Nature", 0xfafafa, 0x16a085, 0xdbf4da),
     scheme("DeepOcean", 0x333333, 0xeeeeee, 0x0babc8),  scheme("Solarized", 0xfdf6e3, 0xb58800, 0x882233),
     scheme("Tomorrow", 0xf8f8f8, 0x4271ae, 0xf5871f),   scheme("Tomorrow Night", 0x1d1f21, 0x81a2be, 0xde935f),
-    scheme("Monotone", 0xffffe5, 0xf9d72c, 0xf9d72c),
+    scheme("Monotone", 0xffffe5, 0xf9d72c, 0xf9d72c),   clear_sky(),
 };
 
 }  // namespace

@@ -11,10 +11,11 @@ namespace npr {
 struct ColorScheme {
     std::string_view name;
     glm::vec3 background{1.0F};
-    glm::vec3 face{1.0F};       ///< opencsg-face-front: faces of added leaves.
-    glm::vec3 cut{1.0F};        ///< opencsg-face-back: faces of subtracted leaves.
-    glm::vec4 highlight{1.0F};  ///< `#`; the same in all schemes.
-    glm::vec4 ghost{1.0F};      ///< `%`; the same in all schemes.
+    glm::vec3 background_stop{1.0F};  ///< Lower end of the background's gradient; equal where it has none.
+    glm::vec3 face{1.0F};             ///< opencsg-face-front: faces of added leaves.
+    glm::vec3 cut{1.0F};              ///< opencsg-face-back: faces of subtracted leaves.
+    glm::vec4 highlight{1.0F};        ///< `#`; the same in all schemes.
+    glm::vec4 ghost{1.0F};            ///< `%`; the same in all schemes.
 };
 
 /// All schemes in OpenSCAD's order; the first is its default, Cornfield.

@@ -2,6 +2,7 @@
 uniform int layer_count;
 uniform vec2 jitter;  // of the sample from the pixel's centre, in pixels
 uniform vec3 background_color;
+uniform vec3 background_stop;
 uniform vec3 face_color;
 uniform vec3 cut_color;
 uniform vec4 highlight_color;

@@ -26,6 +26,7 @@ void StylePass::draw(const Frame& frame, const gl::Framebuffer& target) {
     program_.set("layer_count", frame.layers.layers);
     program_.set("jitter", glm::vec2(frame.view.jitter()));
     program_.set("background_color", frame.scheme.background);
+    program_.set("background_stop", frame.scheme.background_stop);
     program_.set("face_color", frame.scheme.face);
     program_.set("cut_color", frame.scheme.cut);
     program_.set("highlight_color", frame.scheme.highlight);
