@@ -31,8 +31,9 @@ class Style {
     Style(const Style&) = delete;
     Style& operator=(const Style&) = delete;
 
-    /// How many layers draw() looks at: the first so many, or all (0).
-    [[nodiscard]] virtual int layers_needed(const Parameters& parameters) const = 0;
+    /// How many layers draw() looks at: the first so many, or all (0). `translucent`: parts of the scene are not opaque
+    /// (`%`, `#`, alpha below 1).
+    [[nodiscard]] virtual int layers_needed(const Parameters& parameters, bool translucent) const = 0;
     /// Writes every pixel of the target. The same frame gives the same pixels; noise is anchored to pixels of the
     /// picture, never to the sample's jitter. A stack with fewer or more layers than needed is drawn as it is.
     virtual void draw(const Frame& frame) = 0;

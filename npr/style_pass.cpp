@@ -24,6 +24,9 @@ void StylePass::draw(const Frame& frame, const gl::Framebuffer& target) {
     view_block_.bind();
     peel::bind(frame.layers);
     program_.set("layer_count", frame.layers.layers);
+    // In double precision, since the world's origin may be far away.
+    program_.set("centre_in_eye", glm::vec3(glm::dvec3(frame.view.eye_from_world() *
+                                                       glm::dvec4(frame.layers.tables->local_centre, 1.0))));
     program_.set("jitter", glm::vec2(frame.view.jitter()));
     program_.set("background_color", frame.scheme.background);
     program_.set("background_stop", frame.scheme.background_stop);
