@@ -13,7 +13,8 @@ constexpr glm::vec3 rgb(unsigned hex) {
 
 constexpr ColorScheme scheme(std::string_view name, unsigned background, unsigned face, unsigned cut) {
     return {name,
-            rgb(background), rgb(background),
+            rgb(background),
+            rgb(background),
             rgb(face),
             rgb(cut),
             glm::vec4(rgb(0xff5151), 128.0F / 255.0F),

@@ -10,7 +10,7 @@
 namespace npr {
 namespace {
 
-constexpr std::array kStyles{kShaded, kEdges, kBlueprint};
+const std::array kStyles{shaded_style(), edges_style(), blueprint_style()};
 
 }  // namespace
 
