@@ -8,12 +8,6 @@
 #include "npr/shaded.h"
 
 namespace npr {
-namespace {
-
-const std::array kStyles{shaded_style(), edges_style(), blueprint_style()};
-
-}  // namespace
-
 std::span<const StyleInfo> styles() {
     return kStyles;
 }
