@@ -8,14 +8,16 @@
 #include "npr/shaded.h"
 
 namespace npr {
+
 std::span<const StyleInfo> styles() {
-    return kStyles;
+    static const std::array all{shaded_style(), edges_style(), blueprint_style()};
+    return all;
 }
 
 const StyleInfo* find_style(std::string_view name) {
-    const auto* found =
-        std::find_if(kStyles.begin(), kStyles.end(), [&](const StyleInfo& s) { return s.name == name; });
-    return found == kStyles.end() ? nullptr : &*found;
+    const auto all = styles();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const StyleInfo& s) { return s.name == name; });
+    return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace npr

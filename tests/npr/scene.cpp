@@ -23,7 +23,7 @@ Model box(const glm::dvec3& lo, const glm::dvec3& size) {
 }
 
 Model widget() {
-    csg::Fragments fine;
+    csg::Fineness fine;
     fine.fn = 48;
     const Model bore = leaf(csg::Cylinder{30, 4, 4, true, fine});
     const glm::dmat4 one(1.0);
