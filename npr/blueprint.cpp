@@ -17,9 +17,9 @@ std::span<const Parameter> parameters() {
         part_edges(),
         Parameter::number("inner", "Strength of inner edges", 0.8F, 0, 1),
         Parameter::choice("ground", "Ground", 0, {"blue", "white"}),
-        Parameter::number("hidden", "Strength of hidden edges", 0.4F, 0, 1),
+        Parameter::number("hidden", "Strength of hidden edges", 0.45F, 0, 1),
         Parameter::number("falloff", "Fading from layer to layer", 0.75F, 0, 1),
-        Parameter::number("tone", "Tone of a layer", 0.02F, 0, 0.25F),
+        Parameter::number("tone", "Tone of a layer", 0.07F, 0, 0.25F),
         Parameter::integer("layers", "Layers (0: all)", 0, 0, 64),
         Parameter::toggle("grid", "Grid on the paper", false),
         Parameter::integer("grid-spacing", "Spacing of the grid", 16, 4, 128),
@@ -51,6 +51,7 @@ class Blueprint : public Style {
         const bool on_blue = p.choice(kGround) == 0;
         program.set("ground_color", on_blue ? blue : white);
         program.set("line_color", on_blue ? white : blue);
+        program.set("wash_color", glm::vec3(0x5b, 0x97, 0xf2) / 255.0F);
         pass_.draw(frame);
     }
 

@@ -14,6 +14,7 @@ uniform bool grid;
 uniform float grid_spacing;
 uniform vec3 ground_color;
 uniform vec3 line_color;
+uniform vec3 wash_color;
 out vec4 result;
 
 // Coverage by lines one pixel wide, `spacing` pixels apart, in both directions.
@@ -41,14 +42,14 @@ void main() {
         bare *= 1.0 - strength * max(edge.profile, inner_strength * edge.inner);
         strength = i == 0 ? hidden_strength : strength * hidden_falloff;
     }
-    vec3 paper = linear_from_srgb(ground_color);
-    vec3 ink = linear_from_srgb(line_color);
+    // Strengths are as the eye sees them, hence mixed in sRGB.
+    vec3 paper = ground_color;
     if (grid) {
         vec2 at = vec2(pixel) + 0.5 + jitter - 0.5 * view.picture.xy;
-        paper = mix(paper, ink, max(0.025 * grid_lines(at, grid_spacing), 0.06 * grid_lines(at, 5.0 * grid_spacing)));
+        float line = max(0.5 * grid_lines(at, grid_spacing), grid_lines(at, 5.0 * grid_spacing));
+        paper = mix(paper, line_color, 0.12 * line);
     }
-    // The tone is a wash, weaker than any line.
-    vec3 color = mix(ink, mix(ink, paper, clear), bare);
+    vec3 color = mix(line_color, mix(wash_color, paper, clear), bare);
     float alpha = transparent_background && seen == 0 ? 0.0 : 1.0;
-    result = vec4(color * alpha, alpha);
+    result = premultiplied(color, alpha);
 }

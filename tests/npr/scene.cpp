@@ -25,7 +25,7 @@ Model box(const glm::dvec3& lo, const glm::dvec3& size) {
 Model widget() {
     csg::Fineness fine;
     fine.fn = 48;
-    const Model bore = leaf(csg::Cylinder{30, 4, 4, true, fine});
+    const Model bore = leaf(csg::Cylinder{16, 4, 4, true, fine});
     const glm::dmat4 one(1.0);
     const double turn = glm::radians(90.0);
     return combine(Operation::Difference,
