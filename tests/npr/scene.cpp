@@ -28,16 +28,14 @@ Model widget() {
     const Model bore = leaf(csg::Cylinder{16, 4, 4, true, fine});
     const glm::dmat4 one(1.0);
     const double turn = glm::radians(90.0);
-    return combine(Operation::Difference,
-                   {combine(Operation::Intersection,
-                            {leaf(csg::Cube{glm::dvec3(15), true}), leaf(csg::Sphere{10, fine})}),
-                    bore, matrix(glm::rotate(one, turn, {1, 0, 0}), bore),
-                    matrix(glm::rotate(one, turn, {0, 1, 0}), bore)});
+    return combine(
+        Operation::Difference,
+        {combine(Operation::Intersection, {leaf(csg::Cube{glm::dvec3(15), true}), leaf(csg::Sphere{10, fine})}), bore,
+         matrix(glm::rotate(one, turn, {1, 0, 0}), bore), matrix(glm::rotate(one, turn, {0, 1, 0}), bore)});
 }
 
 Model flush_blocks() {
-    return combine(Operation::Union,
-                   {box({0, 0, 0}, {4, 4, 4}), box({4, 0, 0}, {4, 4, 4}), box({0, 4, 0}, {8, 4, 2})});
+    return combine(Operation::Union, {box({0, 0, 0}, {4, 4, 4}), box({4, 0, 0}, {4, 4, 4}), box({0, 4, 0}, {8, 4, 2})});
 }
 
 gl::Camera camera(const csg::Box& box) {
