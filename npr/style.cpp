@@ -1,0 +1,23 @@
+#include "npr/style.h"
+
+#include <algorithm>
+#include <array>
+
+#include "npr/blueprint.h"
+#include "npr/edges.h"
+#include "npr/shaded.h"
+
+namespace npr {
+
+std::span<const StyleInfo> styles() {
+    static const std::array all{shaded_style(), edges_style(), blueprint_style()};
+    return all;
+}
+
+const StyleInfo* find_style(std::string_view name) {
+    const auto all = styles();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const StyleInfo& s) { return s.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace npr
