@@ -43,6 +43,8 @@ class View {
 
     [[nodiscard]] glm::ivec2 size() const { return size_; }
     [[nodiscard]] const Camera& camera() const { return camera_; }
+    /// Offset of the sample from the pixel's centre, in pixels.
+    [[nodiscard]] glm::dvec2 jitter() const { return jitter_; }
     [[nodiscard]] bool orthographic() const { return camera_.projection == Projection::Orthographic; }
     /// Distances from the eye's plane, along the axis of view.
     [[nodiscard]] double near_distance() const { return near_; }

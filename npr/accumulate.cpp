@@ -1,0 +1,122 @@
+#include "npr/accumulate.h"
+
+#include <algorithm>
+#include <array>
+
+#include "npr/style_pass.h"
+
+namespace npr {
+namespace {
+
+/// Sample i of n: row i of the pixel's n by n grid, and the column given.
+template <std::size_t n>
+constexpr std::array<glm::dvec2, n> rooks(const std::array<int, n>& columns) {
+    std::array<glm::dvec2, n> offsets{};
+    for (std::size_t i = 0; i < n; ++i)
+        offsets[i] = glm::dvec2((columns[i] + 0.5) / static_cast<double>(n) - 0.5,
+                                (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5);
+    return offsets;
+}
+
+constexpr std::array kOne{glm::dvec2(0.0)};
+constexpr auto kFour = rooks<4>({1, 3, 0, 2});
+constexpr auto kEight = rooks<8>({3, 6, 1, 4, 7, 2, 5, 0});
+constexpr auto kSixteen = rooks<16>({6, 12, 2, 9, 15, 4, 11, 0, 7, 13, 3, 10, 1, 8, 14, 5});
+
+gl::ShaderLibrary shaders() {
+    gl::ShaderLibrary library;
+    library.add(peel::shader_files());
+    library.add(npr::shader_files());
+    return library;
+}
+
+}  // namespace
+
+std::span<const glm::dvec2> sample_offsets(int count) {
+    if (count <= 1)
+        return kOne;
+    if (count <= 4)
+        return kFour;
+    if (count <= 8)
+        return kEight;
+    return kSixteen;
+}
+
+Accumulator::Accumulator(const gl::Functions& gl)
+    : gl_(gl),
+      resolve_(gl, shaders(), {"peel/fullscreen.vert", "npr/resolve.frag"}),
+      add_(gl, shaders(), {"peel/fullscreen.vert", "npr/add.frag"}),
+      empty_array_(gl),
+      sample_target_(gl),
+      sum_target_(gl),
+      resolved_target_(gl) {}
+
+void Accumulator::resize(glm::ivec2 size) {
+    if (sum_ && sum_.size() == size)
+        return;
+    sample_ = gl::Texture::make_2d(gl_, GL_RGBA32F, size);
+    sum_ = gl::Texture::make_2d(gl_, GL_RGBA32F, size);
+    resolved_ = gl::Texture();
+    sample_target_.attach({&sample_});
+    sum_target_.attach({&sum_});
+}
+
+void Accumulator::draw(Style& style, const Picture& picture, const PeelView& peel) {
+    resize(picture.size);
+    const auto offsets = sample_offsets(picture.samples);
+    samples_ = static_cast<int>(offsets.size());
+    const std::array<float, 4> zero{};
+    gl_.ClearNamedFramebufferfv(sum_target_.id(), GL_COLOR, 0, zero.data());
+    for (const glm::dvec2& offset : offsets) {
+        const gl::View view(picture.camera, picture.size, picture.lo, picture.hi, offset);
+        const peel::LayerStack layers = peel(view);
+        style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_});
+        sum_target_.bind();
+        gl_.Viewport(0, 0, picture.size.x, picture.size.y);
+        gl_.Disable(GL_DEPTH_TEST);
+        gl_.Enable(GL_BLEND);
+        gl_.BlendEquation(GL_FUNC_ADD);
+        gl_.BlendFunc(GL_ONE, GL_ONE);
+        sample_.bind(0);
+        add_.use();
+        empty_array_.bind();
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+        gl_.Disable(GL_BLEND);
+    }
+}
+
+void Accumulator::resolve(GLuint target, glm::ivec2 corner) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
+    gl_.Viewport(corner.x, corner.y, sum_.size().x, sum_.size().y);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Disable(GL_SCISSOR_TEST);
+    sum_.bind(0);
+    resolve_.set("samples", samples_);
+    resolve_.set("corner", corner);
+    resolve_.use();
+    empty_array_.bind();
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+gl::Image Accumulator::image() {
+    if (!resolved_) {
+        resolved_ = gl::Texture::make_2d(gl_, GL_RGBA8, sum_.size());
+        resolved_target_.attach({&resolved_});
+    }
+    resolve(resolved_target_.id(), {0, 0});
+    const glm::ivec2 size = sum_.size();
+    const auto row = static_cast<std::size_t>(size.x) * 4;
+    const auto height = static_cast<std::size_t>(size.y);
+    std::vector<std::uint8_t> pixels(row * height);
+    gl_.GetTextureImage(resolved_.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
+                        pixels.data());
+    // OpenGL's rows go up, the image's down.
+    gl::Image image{size.x, size.y, std::vector<std::uint8_t>(pixels.size())};
+    for (std::size_t y = 0; y < height; ++y)
+        std::copy_n(&pixels[y * row], row, &image.rgba[(height - 1 - y) * row]);
+    return image;
+}
+
+}  // namespace npr

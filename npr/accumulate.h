@@ -1,0 +1,58 @@
+// Antialiasing: samples at several places in the pixel, each of its own stack of layers, averaged in linear light.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "gl/camera.h"
+#include "gl/image.h"
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "npr/style.h"
+
+namespace npr {
+
+/// Offsets from the pixel's centre, in pixels: 1 (the centre), 4 (rotated grid), 8 or 16 (each row and each column of
+/// the pixel's grid holds one). Other counts give the next larger set; counts above 16 give 16.
+[[nodiscard]] std::span<const glm::dvec2> sample_offsets(int count);
+
+/// What is drawn, and how.
+struct Picture {
+    gl::Camera camera;
+    glm::ivec2 size{0};
+    glm::dvec3 lo{0}, hi{0};  ///< The box of the model, as gl::View takes it.
+    const Parameters& parameters;
+    const ColorScheme& scheme;
+    bool transparent_background = false;
+    int samples = 1;
+};
+
+/// The layers as seen from a view; called once per sample.
+using PeelView = std::function<peel::LayerStack(const gl::View& view)>;
+
+/// Draws pictures sample by sample and keeps their sum. One per context, reused; `gl` must outlive it.
+class Accumulator {
+  public:
+    explicit Accumulator(const gl::Functions& gl);
+
+    void draw(Style& style, const Picture& picture, const PeelView& peel);
+
+    /// The last picture drawn.
+    [[nodiscard]] gl::Image image();
+    /// Writes the last picture drawn into `target` (0: the window) as sRGB with straight alpha, its lower left corner
+    /// at `corner`. Replaces what was there.
+    void resolve(GLuint target, glm::ivec2 corner);
+
+  private:
+    void resize(glm::ivec2 size);
+
+    const gl::Functions& gl_;
+    gl::Program resolve_;
+    gl::Program add_;
+    gl::VertexArray empty_array_;
+    gl::Texture sample_, sum_, resolved_;
+    gl::Framebuffer sample_target_, sum_target_, resolved_target_;
+    int samples_ = 1;
+};
+
+}  // namespace npr

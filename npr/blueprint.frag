@@ -1,0 +1,54 @@
+// Edges of all layers, with the depth-complexity cue of Nienhaus (2005), 5.2: the tone tells how many surfaces lie
+// behind each other, and edges get fainter from layer to layer.
+#include "npr/color.glsl"
+#include "npr/edges.glsl"
+
+uniform float width;
+uniform float hidden_width;
+uniform float hidden_strength;  // of the second layer's edges
+uniform float hidden_falloff;   // from layer to layer
+uniform float inner_strength;
+uniform float tone;             // of one layer
+uniform int most_layers;        // 0: all
+uniform bool grid;
+uniform float grid_spacing;
+uniform vec3 ground_color;
+uniform vec3 line_color;
+out vec4 result;
+
+// Coverage by lines one pixel wide, `spacing` pixels apart, in both directions.
+float grid_lines(vec2 at, float spacing) {
+    vec2 distance = abs(mod(at + 0.5 * spacing, spacing) - 0.5 * spacing);
+    vec2 line = clamp(1.0 - distance, 0.0, 1.0);
+    return max(line.x, line.y);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 ray = pixel_ray(pixel);
+    int layers = most_layers > 0 ? min(most_layers, layer_count) : layer_count;
+    float bare = 1.0;  // of the paper, not yet covered by lines
+    float clear = 1.0;
+    int seen = 0;
+    float strength = 1.0;
+    for (int i = 0; i < layers && bare > 0.0; ++i) {
+        Surface s = layer_surface(pixel, i, ray);
+        if (!s.hit)
+            break;
+        ++seen;
+        clear *= 1.0 - tone;
+        Edge edge = surface_edge(s, pixel, i == 0 ? width : hidden_width);
+        bare *= 1.0 - strength * max(edge.profile, inner_strength * edge.inner);
+        strength = i == 0 ? hidden_strength : strength * hidden_falloff;
+    }
+    vec3 paper = linear_from_srgb(ground_color);
+    vec3 ink = linear_from_srgb(line_color);
+    if (grid) {
+        vec2 at = vec2(pixel) + 0.5 + jitter - 0.5 * view.picture.xy;
+        paper = mix(paper, ink, max(0.025 * grid_lines(at, grid_spacing), 0.06 * grid_lines(at, 5.0 * grid_spacing)));
+    }
+    // The tone is a wash, weaker than any line.
+    vec3 color = mix(ink, mix(ink, paper, clear), bare);
+    float alpha = transparent_background && seen == 0 ? 0.0 : 1.0;
+    result = vec4(color * alpha, alpha);
+}

@@ -1,0 +1,18 @@
+// Parameters that styles with edges share, and the uniforms of npr/edges.glsl.
+#pragma once
+
+#include "gl/program.h"
+#include "npr/parameter.h"
+
+namespace npr {
+
+/// "width": of lines, in pixels.
+[[nodiscard]] Parameter line_width(float initial);
+/// "crease": degrees between normals from which a bend is an edge.
+[[nodiscard]] Parameter crease_angle();
+/// "parts": whether boundaries between parts within a plane are edges.
+[[nodiscard]] Parameter part_edges();
+
+void set_edges(const gl::Program& program, float crease_degrees, bool parts);
+
+}  // namespace npr

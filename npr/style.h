@@ -1,0 +1,60 @@
+// Styles: ways to draw a stack of layers.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "gl/camera.h"
+#include "gl/objects.h"
+#include "npr/color_scheme.h"
+#include "npr/parameter.h"
+#include "peel/layer_stack.h"
+
+namespace npr {
+
+/// One sample per pixel of a picture, to be drawn by a style.
+struct Frame {
+    const gl::View& view;  ///< That `layers` was peeled from, its jitter included.
+    const peel::LayerStack& layers;
+    const Parameters& parameters;  ///< Of the style that draws.
+    const ColorScheme& scheme;
+    bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
+    /// Of the size of the stack, one RGBA32F attachment: linear light, premultiplied alpha. Undefined before.
+    const gl::Framebuffer& target;
+};
+
+/// A way to draw layers. Made once per context, which must be current in every call and outlive the style.
+class Style {
+  public:
+    virtual ~Style() = default;
+    Style(const Style&) = delete;
+    Style& operator=(const Style&) = delete;
+
+    /// How many layers draw() looks at: the first so many, or all (0). `translucent`: parts of the scene are not opaque
+    /// (`%`, `#`, alpha below 1).
+    [[nodiscard]] virtual int layers_needed(const Parameters& parameters, bool translucent) const = 0;
+    /// Writes every pixel of the target. The same frame gives the same pixels; noise is anchored to pixels of the
+    /// picture, never to the sample's jitter. A stack with fewer or more layers than needed is drawn as it is.
+    virtual void draw(const Frame& frame) = 0;
+
+  protected:
+    Style() = default;
+};
+
+/// What is known of a style without a context.
+struct StyleInfo {
+    std::string_view name;   ///< For the command line.
+    std::string_view label;  ///< For the window.
+    std::span<const Parameter> (*parameters)();
+    /// Compiles the style's programs; throws gl::Error.
+    std::unique_ptr<Style> (*make)(const gl::Functions& gl);
+};
+
+/// All styles; the first is the default.
+[[nodiscard]] std::span<const StyleInfo> styles();
+
+/// Null where there is no style of that name.
+[[nodiscard]] const StyleInfo* find_style(std::string_view name);
+
+}  // namespace npr

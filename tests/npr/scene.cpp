@@ -1,0 +1,73 @@
+#include "tests/npr/scene.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace scene {
+
+using csg::Operation;
+
+Model leaf(csg::LeafShape shape) {
+    return {Operation::Leaf, {}, std::move(shape), glm::dmat4(1.0), {}, {}};
+}
+Model combine(Operation operation, std::vector<Model> children) {
+    return {operation, {}, csg::Cube{}, glm::dmat4(1.0), {}, std::move(children)};
+}
+Model matrix(const glm::dmat4& m, Model child) {
+    return {Operation::Transform, {}, csg::Cube{}, m, {}, {std::move(child)}};
+}
+Model at(const glm::dvec3& p, Model child) {
+    return matrix(glm::translate(glm::dmat4(1.0), p), std::move(child));
+}
+Model box(const glm::dvec3& lo, const glm::dvec3& size) {
+    return at(lo, leaf(csg::Cube{size, false}));
+}
+
+Model widget() {
+    csg::Fragments fine;
+    fine.fn = 48;
+    const Model bore = leaf(csg::Cylinder{30, 4, 4, true, fine});
+    const glm::dmat4 one(1.0);
+    const double turn = glm::radians(90.0);
+    return combine(Operation::Difference,
+                   {combine(Operation::Intersection,
+                            {leaf(csg::Cube{glm::dvec3(15), true}), leaf(csg::Sphere{10, fine})}),
+                    bore, matrix(glm::rotate(one, turn, {1, 0, 0}), bore),
+                    matrix(glm::rotate(one, turn, {0, 1, 0}), bore)});
+}
+
+Model flush_blocks() {
+    return combine(Operation::Union,
+                   {box({0, 0, 0}, {4, 4, 4}), box({4, 0, 0}, {4, 4, 4}), box({0, 4, 0}, {8, 4, 2})});
+}
+
+gl::Camera camera(const csg::Box& box) {
+    gl::Camera c;
+    gl::view_all(c, box.lo, box.hi, true);
+    return c;
+}
+
+gl::Image Studio::draw(const Model& model, const Request& request) {
+    const comparison::Subject subject(random_tree::make_tree(model));
+    const npr::StyleInfo& info = *npr::find_style(request.style);
+    const auto style = info.make(gl_);
+    npr::Parameters parameters(info.parameters());
+    for (const auto& [name, value] : request.settings)
+        parameters.set(name, value);
+    peel::PeelModel peel_model(gl_, subject.scene, subject.geometry, subject.products);
+    const npr::Picture picture{request.camera ? *request.camera : camera(subject.geometry.box),
+                               request.size,
+                               subject.geometry.box.lo,
+                               subject.geometry.box.hi,
+                               parameters,
+                               *npr::find_color_scheme(request.scheme),
+                               request.transparent_background,
+                               request.samples};
+    const int needed = style->layers_needed(parameters, true);
+    accumulator_.draw(*style, picture, [&](const gl::View& view) {
+        peel::WalkStats stats;
+        return peeler_.peel(view, peel_model, needed == 0 ? peel::kAllLayers : needed, stats);
+    });
+    return accumulator_.image();
+}
+
+}  // namespace scene

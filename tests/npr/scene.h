@@ -1,0 +1,53 @@
+// Models to draw, and pictures of them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "npr/accumulate.h"
+#include "tests/engine/comparison.h"
+
+namespace scene {
+
+using random_tree::Model;
+
+[[nodiscard]] Model leaf(csg::LeafShape shape);
+[[nodiscard]] Model combine(csg::Operation operation, std::vector<Model> children);
+[[nodiscard]] Model matrix(const glm::dmat4& m, Model child);
+[[nodiscard]] Model at(const glm::dvec3& p, Model child);
+[[nodiscard]] Model box(const glm::dvec3& lo, const glm::dvec3& size);
+
+/// A rounded block with three bores, as in Kirsch and Döllner's figures.
+[[nodiscard]] Model widget();
+/// A staircase of three boxes whose faces meet flush.
+[[nodiscard]] Model flush_blocks();
+
+/// OpenSCAD's default direction of view, all of the box in the picture.
+[[nodiscard]] gl::Camera camera(const csg::Box& box);
+
+/// Holds what pictures need in one context.
+class Studio {
+  public:
+    explicit Studio(const gl::Functions& gl) : gl_(gl), peeler_(gl), accumulator_(gl) {}
+
+    struct Request {
+        std::string_view style = "shaded";
+        std::map<std::string, std::string> settings{};
+        glm::ivec2 size{64, 64};
+        int samples = 1;
+        std::string_view scheme = "Cornfield";
+        bool transparent_background = false;
+        /// Null: all of the model from OpenSCAD's default direction.
+        const gl::Camera* camera = nullptr;
+    };
+    [[nodiscard]] gl::Image draw(const Model& model, const Request& request);
+    [[nodiscard]] npr::Accumulator& accumulator() { return accumulator_; }
+
+  private:
+    const gl::Functions& gl_;
+    peel::Peeler peeler_;
+    npr::Accumulator accumulator_;
+};
+
+}  // namespace scene
