@@ -1,0 +1,87 @@
+#include "ui/viewer/camera_control.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+namespace ui {
+namespace {
+
+constexpr double kDegreesPerPixel = 0.7;
+constexpr double kNearest = 1e-6, kFarthest = 1e9;
+
+double wrapped(double degrees) {
+    const double turned = std::fmod(degrees, 360.0);
+    return turned < 0 ? turned + 360.0 : turned;
+}
+
+double half_fov_tangent(const gl::Camera& camera) { return std::tan(camera.fov / 360.0 * glm::pi<double>()); }
+
+/// Axes of the picture in world coordinates: right, up, towards the eye.
+std::array<glm::dvec3, 3> axes(const gl::Camera& camera) {
+    const glm::dmat3 world_from_eye = glm::transpose(glm::dmat3(camera.eye_from_world()));
+    return {world_from_eye[0], world_from_eye[1], world_from_eye[2]};
+}
+
+/// World units per pixel in the plane through the target.
+double pixel_size(const gl::Camera& camera, int picture_height) {
+    return 2 * camera.distance * half_fov_tangent(camera) / std::max(picture_height, 1);
+}
+
+}  // namespace
+
+void orbit(gl::Camera& camera, glm::dvec2 drag) {
+    const double tilt = camera.rotation.x;
+    const double turned = tilt - kDegreesPerPixel * drag.y;
+    const bool upright = tilt >= 0 && tilt <= 180;  // Cameras of files may hang upside down: those turn freely.
+    camera.rotation.x = upright ? std::clamp(turned, 0.0, 180.0) : wrapped(turned);
+    camera.rotation.z = wrapped(camera.rotation.z - kDegreesPerPixel * drag.x);
+}
+
+void pan(gl::Camera& camera, glm::dvec2 drag, int picture_height) {
+    const auto [right, up, back] = axes(camera);
+    camera.target += pixel_size(camera, picture_height) * (up * drag.y - right * drag.x);
+}
+
+void zoom(gl::Camera& camera, double factor, const glm::dvec3& fixed) {
+    const double distance = std::clamp(camera.distance * factor, kNearest, kFarthest);
+    camera.target = fixed + distance / camera.distance * (camera.target - fixed);
+    camera.distance = distance;
+}
+
+glm::dvec3 point_on_target_plane(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cursor) {
+    const auto [right, up, back] = axes(camera);
+    const glm::dvec2 from_middle = cursor - 0.5 * glm::dvec2(size);
+    return camera.target + pixel_size(camera, size.y) * (right * from_middle.x - up * from_middle.y);
+}
+
+gl::Camera pixel_camera(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cursor) {
+    const glm::dvec3 point = point_on_target_plane(camera, size, cursor);
+    gl::Camera narrow = camera;
+    if (camera.projection == gl::Projection::Perspective) {
+        narrow = gl::camera_between(camera.eye(), point);
+        narrow.fov = camera.fov;
+    }
+    narrow.target = point;
+    narrow.fov = std::max(narrow.fov / std::max(size.y, 1), 1e-3);
+    return narrow;
+}
+
+void toggle_projection(gl::Camera& camera) {
+    camera.projection = camera.projection == gl::Projection::Perspective ? gl::Projection::Orthographic
+                                                                         : gl::Projection::Perspective;
+}
+
+std::span<const StandardView> standard_views() {
+    static constexpr std::array<StandardView, 7> kViews{{{"Top", {0, 0, 0}, 4},
+                                                         {"Bottom", {180, 0, 0}, 5},
+                                                         {"Left", {90, 0, 270}, 6},
+                                                         {"Right", {90, 0, 90}, 7},
+                                                         {"Front", {90, 0, 0}, 8},
+                                                         {"Back", {90, 0, 180}, 9},
+                                                         {"Diagonal", {55, 0, 25}, 0}}};
+    return kViews;
+}
+
+}  // namespace ui
