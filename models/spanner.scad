@@ -3,7 +3,7 @@
 $fn = 64;
 
 size = 13;           // width across the flats of the nut
-length = 150;        // between the centres of the two heads
+length = 105;        // between the centres of the two heads
 jaw_angle = 15;      // of the open jaw in the plane of the handle
 ring_angle = 10;     // of the ring out of that plane
 clearance = 0.2;
