@@ -25,7 +25,7 @@ struct PlacedLeaf {
 struct Geometry {
     std::vector<PlacedLeaf> leaves;
     PlaneTable planes;
-    Box box;  ///< Of all leaves together.
+    Box box;                            ///< Of all leaves together.
     std::vector<std::string> warnings;  ///< With file:line where known.
 };
 

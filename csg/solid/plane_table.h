@@ -36,11 +36,15 @@ class PlaneTable {
 
   private:
     [[nodiscard]] std::uint64_t cell(const glm::dvec3& normal, double offset) const;
+    [[nodiscard]] double length() const;  ///< The largest coordinate that the tolerance stands for.
+    [[nodiscard]] std::uint32_t find(const Plane& plane, const glm::dvec3& a, const glm::dvec3& b,
+                                     const glm::dvec3& c) const;
+    void insert(std::uint32_t entry);
 
     double tolerance_;
     std::vector<Plane> planes_;
-    std::vector<std::uint32_t> next_;     ///< Chains of entries in one cell.
-    std::vector<std::uint32_t> buckets_;  ///< Open hash of cells.
+    std::vector<std::uint32_t> next_;     ///< Chains of entries in one bucket.
+    std::vector<std::uint32_t> buckets_;  ///< Heads of the chains, by the hash of the cell.
 };
 
 /// The distance below which faces are one event: a small multiple of the rounding of coordinates as large as the

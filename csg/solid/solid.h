@@ -13,8 +13,8 @@
 namespace csg::solid {
 
 /// A triangle mesh in leaf coordinates, oriented counter-clockwise seen from outside. Meshes made from cube, sphere
-/// and cylinder are closed and convex. A polyhedron is taken as given: where it is open, non-manifold or
-/// self-intersecting, `warnings` says so and pictures use the even-odd rule along the ray (DESIGN, rule 6).
+/// and cylinder are closed and convex. A polyhedron is taken as given: where it is open, non-manifold or inside out,
+/// `warnings` says so and pictures use the even-odd rule along the ray (DESIGN, rule 6).
 struct Solid {
     std::vector<glm::dvec3> points;
     std::vector<glm::uvec3> triangles;

@@ -25,10 +25,14 @@ struct Box {
 }
 
 /// The smallest box that holds both.
-[[nodiscard]] inline Box enclose(const Box& a, const Box& b) { return {glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)}; }
+[[nodiscard]] inline Box enclose(const Box& a, const Box& b) {
+    return {glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
+}
 
 /// What both boxes share; empty where they are apart, flat where they only touch.
-[[nodiscard]] inline Box intersect(const Box& a, const Box& b) { return {glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)}; }
+[[nodiscard]] inline Box intersect(const Box& a, const Box& b) {
+    return {glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)};
+}
 
 /// True where the boxes share more than a face, an edge or a point: solids within them can share a volume.
 [[nodiscard]] inline bool overlap(const Box& a, const Box& b) {

@@ -76,8 +76,7 @@ class SceneMaker {
     }
 
     static bool is_union(Operation op) {
-        return op == Operation::Group || op == Operation::Union || op == Operation::Transform ||
-               op == Operation::Color;
+        return op == Operation::Group || op == Operation::Union || op == Operation::Transform || op == Operation::Color;
     }
 
     Frame enter(NodeId id, const glm::dmat4& to_world, const Rgba& color, bool top_level) const {
@@ -124,8 +123,7 @@ class SceneMaker {
                                                      : ExpressionKind::Union;
             e.first_child = static_cast<std::uint32_t>(scene_.expression_children.size());
             e.child_count = static_cast<std::uint32_t>(frame.built.size());
-            scene_.expression_children.insert(scene_.expression_children.end(), frame.built.begin(),
-                                              frame.built.end());
+            scene_.expression_children.insert(scene_.expression_children.end(), frame.built.begin(), frame.built.end());
         }
         scene_.expressions.push_back(e);
         return static_cast<std::uint32_t>(scene_.expressions.size() - 1);
@@ -138,6 +136,8 @@ class SceneMaker {
 
 }  // namespace
 
-Scene make_scene(const Tree& tree) { return SceneMaker(tree).make(); }
+Scene make_scene(const Tree& tree) {
+    return SceneMaker(tree).make();
+}
 
 }  // namespace csg

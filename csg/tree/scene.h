@@ -88,7 +88,8 @@ template <typename Inside>
                 result = !children.empty() && std::all_of(children.begin(), children.end(), value);
                 break;
             case ExpressionKind::Difference:
-                result = !children.empty() && value(children[0]) && std::none_of(children.begin() + 1, children.end(), value);
+                result = !children.empty() && value(children[0]) &&
+                         std::none_of(children.begin() + 1, children.end(), value);
                 break;
         }
         values[i - part.first_expression] = result;

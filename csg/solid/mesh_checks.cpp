@@ -1,0 +1,108 @@
+#include "csg/solid/mesh_checks.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace csg::solid {
+namespace {
+
+constexpr std::size_t kMostConvexityTests = std::size_t{1} << 24;
+
+/// Six times the volume; negative for a mesh turned inside out.
+double volume6(const Solid& solid) {
+    const glm::dvec3 origin = solid.box.centre();
+    double sum = 0;
+    for (const glm::uvec3& t : solid.triangles) {
+        const glm::dvec3 a = solid.points[t.x] - origin, b = solid.points[t.y] - origin, c = solid.points[t.z] - origin;
+        sum += glm::dot(a, glm::cross(b, c));
+    }
+    return sum;
+}
+
+/// No point is outside any triangle's plane by more than rounding.
+bool is_convex(const Solid& solid) {
+    if (solid.triangles.size() * solid.points.size() > kMostConvexityTests)
+        return false;
+    const double tolerance = solid.box.diagonal() * 1e-13;
+    for (const glm::uvec3& t : solid.triangles) {
+        const glm::dvec3 &a = solid.points[t.x], &b = solid.points[t.y], &c = solid.points[t.z];
+        const glm::dvec3 n = glm::cross(b - a, c - a);
+        const double length = glm::length(n);
+        // The plane of a sliver says nothing.
+        if (length <= tolerance * solid.box.diagonal())
+            continue;
+        for (const glm::dvec3& p : solid.points) {
+            if (glm::dot(n, p - a) > tolerance * length)
+                return false;
+        }
+    }
+    return true;
+}
+
+struct EdgeCount {
+    bool open = false;
+    bool non_manifold = false;
+};
+
+EdgeCount count_edges(const Solid& solid) {
+    struct Edge {
+        std::uint32_t lo, hi;
+        int direction;
+    };
+    std::vector<Edge> edges;
+    edges.reserve(solid.triangles.size() * 3);
+    for (const glm::uvec3& t : solid.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+        }
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return std::tie(a.lo, a.hi) < std::tie(b.lo, b.hi); });
+    EdgeCount result;
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t j = i;
+        int balance = 0;
+        for (; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j)
+            balance += edges[j].direction;
+        if (balance != 0)
+            result.open = true;
+        else if (j - i > 2)
+            result.non_manifold = true;
+        i = j;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> first_of_equals(std::span<const glm::dvec3> points) {
+    std::vector<std::uint32_t> order(points.size()), first(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](std::uint32_t i) {
+        // Adding zero makes -0 and 0 one.
+        return std::tuple(points[i].x + 0.0, points[i].y + 0.0, points[i].z + 0.0);
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tuple_cat(key(a), std::tuple(a)) < std::tuple_cat(key(b), std::tuple(b));
+    });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        first[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+    return first;
+}
+
+void check_mesh(Solid& solid) {
+    const EdgeCount edges = count_edges(solid);
+    solid.closed = !edges.open && !edges.non_manifold;
+    if (edges.open)
+        solid.warnings.emplace_back("polyhedron is not closed, or its faces are not all oriented alike");
+    else if (edges.non_manifold)
+        solid.warnings.emplace_back("polyhedron has an edge that more than two faces share");
+    if (!edges.open && volume6(solid) < 0)
+        solid.warnings.emplace_back("polyhedron is inside out: its faces are to be clockwise seen from outside");
+    else
+        solid.convex = solid.closed && is_convex(solid);
+}
+
+}  // namespace csg::solid

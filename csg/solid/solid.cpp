@@ -1,0 +1,172 @@
+#include "csg/solid/solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "csg/solid/mesh_checks.h"
+#include "csg/solid/triangulate.h"
+#include "csg/tree/degrees.h"
+#include "csg/tree/hash.h"
+
+namespace csg::solid {
+namespace {
+
+constexpr double kSmallestRadius = 0x1p-20;  // OpenSCAD's GRID_FINE
+constexpr int kMostSegments = 1 << 16;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
+
+bool usable(double size) {
+    return std::isfinite(size) && size > 0;
+}
+
+/// Appends a ring of `segments` vertices at height z, counter-clockwise seen from above; returns its first index.
+std::uint32_t add_ring(Solid& solid, double radius, double z, int segments) {
+    const auto first = static_cast<std::uint32_t>(solid.points.size());
+    for (int i = 0; i < segments; ++i) {
+        const double angle = 360.0 * i / segments;
+        solid.points.emplace_back(radius * cos_degrees(angle), radius * sin_degrees(angle), z);
+    }
+    return first;
+}
+
+void add_cap(Solid& solid, std::uint32_t first, int segments, bool up) {
+    std::vector<std::uint32_t> face(static_cast<std::size_t>(segments));
+    for (std::uint32_t i = 0; i < face.size(); ++i)
+        face[i] = first + i;
+    if (!up)
+        std::reverse(face.begin(), face.end());
+    triangulate_convex(face, solid.triangles);
+}
+
+/// The band between two rings of equally many vertices.
+void add_band(Solid& solid, std::uint32_t below, std::uint32_t above, int segments) {
+    const auto n = static_cast<std::uint32_t>(segments);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t j = (i + 1) % n;
+        solid.triangles.emplace_back(below + i, below + j, above + j);
+        solid.triangles.emplace_back(below + i, above + j, above + i);
+    }
+}
+
+void build(const Cube& cube, Solid& solid) {
+    if (!usable(cube.size.x) || !usable(cube.size.y) || !usable(cube.size.z))
+        return;
+    const glm::dvec3 lo = cube.center ? cube.size * -0.5 : glm::dvec3(0.0);
+    const glm::dvec3 hi = cube.center ? cube.size * 0.5 : cube.size;
+    for (unsigned i = 0; i < 8; ++i)
+        solid.points.emplace_back((i & 1) ? hi.x : lo.x, (i & 2) ? hi.y : lo.y, (i & 4) ? hi.z : lo.z);
+    constexpr std::uint32_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& face : faces)
+        triangulate_convex(face, solid.triangles);
+}
+
+void build(const Sphere& sphere, Solid& solid) {
+    if (!usable(sphere.radius))
+        return;
+    const int segments = circle_segments(sphere.radius, sphere.fineness);
+    const int rings = (segments + 1) / 2;
+    std::uint32_t last = 0;
+    for (int i = 0; i < rings; ++i) {
+        // From the south pole up.
+        const double phi = 180.0 * (rings - 1 - i + 0.5) / rings;
+        const std::uint32_t ring =
+            add_ring(solid, sphere.radius * sin_degrees(phi), sphere.radius * cos_degrees(phi), segments);
+        if (i == 0)
+            add_cap(solid, ring, segments, false);
+        else
+            add_band(solid, last, ring, segments);
+        last = ring;
+    }
+    add_cap(solid, last, segments, true);
+}
+
+void build(const Cylinder& cylinder, Solid& solid) {
+    const double r1 = cylinder.radius1, r2 = cylinder.radius2, h = cylinder.height;
+    if (!usable(h) || !std::isfinite(r1) || !std::isfinite(r2) || r1 < 0 || r2 < 0 || (r1 == 0 && r2 == 0))
+        return;
+    const int segments = circle_segments(std::max(r1, r2), cylinder.fineness);
+    const auto n = static_cast<std::uint32_t>(segments);
+    const double z1 = cylinder.center ? -h / 2 : 0, z2 = cylinder.center ? h / 2 : h;
+    if (r1 > 0 && r2 > 0) {
+        const std::uint32_t below = add_ring(solid, r1, z1, segments), above = add_ring(solid, r2, z2, segments);
+        add_cap(solid, below, segments, false);
+        add_band(solid, below, above, segments);
+        add_cap(solid, above, segments, true);
+        return;
+    }
+    const bool up = r2 == 0;
+    const std::uint32_t ring = add_ring(solid, up ? r1 : r2, up ? z1 : z2, segments);
+    solid.points.emplace_back(0.0, 0.0, up ? z2 : z1);
+    add_cap(solid, ring, segments, !up);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t a = ring + i, b = ring + (i + 1) % n;
+        if (up)
+            solid.triangles.emplace_back(a, b, ring + n);
+        else
+            solid.triangles.emplace_back(b, a, ring + n);
+    }
+}
+
+void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
+    if (!polyhedron)
+        return;
+    const std::vector<glm::dvec3>& points = polyhedron->points;
+    for (const glm::dvec3& p : points) {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+            solid.warnings.emplace_back("polyhedron has a point that is not finite; it is left out");
+            return;
+        }
+    }
+    // Faces that meet in equal points meet: indices of the first of equals stand for all.
+    const std::vector<std::uint32_t> first = first_of_equals(points);
+    std::size_t triangles = 0;
+    for (const auto& loop : polyhedron->faces)
+        triangles += loop.size() < 3 ? 0 : loop.size() - 2;
+    if (triangles > kMostTriangles) {
+        solid.warnings.emplace_back("polyhedron has more than 16777216 triangles; it is left out");
+        return;
+    }
+    solid.points = points;
+    std::vector<std::uint32_t> face;
+    for (const auto& loop : polyhedron->faces) {
+        face.clear();
+        for (auto index = loop.rbegin(); index != loop.rend(); ++index) {
+            if (*index < points.size() && (face.empty() || face.back() != first[*index]))
+                face.push_back(first[*index]);
+        }
+        while (face.size() > 1 && face.front() == face.back())
+            face.pop_back();
+        triangulate(points, face, solid.triangles);
+    }
+}
+
+}  // namespace
+
+int circle_segments(double r, const Fineness& fineness) {
+    if (!(r >= kSmallestRadius) || !std::isfinite(fineness.fn) || !std::isfinite(r))
+        return 3;
+    if (fineness.fn > 0)
+        return static_cast<int>(std::clamp(fineness.fn, 3.0, double{kMostSegments}));
+    const double wanted =
+        std::ceil(std::max(std::min(360.0 / fineness.fa, r * 2.0 * 3.14159265358979323846 / fineness.fs), 5.0));
+    return static_cast<int>(std::min(wanted, double{kMostSegments}));
+}
+
+std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
+    auto solid = std::make_shared<Solid>();
+    std::visit([&](const auto& s) { build(s, *solid); }, shape);
+    for (const glm::dvec3& p : solid->points)
+        solid->box = enclose(solid->box, p);
+    if (!std::holds_alternative<std::shared_ptr<const Polyhedron>>(shape)) {
+        solid->closed = !solid->triangles.empty();
+        solid->convex = solid->closed;
+        return solid;
+    }
+    if (!solid->triangles.empty())
+        check_mesh(*solid);
+    return solid;
+}
+
+}  // namespace csg::solid
