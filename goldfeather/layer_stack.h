@@ -46,6 +46,7 @@ struct Surface {
     std::uint32_t plane = 0;
     bool reversed = false;
     bool leaving = false;
+    bool operator==(const Surface&) const = default;
 };
 
 /// A copy of a stack in main memory: surfaces[(layer * height + y) * width + x], rows from bottom to top.

@@ -22,8 +22,13 @@ void main() {
         positions[v] = p;
         // A vertex in front of the near plane is clipped: the triangle reaches up to it.
         float depth = p.z < p.w ? p.z / p.w : 1.0;
-        nearest = max(nearest, depth);
-        farthest = min(farthest, depth);
+        // Sums of four products of rounded factors. Limits narrower than their error would cut coplanar triangles
+        // differently.
+        vec4 terms = abs(view.clip_from_local[0] * vertices[3u * v]) + abs(view.clip_from_local[1] * vertices[3u * v + 1u]) +
+                     abs(view.clip_from_local[2] * vertices[3u * v + 2u]) + abs(view.clip_from_local[3]);
+        float error = p.z < p.w ? 5e-7 * (terms.z + depth * terms.w) / p.w : 0.0;
+        nearest = max(nearest, depth + error);
+        farthest = min(farthest, depth - error);
     }
     uint plane = triangle_planes[triangle];
     triangles[triangle] = TriangleRow(plane_depths[plane], vec2(farthest, nearest), plane, 0u);

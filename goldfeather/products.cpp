@@ -15,6 +15,8 @@ using csg::LeafId;
 constexpr double kSaturated = 1e18;
 /// Partial products looked at for each product allowed, before the budget counts as passed.
 constexpr std::size_t kStatesPerProduct = 64;
+/// Literals and factors looked at, and those that wait at one time, for each literal allowed.
+constexpr std::size_t kWorkPerLiteral = 64, kWaitingPerLiteral = 16;
 /// Boxes count as apart only beyond the rounding of coordinates: a face that touches keeps its complement, for it
 /// may give the surface its colour.
 constexpr double kTouching = 0x1p-32;
@@ -121,14 +123,19 @@ class Rewriter {
         State start;
         start.pending.push_back({part_.root, false});
         std::vector<State> states;
+        waiting_ = size(start);
         states.push_back(std::move(start));
         std::vector<Product> products;
-        std::size_t literals = 0, looked_at = 0;
+        std::size_t literals = 0, looked_at = 0, work = 0;
+        most_waiting_ = kWaitingPerLiteral * budget.literals;
         while (!states.empty()) {
-            if (++looked_at > kStatesPerProduct * budget.products)
+            if (++looked_at > kStatesPerProduct * budget.products || work > kWorkPerLiteral * budget.literals ||
+                waiting_ > most_waiting_)
                 return OverBudget{products.size()};
             State state = std::move(states.back());
             states.pop_back();
+            waiting_ -= size(state);
+            work += size(state);
             std::optional<Factor> fork;
             if (!expand(state, fork)) {
                 ++stats_.pruned_products;
@@ -157,6 +164,8 @@ class Rewriter {
     }
 
   private:
+    static std::size_t size(const State& state) { return state.literals.size() + state.pending.size(); }
+
     const Box& box_of(std::uint32_t expression) const { return boxes_[expression - part_.first_expression]; }
 
     /// A factor that is a choice between alternatives: a union, or the complement of an intersection or difference.
@@ -231,7 +240,7 @@ class Rewriter {
     void push_alternatives(State state, const Factor& choice, std::vector<State>& states) {
         const Expression& e = scene_.expressions[choice.expression];
         const auto children = scene_.children(e);
-        for (std::size_t c = 0; c < children.size(); ++c) {
+        for (std::size_t c = 0; c < children.size() && waiting_ <= most_waiting_; ++c) {
             // not(a - b) = not a + b
             const bool complement = choice.complement != (e.kind == ExpressionKind::Difference && c > 0);
             if (!complement && !has_volume(csg::intersect(state.box, box_of(children[c])))) {
@@ -241,6 +250,7 @@ class Rewriter {
             State& alternative =
                 c + 1 < children.size() ? states.emplace_back(state) : states.emplace_back(std::move(state));
             alternative.pending.push_back({children[c], complement});
+            waiting_ += size(alternative);
         }
     }
 
@@ -251,6 +261,8 @@ class Rewriter {
     std::span<const Box> leaf_boxes_;
     NormalizationStats& stats_;
     std::vector<Box> boxes_;
+    std::size_t waiting_ = 0;       ///< Literals and factors of all waiting states, …
+    std::size_t most_waiting_ = 0;  ///< … and how many may be.
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "peel/peeler.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace peel {
@@ -42,13 +43,16 @@ LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, 
     };
     if (model.products.empty())
         return engine_.walk(view, model.leaves, {{}, model.leaf_boxes}, model.tables, max_layers, stats);
-    LayerStack result = walk(0);
-    for (std::size_t part = 1; part < model.products.size(); ++part) {
+    // Highlighted parts come before all others, and each kind in order of the parts' ids.
+    std::optional<LayerStack> plain, highlighted;
+    for (std::size_t part = 0; part < model.products.size(); ++part) {
+        std::optional<LayerStack>& kind = model.kinds[part] == csg::PartKind::Highlight ? highlighted : plain;
         LayerStack next = walk(part);
-        result = model.kinds[part] == csg::PartKind::Highlight ? merge(next, result, max_layers)
-                                                               : merge(result, next, max_layers);
+        kind = kind ? merge(*kind, next, max_layers) : std::move(next);
     }
-    return result;
+    if (plain && highlighted)
+        return merge(*highlighted, *plain, max_layers);
+    return std::move(plain ? *plain : *highlighted);
 }
 
 LayerStack Peeler::merge(const LayerStack& front, const LayerStack& back, int max_layers) {

@@ -130,16 +130,21 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
     }
     solid.points = points;
     std::vector<std::uint32_t> face;
+    bool out_of_bounds = false;
     for (const auto& loop : polyhedron->faces) {
         face.clear();
         for (auto index = loop.rbegin(); index != loop.rend(); ++index) {
-            if (*index < points.size() && (face.empty() || face.back() != first[*index]))
+            if (*index >= points.size())
+                out_of_bounds = true;
+            else if (face.empty() || face.back() != first[*index])
                 face.push_back(first[*index]);
         }
         while (face.size() > 1 && face.front() == face.back())
             face.pop_back();
         triangulate(points, face, solid.triangles);
     }
+    if (out_of_bounds)
+        solid.warnings.emplace_back("polyhedron has a face with a point index that is out of bounds; it is ignored");
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// The built-in modules of the language.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "csg/scad/evaluator.h"
+
+namespace csg::scad {
+
+/// One instantiation of a built-in module.
+struct ModuleContext {
+    Evaluator& evaluator;
+    const Instantiation& instantiation;
+    const Frame* frame;  ///< Where the instantiation stands.
+    csg::Modifiers modifiers;
+
+    [[nodiscard]] std::string_view name() const { return evaluator.name(instantiation.name); }
+    [[nodiscard]] const SourceRange& where() const { return instantiation.where; }
+    [[nodiscard]] SourceLocation location() const { return evaluator.location(instantiation.where); }
+    void warn(std::string text) const { evaluator.warn(instantiation.where, std::move(text)); }
+    /// The nodes of the children.
+    [[nodiscard]] Nodes children() const;
+};
+
+/// Adds what the module makes to `out`: at most one node.
+using BuiltinModule = void (*)(const ModuleContext& context, Nodes& out);
+
+struct ModuleEntry {
+    std::string_view name;
+    BuiltinModule run;
+};
+
+[[nodiscard]] std::span<const ModuleEntry> control_modules();
+[[nodiscard]] std::span<const ModuleEntry> shape_modules();
+[[nodiscard]] std::span<const ModuleEntry> transform_modules();
+
+/// Null where there is none of that name.
+[[nodiscard]] BuiltinModule find_builtin_module(std::string_view name);
+
+/// Arguments of a built-in module, matched to its parameters. `$` arguments are bound as long as it lives.
+class ModuleArguments {
+  public:
+    /// `positional` parameters may stand without a name, in this order; `named` only with theirs.
+    ModuleArguments(const ModuleContext& context, std::span<const std::string_view> positional,
+                    std::span<const std::string_view> named = {});
+
+    /// undef where it is not given.
+    [[nodiscard]] const Value& operator[](std::string_view parameter) const;
+    [[nodiscard]] bool given(std::string_view parameter) const;
+
+  private:
+    Evaluator::DynamicMark mark_;
+    std::vector<std::pair<std::string_view, Value>> values_;
+    Value undef_;
+};
+
+/// Three numbers. `[x, y]` stands for `[x, y, z_if_missing]` unless that is NaN.
+[[nodiscard]] bool to_vec3(const Value& value, glm::dvec3& out, double z_if_missing);
+
+}  // namespace csg::scad

@@ -1,0 +1,225 @@
+// Calls of functions. Calls in tail position loop; they use no stack.
+#include <bit>
+
+#include "csg/scad/evaluator.h"
+
+namespace csg::scad {
+
+/// A user function or a function value, ready to be called.
+struct Evaluator::Callee {
+    std::span<const Argument> parameters;
+    ExprId body = kNone;
+    std::uint32_t locals = 0;
+    const Frame* frame = nullptr;
+    Value closure;  ///< Keeps a function value alive.
+    BuiltinFunction builtin = nullptr;
+    Symbol name = kNoSymbol;
+
+    [[nodiscard]] Scope scope(Value* slots) const {
+        return {slots, frame, closure.is_function() ? &static_cast<Closure&>(closure.function()) : nullptr};
+    }
+};
+
+/// False (and a warning) where there is nothing to call.
+bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee) {
+    const Expr& target = p_[e.operand(0)];
+    Value value;
+    if (target.kind == ExprKind::Identifier) {
+        callee.name = target.name;
+        for (std::uint32_t i = r_.of_expression[id]; i != kNone && !value.is_function(); i = r_.calls[i].next) {
+            const CallTarget& t = r_.calls[i];
+            switch (t.kind) {
+                case CallTarget::Kind::Variable:
+                    value = variable(t.variable, scope);
+                    break;
+                case CallTarget::Kind::Function: {
+                    const FunctionDefinition& f = p_.functions[t.function.id];
+                    callee.parameters = p_.parameters_of(f);
+                    callee.body = f.body;
+                    callee.locals = r_.locals_of_function[t.function.id];
+                    callee.frame = t.function.hops == kUsedUnit ? unit_frame(t.function.unit)
+                                                                : outward(scope.frame, t.function.hops);
+                    callee.closure = Value();
+                    return true;
+                }
+                case CallTarget::Kind::Builtin:
+                    callee.builtin = t.builtin;
+                    return true;
+                case CallTarget::Kind::Unknown:
+                    warn(e.where, fmt::format("Ignoring unknown function '{}'", name(target.name)));
+                    return false;
+            }
+        }
+    } else {
+        value = evaluate(e.operand(0), scope);
+        if (!value.is_function()) {
+            warn(e.where, fmt::format("Can't call function on {}", type_name(value.type())));
+            return false;
+        }
+    }
+    const auto& closure = static_cast<Closure&>(value.function());
+    const Expr& literal = p_[closure.literal];
+    callee.parameters = p_.arguments_of(literal);
+    callee.body = literal.operand(0);
+    callee.locals = r_.literals[r_.of_expression[closure.literal]].locals;
+    callee.frame = closure.frame;
+    callee.closure = std::move(value);
+    return true;
+}
+
+/// Values of the arguments go to the slots of the parameters they are for; parameters without one stay unset.
+void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
+                               const SourceRange& where, Scope& caller, Value* slots) {
+    std::uint64_t by_name = 0;  // Of the first 64 parameters.
+    std::uint64_t by_position = 0;
+    const auto bit = [](std::size_t i) { return i < 64 ? std::uint64_t{1} << i : 0; };
+    std::size_t position = 0;
+    bool too_many = false;
+    std::vector<std::pair<std::uint32_t, Value>> dynamics;
+    for (const Argument& a : arguments) {
+        Value value = evaluate(a.value, caller);
+        if (a.name == kNoSymbol) {
+            while (position < parameters.size() && (by_name & bit(position)) != 0) {
+                ++position;
+            }
+            if (position < parameters.size()) {
+                by_position |= bit(position);
+                slots[position++] = std::move(value);
+            } else if (!too_many) {
+                too_many = true;
+                warn(where, "Too many unnamed arguments supplied");
+            }
+            continue;
+        }
+        std::size_t i = 0;
+        while (i < parameters.size() && parameters[i].name != a.name) {
+            ++i;
+        }
+        if (i < parameters.size()) {
+            if ((by_name & bit(i)) != 0) {
+                warn(where, fmt::format("argument \"{}\" supplied more than once", name(a.name)));
+            } else if ((by_position & bit(i)) != 0) {
+                warn(where, fmt::format("argument \"{}\" overrides positional argument", name(a.name)));
+            }
+            by_name |= bit(i);
+            slots[i] = std::move(value);
+        } else if (is_dynamic(name(a.name))) {
+            const std::uint32_t slot = r_.argument_slots[static_cast<std::size_t>(&a - p_.arguments.data())];
+            for (const auto& d : dynamics) {
+                if (d.first == slot) {
+                    warn(where, fmt::format("argument \"{}\" supplied more than once", name(a.name)));
+                }
+            }
+            dynamics.emplace_back(slot, std::move(value));
+        } else {
+            warn(where, fmt::format("variable \"{}\" not specified as parameter", name(a.name)));
+        }
+    }
+    for (auto& [slot, value] : dynamics) {
+        pending_dynamics_.emplace_back(slot, std::move(value));
+    }
+}
+
+void Evaluator::bind_defaults(std::span<const Argument> parameters, Scope& defining, Value* slots) {
+    for (auto& [slot, value] : pending_dynamics_) {
+        bind_dynamic(slot, std::move(value));
+    }
+    pending_dynamics_.clear();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (slots[i].is_unset()) {
+            slots[i] = parameters[i].value == kNone ? Value() : evaluate(parameters[i].value, defining);
+        }
+    }
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (is_dynamic(name(parameters[i].name))) {
+            bind_dynamic(r_.argument_slots[static_cast<std::size_t>(&parameters[i] - p_.arguments.data())], slots[i]);
+        }
+    }
+}
+
+Value Evaluator::call_builtin(const Expr& e, BuiltinFunction function, Scope& scope) {
+    const auto arguments = p_.arguments_of(e);
+    const std::string& function_name = name(p_[e.operand(0)].name);
+    const ValueStack::Region values(stack_, arguments.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const ExprId a = arguments[i].value;
+        if (function_name == "is_undef" && p_[a].kind == ExprKind::Identifier) {  // The one that may ask in silence.
+            values.data()[i] = variable(r_.variables[r_.of_expression[a]], scope);
+            if (values.data()[i].is_unset()) {
+                values.data()[i] = Value();
+            }
+        } else {
+            values.data()[i] = evaluate(a, scope);
+        }
+    }
+    call_where_ = e.where;
+    Value result = function(function_name, {values.data(), arguments.size()}, host_);
+    check_memory(e.where);
+    return result;
+}
+
+Value Evaluator::call(ExprId id, Scope& caller) {
+    const Expr* e = &p_[id];
+    Callee callee;
+    if (!find_callee(*e, id, caller, callee)) {
+        return {};
+    }
+    if (callee.builtin != nullptr) {
+        return call_builtin(*e, callee.builtin, caller);
+    }
+    check_stack(e->where, "calling function", callee.name);
+    DynamicMark mark(*this);
+    ValueStack::Region slots(stack_, callee.locals);
+    try {
+        bind_arguments(p_.arguments_of(*e), callee.parameters, e->where, caller, slots.data());
+        Scope scope = callee.scope(slots.data());
+        bind_defaults(callee.parameters, scope, slots.data());
+        ExprId body = callee.body;
+        for (unsigned tail_calls = 0; body != kNone;) {
+            const Expr& b = p_[body];
+            if (b.kind == ExprKind::Conditional) {
+                body = evaluate(b.operand(0), scope) ? b.operand(1) : b.operand(2);
+            } else if (b.kind == ExprKind::Let) {
+                bind_let(p_.arguments_of(b), scope);
+                body = b.operand(0);
+            } else if (b.kind == ExprKind::Assert) {
+                check_assertion(p_.arguments_of(b), b.where, scope);
+                body = b.operand(0);
+            } else if (b.kind == ExprKind::Echo) {
+                echo(p_.arguments_of(b), scope);
+                body = b.operand(0);
+            } else if (b.kind == ExprKind::Call) {
+                Callee next;
+                if (!find_callee(b, body, scope, next)) {
+                    return {};
+                }
+                if (next.builtin != nullptr) {
+                    return call_builtin(b, next.builtin, scope);
+                }
+                if (++tail_calls >= request_.limits.tail_calls) {
+                    fail(b.where, fmt::format("Recursion detected calling function '{}'",
+                                              next.name == kNoSymbol ? "" : name(next.name)));
+                }
+                check_stop(b.where);
+                ValueStack::Region fresh(stack_, next.locals);
+                bind_arguments(p_.arguments_of(b), next.parameters, b.where, scope, fresh.data());
+                mark.unwind();
+                callee = std::move(next);
+                slots.replace(fresh);
+                scope = callee.scope(slots.data());
+                bind_defaults(callee.parameters, scope, slots.data());
+                body = callee.body;
+            } else {
+                return evaluate(body, scope);
+            }
+        }
+    } catch (EvaluationError& error) {
+        if (callee.name != kNoSymbol) {
+            error.trace.push_back({Severity::Trace, e->where, fmt::format("called by '{}'", name(callee.name))});
+        }
+        throw;
+    }
+    return {};
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,298 @@
+// Evaluation of expressions but calls and lists.
+#include <algorithm>
+
+#include "csg/scad/evaluator.h"
+#include "csg/scad/expression_text.h"
+#include "csg/scad/operators.h"
+
+namespace csg::scad {
+
+const Frame* Evaluator::outward(const Frame* frame, std::uint32_t hops) const {
+    for (; hops > 0; --hops) {
+        frame = frame->outer;
+    }
+    return frame;
+}
+
+Value Evaluator::variable(const VariableRef& ref, const Scope& scope) const {
+    switch (ref.place) {
+        case Place::Local:
+            return scope.locals[ref.slot];
+        case Place::Capture: {
+            const Value& value = scope.closure->captures[ref.slot];
+            if (value.is_unset()) {
+                ++scope.closure->references;
+                return Value(scope.closure);
+            }
+            return value;
+        }
+        case Place::Dynamic:
+            return dynamic_[ref.slot];
+        case Place::Block: {
+            const Value& value = outward(scope.frame, ref.hops)->slots[ref.slot];
+            return value.is_unset() && ref.next != kNone ? variable(r_.variables[ref.next], scope) : value;
+        }
+        case Place::Unknown:
+            break;
+    }
+    return Value::unset();
+}
+
+Value Evaluator::variable_or_warn(ExprId id, const Scope& scope) {
+    Value value = variable(r_.variables[r_.of_expression[id]], scope);
+    if (value.is_unset()) {
+        warn(p_[id].where, fmt::format("Ignoring unknown variable \"{}\"", name(p_[id].name)));
+        return {};
+    }
+    return value;
+}
+
+Value Evaluator::evaluate(ExprId id, Scope& scope) {
+    if (id == kNone) {
+        return {};
+    }
+    const Expr& e = p_[id];
+    check_stack(e.where, "evaluating an expression", kNoSymbol);
+    switch (e.kind) {
+        case ExprKind::Undef:
+            return {};
+        case ExprKind::Boolean:
+            return e.number != 0;
+        case ExprKind::Number:
+            return e.number;
+        case ExprKind::String:
+            return name(e.name);
+        case ExprKind::Identifier:
+            return variable_or_warn(id, scope);
+        case ExprKind::Vector: {
+            std::vector<Value> elements;
+            elements.reserve(e.list.count);
+            for (const ExprId element : p_.elements_of(e)) {
+                collect(element, scope, elements);
+            }
+            return elements;
+        }
+        case ExprKind::Range:
+            return evaluate_range(e, scope);
+        case ExprKind::Unary: {
+            std::string problem;
+            Value result = apply_unary(e.op, evaluate(e.operand(0), scope), problem);
+            if (!problem.empty()) {
+                warn(e.where, std::move(problem));
+            }
+            return result;
+        }
+        case ExprKind::Binary:
+            return evaluate_binary(e, scope);
+        case ExprKind::Conditional:
+            return evaluate(evaluate(e.operand(0), scope) ? e.operand(1) : e.operand(2), scope);
+        case ExprKind::Call:
+            return call(id, scope);
+        case ExprKind::Index:
+            return element_of(evaluate(e.operand(0), scope), evaluate(e.operand(1), scope));
+        case ExprKind::Member:
+            return evaluate_member(e, scope);
+        case ExprKind::Let: {
+            const DynamicMark mark(*this);
+            bind_let(p_.arguments_of(e), scope);
+            return evaluate(e.operand(0), scope);
+        }
+        case ExprKind::Assert:
+            check_assertion(p_.arguments_of(e), e.where, scope);
+            return evaluate(e.operand(0), scope);
+        case ExprKind::Echo:
+            echo(p_.arguments_of(e), scope);
+            return evaluate(e.operand(0), scope);
+        case ExprKind::Function:
+            return make_closure(id, scope);
+        default: {
+            std::vector<Value> elements;
+            collect(id, scope, elements);
+            return elements;
+        }
+    }
+}
+
+Value Evaluator::evaluate_binary(const Expr& e, Scope& scope) {
+    Value a = evaluate(e.operand(0), scope);
+    if (e.op == Operator::And) {
+        return a && evaluate(e.operand(1), scope);
+    }
+    if (e.op == Operator::Or) {
+        return a || evaluate(e.operand(1), scope);
+    }
+    const Value b = evaluate(e.operand(1), scope);
+    if (a.is_number() && b.is_number()) {  // What most programs spend their time on.
+        const double x = a.number(), y = b.number();
+        switch (e.op) {
+            case Operator::Add:
+                return x + y;
+            case Operator::Subtract:
+                return x - y;
+            case Operator::Multiply:
+                return x * y;
+            case Operator::Less:
+                return x < y;
+            case Operator::Equal:
+                return x == y;
+            default:
+                break;
+        }
+    }
+    std::string problem;
+    Value result = apply_binary(e.op, a, b, problem);
+    if (!problem.empty()) {
+        warn(e.where, std::move(problem));
+    }
+    return result;
+}
+
+Value Evaluator::evaluate_range(const Expr& e, Scope& scope) {
+    const Value begin = evaluate(e.operand(0), scope);
+    const Value step = e.operand(1) == kNone ? Value(1.0) : evaluate(e.operand(1), scope);
+    const Value end = evaluate(e.operand(2), scope);
+    if (!begin.is_number() || !end.is_number()) {
+        warn(e.where, fmt::format("Unable to convert [{}:...:{}] to a range", begin.echo_text(), end.echo_text()));
+        return {};
+    }
+    if (!step.is_number()) {
+        warn(e.where, fmt::format("Unable to convert [...:{}:...] to a step value", step.echo_text()));
+        return {};
+    }
+    const Range range{begin.number(), step.number(), end.number()};
+    if (range.step > 0 && range.end < range.begin) {
+        warn(e.where, "begin is greater than the end, but step is positive");
+    } else if (range.step < 0 && range.end > range.begin) {
+        warn(e.where, "begin is smaller than the end, but step is negative");
+    }
+    return range;
+}
+
+Value Evaluator::evaluate_member(const Expr& e, Scope& scope) {
+    const Value value = evaluate(e.operand(0), scope);
+    const std::string& member = name(e.name);
+    constexpr std::string_view kAxes = "xyz";
+    const std::size_t axis = member.size() == 1 ? kAxes.find(member[0]) : std::string_view::npos;
+    if (value.is_vector() && axis != std::string_view::npos) {
+        return element_of(value, static_cast<double>(axis));
+    }
+    if (value.is_range()) {
+        const Range& r = value.range();
+        return member == "begin"  ? Value(r.begin)
+               : member == "step" ? Value(r.step)
+               : member == "end"  ? Value(r.end)
+                                  : Value();
+    }
+    return {};
+}
+
+Value Evaluator::make_closure(ExprId id, Scope& scope) {
+    const LiteralInfo& info = r_.literals[r_.of_expression[id]];
+    auto* closure = new Closure(p_, id, scope.frame);
+    Value value(closure);
+    closure->captures.reserve(info.captures.size());
+    for (const CaptureSource& source : info.captures) {
+        if (source.late) {
+            closure->captures.emplace_back();
+            late_.push_back({value, closure->captures.size() - 1, &scope.locals[source.slot]});
+            continue;
+        }
+        closure->captures.push_back(source.from_capture ? variable({Place::Capture, 0, source.slot, kNone}, scope)
+                                                        : scope.locals[source.slot]);
+    }
+    return value;
+}
+
+void Evaluator::bind_local(const Argument& a, Value value, Scope& scope) {
+    const auto index = static_cast<std::size_t>(&a - p_.arguments.data());
+    const std::uint32_t slot = r_.argument_slots[index];
+    if (is_dynamic(name(a.name))) {
+        bind_dynamic(slot, std::move(value));
+    } else {
+        scope.locals[slot] = std::move(value);
+    }
+}
+
+void Evaluator::bind_let(std::span<const Argument> arguments, Scope& scope) {
+    const std::size_t late = late_.size();
+    for (const Argument& a : arguments) {
+        Value value = evaluate(a.value, scope);
+        if (a.name == kNoSymbol) {
+            warn(a.where, fmt::format("Assignment without variable name {}", value.echo_text()));
+            continue;
+        }
+        bind_local(a, std::move(value), scope);
+    }
+    if (late_.size() == late) {
+        return;
+    }
+    // Closures made above get the variables they were ahead of; those of a surrounding let go on waiting.
+    std::size_t kept = late;
+    for (std::size_t i = late; i < late_.size(); ++i) {
+        Late& l = late_[i];
+        const bool ours = std::any_of(arguments.begin(), arguments.end(), [&](const Argument& a) {
+            return a.name != kNoSymbol && !is_dynamic(name(a.name)) &&
+                   l.slot == &scope.locals[r_.argument_slots[static_cast<std::size_t>(&a - p_.arguments.data())]];
+        });
+        if (!ours) {
+            std::swap(late_[kept++], l);
+            continue;
+        }
+        auto& closure = static_cast<Closure&>(l.closure.function());
+        if (l.slot->is_function() && &l.slot->function() == &closure) {
+            closure.captures[l.capture] = Value::unset();  // Itself: no circle of references.
+        } else {
+            closure.captures[l.capture] = *l.slot;
+            knotted_.push_back(l.closure);
+        }
+    }
+    late_.resize(kept);
+}
+
+std::string Closure::text() const {
+    return expression_text(program, literal);
+}
+
+void Closure::take_captures(std::vector<Value>& out) {
+    for (Value& value : captures) {
+        out.push_back(std::move(value));
+    }
+    captures.clear();
+}
+
+void Evaluator::echo(std::span<const Argument> arguments, Scope& scope) {
+    std::string text;
+    for (const Argument& a : arguments) {
+        text += text.empty() ? "" : ", ";
+        if (a.name != kNoSymbol) {
+            text += name(a.name) + " = ";
+        }
+        text += evaluate(a.value, scope).echo_text();
+    }
+    emit(Severity::Echo, {}, std::move(text));
+}
+
+void Evaluator::check_assertion(std::span<const Argument> arguments, const SourceRange& where, Scope& scope) {
+    const Argument* condition = nullptr;
+    const Argument* message = nullptr;
+    for (const Argument& a : arguments) {
+        const bool named = a.name != kNoSymbol;
+        const Argument*& target =
+            named ? (name(a.name) == "message" ? message : condition) : (condition == nullptr ? condition : message);
+        target = &a;
+    }
+    if (condition != nullptr && evaluate(condition->value, scope)) {
+        return;
+    }
+    std::string text = "Assertion";
+    if (condition != nullptr) {
+        text += fmt::format(" '{}'", expression_text(p_, condition->value));
+    }
+    text += " failed";
+    if (message != nullptr) {
+        text += ": " + evaluate(message->value, scope).echo_text();
+    }
+    fail(where, std::move(text));
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,231 @@
+// Runs a program. Internal to csg/scad: use scad.h.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "csg/scad/ast.h"
+#include "csg/scad/builtin_functions.h"
+#include "csg/scad/resolve.h"
+#include "csg/scad/scad.h"
+#include "csg/scad/value.h"
+#include "csg/tree/tree.h"
+
+namespace csg::scad {
+
+/// Ends an evaluation: a failed assertion, recursion without end, a limit, a stop. `trace` is what was under way, the
+/// innermost first.
+struct EvaluationError {
+    Message message;
+    std::vector<Message> trace;
+    bool stopped = false;
+};
+
+/// A user-defined module that runs.
+struct ModuleCall;
+
+/// The variables of a block that runs. Frames live on the native stack, and nothing that a module makes outlives it:
+/// what refers to a frame needs no ownership.
+struct Frame {
+    const Frame* outer = nullptr;
+    Value* slots = nullptr;
+    const ModuleCall* module = nullptr;  ///< The one whose body the block is in, for children().
+};
+
+struct ModuleCall {
+    const Instantiation* instantiation = nullptr;
+    const Frame* caller = nullptr;  ///< Where its children are to run.
+};
+
+/// A function literal with what it uses of its surroundings.
+struct Closure final : FunctionObject {
+    Closure(const Program& p, ExprId e, const Frame* f) : program(p), literal(e), frame(f) {}
+    [[nodiscard]] std::string text() const override;
+    void take_captures(std::vector<Value>& out) override;
+    const Program& program;
+    const ExprId literal;
+    const Frame* const frame;
+    std::vector<Value> captures;  ///< Unset stands for the closure itself.
+};
+
+/// Where an expression runs.
+struct Scope {
+    Value* locals = nullptr;
+    const Frame* frame = nullptr;
+    Closure* closure = nullptr;
+};
+
+/// Locals of activations and slots of frames, in chunks that never move.
+class ValueStack {
+  public:
+    /// `count` values, all unset, until it is destroyed. Regions nest.
+    class Region {
+      public:
+        Region(ValueStack& stack, std::size_t count);
+        ~Region();
+        Region(const Region&) = delete;
+        Region& operator=(const Region&) = delete;
+        [[nodiscard]] Value* data() const { return data_; }
+        /// Takes over the values of `newer`, the innermost region; grows where they do not fit.
+        void replace(Region& newer);
+        void release();
+        [[nodiscard]] std::size_t size() const { return count_; }
+
+      private:
+        ValueStack& stack_;
+        std::size_t chunk_, top_, count_;
+        Value* data_;
+    };
+
+  private:
+    Value* take(std::size_t count);
+    struct Chunk {
+        std::unique_ptr<Value[]> values;
+        std::size_t size;
+    };
+    std::vector<Chunk> chunks_;
+    std::size_t chunk_ = 0;
+    std::size_t top_ = 0;
+};
+
+using Nodes = std::vector<NodeId>;
+
+class Evaluator {
+  public:
+    Evaluator(const Program& program, const Request& request, MessageSink sink, const char* stack_limit);
+    ~Evaluator();
+    Evaluator(const Evaluator&) = delete;
+    Evaluator& operator=(const Evaluator&) = delete;
+
+    /// Runs the main file. Throws EvaluationError.
+    Tree run(ViewSettings& view);
+
+    // For built-in modules (builtin_modules.h).
+
+    [[nodiscard]] const Program& program() const { return p_; }
+    [[nodiscard]] TreeBuilder& builder() { return builder_; }
+    [[nodiscard]] const std::string& name(Symbol symbol) const { return p_.symbols.text(symbol); }
+    void warn(const SourceRange& where, std::string text);
+    void emit(Severity severity, const SourceRange& where, std::string text);
+    [[noreturn]] void fail(const SourceRange& where, std::string text);
+    [[nodiscard]] SourceLocation location(const SourceRange& where);
+    /// A `$` variable's value; undef where it has none.
+    [[nodiscard]] Value dynamic(std::string_view name) const;
+    /// Restores `$` variables to what they were.
+    class DynamicMark {
+      public:
+        explicit DynamicMark(Evaluator& e) : e_(e), mark_(e.undo_.size()) {}
+        ~DynamicMark() { e_.unwind(mark_); }
+        DynamicMark(const DynamicMark&) = delete;
+        DynamicMark& operator=(const DynamicMark&) = delete;
+        void unwind() { e_.unwind(mark_); }
+
+      private:
+        Evaluator& e_;
+        std::size_t mark_;
+    };
+    void bind_dynamic(std::uint32_t index, Value value);
+    [[nodiscard]] Value statement_value(ExprId e, const Frame* frame);
+    /// The children of an instantiation, in a frame of their own.
+    void children_of(const Instantiation& i, const Frame* frame, Nodes& out);
+    void run_block(BlockId block, const Frame* frame, Nodes& out);
+    /// Only some of the children of a module call; an index is of its instantiations.
+    void run_child(const ModuleCall& call, std::size_t index, Nodes& out);
+    [[nodiscard]] std::size_t child_count(const ModuleCall& call) const;
+    void assign(const Argument& a, Value value, const Frame& frame);
+    /// Calls `body` with a frame for `block` inside `outer`; `$` variables are as before afterwards.
+    void with_frame(BlockId block, const Frame* outer, const std::function<void(const Frame*)>& body);
+    [[nodiscard]] csg::Modifiers modifiers(const Instantiation& i) const;
+    void echo(std::span<const Argument> arguments, Scope& scope);
+    void check_assertion(std::span<const Argument> arguments, const SourceRange& where, Scope& scope);
+    void check_stop(const SourceRange& where);
+    [[nodiscard]] ValueStack& stack() { return stack_; }
+    [[nodiscard]] const Resolution& resolution() const { return r_; }
+
+  private:
+    friend class DynamicMark;
+
+    // evaluate_expression.cpp
+    Value evaluate(ExprId id, Scope& scope);
+    Value evaluate_binary(const Expr& e, Scope& scope);
+    Value evaluate_range(const Expr& e, Scope& scope);
+    Value evaluate_member(const Expr& e, Scope& scope);
+    Value make_closure(ExprId id, Scope& scope);
+    void bind_let(std::span<const Argument> arguments, Scope& scope);
+    void bind_local(const Argument& a, Value value, Scope& scope);
+    Value variable(const VariableRef& ref, const Scope& scope) const;
+    Value variable_or_warn(ExprId id, const Scope& scope);
+    const Frame* outward(const Frame* frame, std::uint32_t hops) const;
+
+    // evaluate_list.cpp
+    void collect(ExprId element, Scope& scope, std::vector<Value>& out);
+    void collect_for(const Expr& e, std::span<const Argument> left, Scope& scope, std::vector<Value>& out);
+    void collect_for_c(const Expr& e, Scope& scope, std::vector<Value>& out);
+    void collect_each(const Value& value, const SourceRange& where, std::vector<Value>& out);
+    void check_memory(const SourceRange& where);
+
+    // evaluate_call.cpp
+    struct Callee;
+    Value call(ExprId id, Scope& scope);
+    bool find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee);
+    Value call_builtin(const Expr& e, BuiltinFunction function, Scope& scope);
+    void bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
+                        const SourceRange& where, Scope& caller, Value* slots);
+    void bind_defaults(std::span<const Argument> parameters, Scope& defining, Value* slots);
+
+    // evaluate_module.cpp
+    void instantiate(const Instantiation& i, const Frame* frame, Nodes& out);
+    void instantiate_if(const Instantiation& i, const Frame* frame, Nodes& out);
+    void instantiate_user(const Instantiation& i, const DefinitionRef& definition, const Frame* frame, Nodes& out);
+    void run_assignments(const Block& block, const Frame& frame);
+    const Frame* unit_frame(UnitId unit);
+
+    void unwind(std::size_t mark);
+    void check_stack(const SourceRange& where, std::string_view what, Symbol name);
+
+    const Program& p_;
+    const Request& request_;
+    MessageSink sink_;
+    const char* stack_limit_;
+    Resolution r_;
+    FunctionHost host_;
+    SourceRange call_where_;
+    ValueStack stack_;
+    std::vector<Value> dynamic_;
+    struct Undo {
+        std::uint32_t index;
+        Value before;
+    };
+    std::vector<Undo> undo_;
+    struct Late {
+        Value closure;
+        std::size_t capture;
+        const Value* slot;
+    };
+    std::vector<Late> late_;                                         ///< Captures that wait for their variable.
+    std::vector<std::pair<std::uint32_t, Value>> pending_dynamics_;  ///< `$` arguments of the call being bound.
+    std::vector<Value> knotted_;  ///< Closures that may hold each other: untied at the end.
+    struct UnitFrame {
+        Frame frame;
+        std::vector<Value> slots;
+        bool ready = false;
+    };
+    std::vector<UnitFrame> units_;
+    TreeBuilder builder_;
+    std::vector<std::uint32_t> tree_files_;  ///< By file of the SourceSet.
+    NodeId root_ = kNoNode;                  ///< Of the first `!`.
+    std::uint32_t children_index_ = kNone;
+    std::uint32_t parent_modules_index_ = kNone;
+    std::uint32_t steps_ = 0;
+    std::size_t nodes_ = 0;
+
+  public:
+    /// Notes the node of a `!`; the first counts.
+    void mark_root(NodeId node) { root_ = root_ == kNoNode ? node : root_; }
+};
+
+}  // namespace csg::scad

@@ -1,0 +1,85 @@
+// Source texts: where they come from and where their lines begin.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "csg/tree/source_location.h"
+
+namespace csg::scad {
+
+/// A half-open range of source text. Columns count bytes from 1, as lines do; `end_column` is one past the last byte.
+/// line 0 means "no place".
+struct SourceRange {
+    std::uint32_t file = 0;  ///< Index into SourceSet.
+    std::uint32_t line = 0;
+    std::uint32_t column = 0;
+    std::uint32_t end_line = 0;
+    std::uint32_t end_column = 0;
+
+    [[nodiscard]] SourceLocation begin() const { return {file, line, column}; }
+    [[nodiscard]] bool known() const { return line != 0; }
+    bool operator==(const SourceRange&) const = default;
+};
+
+/// From the start of `first` to the end of `last`; just `first` where they lie in different files (an include).
+[[nodiscard]] SourceRange spanning(const SourceRange& first, const SourceRange& last);
+
+/// One text, immutable. Lines end with \n, \r\n or \r.
+class SourceFile {
+  public:
+    SourceFile(std::string name, std::string text);
+
+    [[nodiscard]] const std::string& name() const { return name_; }  ///< The path as it was found, or a made-up name.
+    [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] std::uint32_t line_count() const { return static_cast<std::uint32_t>(line_starts_.size()); }
+    /// Without its line end. `line` counts from 1; empty outside the file.
+    [[nodiscard]] std::string_view line(std::uint32_t line) const;
+
+  private:
+    std::string name_;
+    std::string text_;
+    std::vector<std::size_t> line_starts_;
+};
+
+/// All texts of a program; a file's index is its SourceLocation::file. A file that is included twice is listed once.
+class SourceSet {
+  public:
+    std::uint32_t add(SourceFile file);
+    [[nodiscard]] const SourceFile& operator[](std::uint32_t file) const { return files_[file]; }
+    [[nodiscard]] std::size_t size() const { return files_.size(); }
+
+  private:
+    std::vector<SourceFile> files_;
+};
+
+inline constexpr std::size_t kMaxSourceBytes = std::size_t{64} << 20;
+
+/// Why a text could not be had. `missing` tells "no such file" (the search goes on) from a file that failed.
+struct ReadError {
+    bool missing = false;
+    std::string text;  ///< For people: "cannot read …: reason".
+};
+
+using ReadResult = std::variant<std::string, ReadError>;
+
+/// Gives the text of a path. Tests, standard input and the viewer put their own in place of `read_source_file`.
+using SourceReader = std::function<ReadResult(const std::string& path)>;
+
+/// Reads a regular file from disk; a directory, an unreadable file or one above kMaxSourceBytes is an error.
+[[nodiscard]] ReadResult read_source_file(const std::string& path);
+
+/// Where `name`, written in an include or use of the file `from`, is looked for, in order: as it is when absolute;
+/// else beside `from`, then in each of `search_path`. Paths are normalised lexically ("a/../b" is "b").
+[[nodiscard]] std::vector<std::string> source_candidates(std::string_view name, std::string_view from,
+                                                         const std::vector<std::string>& search_path);
+
+/// Directories of the environment variable OPENSCADPATH (separated by ':').
+[[nodiscard]] std::vector<std::string> search_path_from_environment();
+
+}  // namespace csg::scad

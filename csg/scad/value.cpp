@@ -1,0 +1,274 @@
+#include "csg/scad/value.h"
+
+#include <cmath>
+#include <limits>
+
+namespace csg::scad {
+
+namespace {
+
+thread_local std::size_t g_live_elements = 0;
+
+struct StringObject : ValueObject {
+    explicit StringObject(std::string t)
+        : ValueObject(ValueType::String), text(std::move(t)), length(code_point_count(text)) {}
+    const std::string text;
+    const std::size_t length;
+};
+
+struct VectorObject : ValueObject {
+    explicit VectorObject(std::vector<Value> e)
+        : ValueObject(ValueType::Vector), elements(std::move(e)), counted(elements.size()) {
+        g_live_elements += counted;
+    }
+    ~VectorObject() { g_live_elements -= counted; }
+    void recount() {
+        g_live_elements += elements.size() - counted;
+        counted = elements.size();
+    }
+    std::vector<Value> elements;
+    std::size_t counted;  // What live_elements() knows of.
+};
+
+struct RangeObject : ValueObject {
+    explicit RangeObject(const Range& r) : ValueObject(ValueType::Range), range(r) {}
+    const Range range;
+};
+
+}  // namespace
+
+std::size_t live_elements() {
+    return g_live_elements;
+}
+
+std::string_view type_name(ValueType type) {
+    switch (type) {
+        case ValueType::Unset:
+        case ValueType::Undef:
+            return "undefined";
+        case ValueType::Bool:
+            return "bool";
+        case ValueType::Number:
+            return "number";
+        case ValueType::String:
+            return "string";
+        case ValueType::Vector:
+            return "vector";
+        case ValueType::Range:
+            return "range";
+        case ValueType::Function:
+            return "function";
+    }
+    return "";
+}
+
+std::uint32_t Range::count() const {
+    constexpr auto kMany = std::numeric_limits<std::uint32_t>::max();
+    if (std::isnan(begin) || std::isnan(step) || std::isnan(end)) {
+        return 0;
+    }
+    if (step < 0 ? begin < end : begin > end) {
+        return 0;
+    }
+    if (begin == end || std::isinf(step)) {
+        return 1;
+    }
+    if (std::isinf(begin) || std::isinf(end) || step == 0) {
+        return kMany;
+    }
+    // The quotient of 1 and 0.1 must count as 10 although it may round to just below: one step in the last place up.
+    const double steps = std::nextafter((end - begin) / step, std::numeric_limits<double>::infinity());
+    return steps >= kMany - 1.0 ? kMany : static_cast<std::uint32_t>(steps) + 1;
+}
+
+Value::Value(std::string text) : type_(ValueType::String), object_(new StringObject(std::move(text))) {}
+Value::Value(std::vector<Value> elements) : type_(ValueType::Vector), object_(new VectorObject(std::move(elements))) {}
+Value::Value(const Range& range) : type_(ValueType::Range), object_(new RangeObject(range)) {}
+
+const std::string& Value::string() const {
+    return static_cast<StringObject*>(object_)->text;
+}
+std::span<const Value> Value::elements() const {
+    return static_cast<VectorObject*>(object_)->elements;
+}
+const Range& Value::range() const {
+    return static_cast<RangeObject*>(object_)->range;
+}
+std::size_t Value::length() const {
+    return static_cast<StringObject*>(object_)->length;
+}
+
+Value::operator bool() const {
+    switch (type_) {
+        case ValueType::Unset:
+        case ValueType::Undef:
+            return false;
+        case ValueType::Bool:
+            return boolean();
+        case ValueType::Number:
+            return number_ != 0;
+        case ValueType::String:
+            return !string().empty();
+        case ValueType::Vector:
+            return !elements().empty();
+        case ValueType::Range:
+        case ValueType::Function:
+            return true;
+    }
+    return false;
+}
+
+void Value::append(Value element) {
+    if (object_->references != 1) {
+        const auto old = elements();
+        *this = Value(std::vector<Value>(old.begin(), old.end()));
+    }
+    auto* vector = static_cast<VectorObject*>(object_);
+    vector->elements.push_back(std::move(element));
+    vector->recount();
+}
+
+void Value::destroy(ValueType type, ValueObject* object) {
+    switch (type) {
+        case ValueType::String:
+            delete static_cast<StringObject*>(object);
+            return;
+        case ValueType::Range:
+            delete static_cast<RangeObject*>(object);
+            return;
+        default:
+            break;
+    }
+    // Lists and closures nest without bound: their parts are taken out before they go.
+    std::vector<Value> pending;
+    const auto dismantle = [&pending](ValueType t, ValueObject* o) {
+        if (t == ValueType::Function) {
+            auto* function = static_cast<FunctionObject*>(o);
+            function->take_captures(pending);
+            delete function;
+            return;
+        }
+        auto* vector = static_cast<VectorObject*>(o);
+        for (Value& element : vector->elements) {
+            if (element.type_ >= ValueType::Vector) {
+                pending.push_back(std::move(element));
+            }
+        }
+        delete vector;
+    };
+    dismantle(type, object);
+    while (!pending.empty()) {
+        Value value = std::move(pending.back());
+        pending.pop_back();
+        if ((value.is_vector() || value.is_function()) && value.object_->references == 1) {
+            const ValueType t = std::exchange(value.type_, ValueType::Undef);
+            dismantle(t, value.object_);
+        }
+    }
+}
+
+bool equal(const Value& a, const Value& b) {
+    if (a.type() != b.type()) {
+        return false;
+    }
+    switch (a.type()) {
+        case ValueType::Unset:
+        case ValueType::Undef:
+            return true;
+        case ValueType::Bool:
+            return a.boolean() == b.boolean();
+        case ValueType::Number:
+            return a.number() == b.number();
+        case ValueType::String:
+            return a.string() == b.string();
+        case ValueType::Range: {
+            const Range &r = a.range(), &s = b.range();
+            const std::uint32_t m = r.count();
+            return m == s.count() && (m == 0 || (r.begin == s.begin && (m == 1 || r.step == s.step)));
+        }
+        case ValueType::Function:
+            return &a.function() == &b.function();
+        case ValueType::Vector:
+            break;
+    }
+    // Pairs of lists still to compare, so that deep nesting needs no deep stack.
+    std::vector<std::pair<std::span<const Value>, std::span<const Value>>> pending{{a.elements(), b.elements()}};
+    while (!pending.empty()) {
+        const auto [x, y] = pending.back();
+        pending.pop_back();
+        if (x.size() != y.size()) {
+            return false;
+        }
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            if (x[i].is_vector() && y[i].is_vector()) {
+                pending.emplace_back(x[i].elements(), y[i].elements());
+            } else if (!equal(x[i], y[i])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+std::size_t code_point_bytes(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char lead = byte(at);
+    const std::size_t want = lead < 0x80   ? 1
+                             : lead < 0xc2 ? 1
+                             : lead < 0xe0 ? 2
+                             : lead < 0xf0 ? 3
+                             : lead < 0xf5 ? 4
+                                           : 1;
+    if (at + want > text.size()) {
+        return 1;
+    }
+    for (std::size_t i = 1; i < want; ++i) {
+        if ((byte(at + i) & 0xc0) != 0x80) {
+            return 1;
+        }
+    }
+    return want;
+}
+
+std::size_t code_point_count(std::string_view text) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < text.size(); at += code_point_bytes(text, at)) {
+        ++count;
+    }
+    return count;
+}
+
+char32_t decode_code_point(std::string_view text, std::size_t at) {
+    const std::size_t bytes = code_point_bytes(text, at);
+    const auto lead = static_cast<unsigned char>(text[at]);
+    if (bytes == 1) {
+        return lead < 0x80 ? lead : U'\uFFFD';
+    }
+    char32_t result = lead & (0x7fU >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        result = result << 6 | (static_cast<unsigned char>(text[at + i]) & 0x3fU);
+    }
+    return result;
+}
+
+void append_utf8(std::string& text, char32_t c) {
+    const auto put = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
+    if (c < 0x80) {
+        put(c);
+        return;
+    }
+    if (c < 0x800) {
+        put(0xc0 | c >> 6);
+    } else {
+        if (c < 0x10000) {
+            put(0xe0 | c >> 12);
+        } else {
+            put(0xf0 | c >> 18);
+            put(0x80 | (c >> 12 & 0x3f));
+        }
+        put(0x80 | (c >> 6 & 0x3f));
+    }
+    put(0x80 | (c & 0x3f));
+}
+
+}  // namespace csg::scad

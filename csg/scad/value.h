@@ -1,0 +1,153 @@
+// Values of the language: small, shared, immutable once shared.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace csg::scad {
+
+class Value;
+
+/// A variable that has no value yet is `Unset`; no expression ever yields it.
+enum class ValueType : std::uint8_t { Unset, Undef, Bool, Number, String, Vector, Range, Function };
+
+/// "undefined", "bool", "number", … as in OpenSCAD's messages.
+[[nodiscard]] std::string_view type_name(ValueType type);
+
+/// The shared part of strings, vectors, ranges and functions. Values belong to one thread: the count is not atomic.
+struct ValueObject {
+    explicit ValueObject(ValueType t) : type(t) {}
+    ValueObject(const ValueObject&) = delete;
+    ValueObject& operator=(const ValueObject&) = delete;
+    std::uint32_t references = 1;
+    const ValueType type;
+
+  protected:
+    ~ValueObject() = default;
+};
+
+/// begin, begin + step, … up to and including end.
+struct Range {
+    double begin = 0;
+    double step = 1;
+    double end = 0;
+
+    /// How many numbers it holds; saturates at 2^32-1, which also stands for a range that never ends. 0 for NaN.
+    [[nodiscard]] std::uint32_t count() const;
+    [[nodiscard]] double at(std::uint32_t i) const { return begin + step * i; }
+};
+
+/// What a function value is made of. Evaluators derive from it.
+struct FunctionObject : ValueObject {
+    FunctionObject() : ValueObject(ValueType::Function) {}
+    virtual ~FunctionObject() = default;
+    /// As echo prints it.
+    [[nodiscard]] virtual std::string text() const = 0;
+    /// Moves the captured values to `out`, so that they can be destroyed without recursion.
+    virtual void take_captures(std::vector<Value>& out) = 0;
+};
+
+class Value {
+  public:
+    Value() : type_(ValueType::Undef), bits_(0) {}
+    Value(bool b) : type_(ValueType::Bool), bits_(b) {}
+    Value(double number) : type_(ValueType::Number), number_(number) {}
+    Value(int number) : Value(static_cast<double>(number)) {}
+    Value(std::string text);
+    Value(const char* text) : Value(std::string(text)) {}
+    Value(std::vector<Value> elements);
+    Value(const Range& range);
+    /// Takes over one reference.
+    explicit Value(FunctionObject* function) : type_(ValueType::Function), object_(function) {}
+    [[nodiscard]] static Value unset() {
+        Value v;
+        v.type_ = ValueType::Unset;
+        return v;
+    }
+
+    Value(const Value& other) noexcept : type_(other.type_), bits_(other.bits_) {
+        if (shared()) {
+            ++object_->references;
+        }
+    }
+    Value(Value&& other) noexcept : type_(std::exchange(other.type_, ValueType::Undef)), bits_(other.bits_) {}
+    Value& operator=(Value other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~Value() {
+        if (shared() && --object_->references == 0) {
+            destroy(type_, object_);
+        }
+    }
+    void swap(Value& other) noexcept {
+        std::swap(type_, other.type_);
+        std::swap(bits_, other.bits_);
+    }
+
+    [[nodiscard]] ValueType type() const { return type_; }
+    [[nodiscard]] bool is_unset() const { return type_ == ValueType::Unset; }
+    [[nodiscard]] bool is_undef() const { return type_ == ValueType::Undef; }
+    [[nodiscard]] bool is_bool() const { return type_ == ValueType::Bool; }
+    [[nodiscard]] bool is_number() const { return type_ == ValueType::Number; }
+    [[nodiscard]] bool is_string() const { return type_ == ValueType::String; }
+    [[nodiscard]] bool is_vector() const { return type_ == ValueType::Vector; }
+    [[nodiscard]] bool is_range() const { return type_ == ValueType::Range; }
+    [[nodiscard]] bool is_function() const { return type_ == ValueType::Function; }
+
+    // Each of these requires the type.
+    [[nodiscard]] bool boolean() const { return bits_ != 0; }
+    [[nodiscard]] double number() const { return number_; }
+    [[nodiscard]] const std::string& string() const;
+    [[nodiscard]] std::span<const Value> elements() const;
+    [[nodiscard]] const Range& range() const;
+    [[nodiscard]] FunctionObject& function() const { return *static_cast<FunctionObject*>(object_); }
+
+    /// Number of code points of a string.
+    [[nodiscard]] std::size_t length() const;
+    /// undef, false, 0, "" and [] are false; all else is true.
+    [[nodiscard]] explicit operator bool() const;
+
+    /// Vectors only: in place where nobody else holds the list, else to a copy of it.
+    void append(Value element);
+
+    /// As str() and nested in vectors: strings without quotes at top level, with quotes inside.
+    [[nodiscard]] std::string text() const;
+    /// As echo() prints it: strings in quotes.
+    [[nodiscard]] std::string echo_text() const;
+
+  private:
+    [[nodiscard]] bool shared() const { return type_ >= ValueType::String; }
+    static void destroy(ValueType type, ValueObject* object);
+
+    ValueType type_;
+    union {
+        double number_;
+        ValueObject* object_;
+        std::uint64_t bits_;
+    };
+};
+static_assert(sizeof(Value) == 16);
+
+/// == of the language: different types are never equal; undef equals undef.
+[[nodiscard]] bool equal(const Value& a, const Value& b);
+
+/// A number as OpenSCAD prints it: six significant digits, ("0.1", "1e+6", "inf", "nan", "0" for -0).
+[[nodiscard]] std::string number_text(double number);
+
+/// How many list elements are alive on this thread; evaluators bound it.
+[[nodiscard]] std::size_t live_elements();
+
+// UTF-8. Bytes that are no valid sequence count as one code point each.
+[[nodiscard]] std::size_t code_point_bytes(std::string_view text, std::size_t at);
+[[nodiscard]] std::size_t code_point_count(std::string_view text);
+/// U+FFFD where the bytes are invalid.
+[[nodiscard]] char32_t decode_code_point(std::string_view text, std::size_t at);
+void append_utf8(std::string& text, char32_t code_point);
+
+}  // namespace csg::scad

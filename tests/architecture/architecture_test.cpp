@@ -1,0 +1,168 @@
+// The shape of the source tree: which folder includes and links which, and how long files are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+const fs::path kRoot = CSGSCOPE_SOURCE_DIR;
+
+/// What each folder may include besides itself.
+const std::map<std::string, Names> kMayInclude = {
+    {"csg/tree", {}},
+    {"csg/scad", {"csg/tree"}},
+    {"csg/solid", {"csg/tree"}},
+    {"csg/reference", {"csg/tree", "csg/solid"}},
+    {"gl", {}},
+    {"goldfeather", {"csg/tree", "csg/solid", "gl"}},
+    {"peel", {"goldfeather", "gl"}},
+    {"npr", {"peel", "gl"}},
+    {"ui/pipeline", {"csg/tree", "csg/scad", "csg/solid", "csg/reference", "gl", "goldfeather", "peel", "npr"}},
+    {"ui/viewer", {"csg/tree", "csg/scad", "csg/solid", "gl", "goldfeather", "peel", "npr", "ui/pipeline"}},
+    {"ui/command_line",
+     {"csg/tree", "csg/scad", "csg/solid", "gl", "goldfeather", "peel", "npr", "ui/pipeline", "ui/viewer"}},
+    {"ui", {"ui/command_line"}},
+};
+
+/// The library of a folder, as its CMakeLists.txt names it.
+const std::map<std::string, std::string> kFolderOfLibrary = {
+    {"csg_tree", "csg/tree"},
+    {"csg_scad", "csg/scad"},
+    {"csg_solid", "csg/solid"},
+    {"csg_reference", "csg/reference"},
+    {"csgscope_gl", "gl"},
+    {"goldfeather", "goldfeather"},
+    {"peel", "peel"},
+    {"npr", "npr"},
+    {"ui_pipeline", "ui/pipeline"},
+    {"csgscope_viewer", "ui/viewer"},
+    {"ui_command_line", "ui/command_line"},
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// The longest key of kMayInclude that is a folder of `path`, relative to the root; "" where there is none.
+std::string folder_of(const std::string& path) {
+    std::string folder = fs::path(path).parent_path().string();
+    while (!folder.empty() && !kMayInclude.contains(folder)) {
+        folder = fs::path(folder).parent_path().string();
+    }
+    return folder;
+}
+
+/// All files with one of `extensions` under the folders of the program and tests, relative to the root.
+std::vector<std::string> files_of(const Names& tops, const Names& extensions) {
+    std::vector<std::string> found;
+    for (const std::string& top : tops) {
+        if (!fs::exists(kRoot / top)) {
+            continue;
+        }
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
+            if (entry.is_regular_file() && extensions.contains(entry.path().extension().string())) {
+                found.push_back(entry.path().lexically_relative(kRoot).string());
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+const Names kProgram = {"csg", "gl", "goldfeather", "peel", "npr", "ui"};
+const Names kSources = {".cpp", ".h", ".glsl", ".vert", ".frag", ".comp"};
+
+TEST(Architecture, IncludesGoDownOnly) {
+    const std::regex include("(?:^|\n)[ \t]*#[ \t]*include[ \t]+\"([^\"]+)\"");
+    int checked = 0;
+    for (const std::string& file : files_of(kProgram, kSources)) {
+        const std::string from = folder_of(file);
+        ASSERT_FALSE(from.empty()) << file << " is in a folder that this test does not know";
+        const std::string text = read(kRoot / file);
+        for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at) {
+            const std::string to = folder_of((*at)[1]);
+            ASSERT_FALSE(to.empty()) << file << " includes " << (*at)[1] << ": name it from the root";
+            EXPECT_TRUE(to == from || kMayInclude.at(from).contains(to)) << file << " may not include " << (*at)[1];
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 50);
+}
+
+TEST(Architecture, ProgramDoesNotIncludeTests) {
+    for (const std::string& file : files_of(kProgram, kSources)) {
+        EXPECT_EQ(read(kRoot / file).find("#include \"tests/"), std::string::npos) << file;
+    }
+}
+
+TEST(Architecture, OnlyTheReferenceIncludesCgal) {
+    for (const std::string& file : files_of(kProgram, kSources)) {
+        if (folder_of(file) != "csg/reference") {
+            EXPECT_EQ(read(kRoot / file).find("#include <CGAL/"), std::string::npos) << file;
+        }
+    }
+}
+
+TEST(Architecture, WindowLibrariesStayInTheViewer) {
+    const std::regex window("#include [<\"](GLFW/|imgui)");
+    for (const std::string& file : files_of(kProgram, kSources)) {
+        if (folder_of(file) != "ui/viewer") {
+            EXPECT_FALSE(std::regex_search(read(kRoot / file), window)) << file;
+        }
+    }
+}
+
+TEST(Architecture, LibrariesLinkWhatTheirFolderMayInclude) {
+    const std::regex library("(?:csgscope_library|target_link_libraries)\\(([^)]*)\\)");
+    const std::regex word("[A-Za-z_]+");
+    int checked = 0;
+    for (const std::string& file : files_of(kProgram, {".txt"})) {
+        if (fs::path(file).filename() != "CMakeLists.txt") {
+            continue;
+        }
+        const std::string from = fs::path(file).parent_path().string();
+        const std::string text = read(kRoot / file);
+        for (std::sregex_iterator at(text.begin(), text.end(), library), end; at != end; ++at) {
+            const std::string arguments = (*at)[1];
+            for (std::sregex_iterator name(arguments.begin(), arguments.end(), word); name != end; ++name) {
+                const auto linked = kFolderOfLibrary.find(name->str());
+                if (linked == kFolderOfLibrary.end() || linked->second == from) {
+                    continue;
+                }
+                EXPECT_TRUE(kMayInclude.at(from).contains(linked->second)) << file << " may not link " << name->str();
+                ++checked;
+            }
+        }
+    }
+    EXPECT_GT(checked, 8);
+}
+
+TEST(Architecture, FilesAreShort) {
+    Names all = kProgram;
+    all.insert("tests");
+    for (const std::string& file : files_of(all, kSources)) {
+        const std::string text = read(kRoot / file);
+        EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 600) << file;
+    }
+}
+
+TEST(Architecture, TheManifestNamesEveryModel) {
+    const std::string manifest = read(kRoot / "models/manifest.json");
+    for (const std::string& file : files_of({"models"}, {".scad"})) {
+        EXPECT_NE(manifest.find('"' + fs::path(file).filename().string() + '"'), std::string::npos) << file;
+    }
+}
+
+}  // namespace

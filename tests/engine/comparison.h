@@ -1,0 +1,46 @@
+// Compares an engine's stack of layers with the truth.
+#pragma once
+
+#include <string>
+
+#include "goldfeather/products.h"
+#include "peel/peeler.h"
+#include "tests/random/random_tree.h"
+#include "tests/truth/ray_caster.h"
+
+namespace comparison {
+
+/// A model made ready for peeling.
+struct Subject {
+    explicit Subject(const csg::Tree& tree);
+
+    csg::Scene scene;
+    csg::solid::Geometry geometry;
+    std::vector<std::vector<goldfeather::Product>> products;  ///< By part.
+    std::vector<char> part_enabled;                           ///< 0: over budget, left out.
+    std::size_t over_budget = 0;
+
+    [[nodiscard]] gl::View view(const gl::Camera& camera, glm::ivec2 size) const {
+        return {camera, size, geometry.box.lo, geometry.box.hi};
+    }
+};
+
+struct Count {
+    std::size_t pixels = 0;     ///< With something along the ray.
+    std::size_t undecided = 0;  ///< Of those, in the band.
+    std::size_t surfaces = 0;   ///< Compared.
+};
+
+/// Peels all layers.
+[[nodiscard]] goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
+                                               const gl::View& view, int max_layers = peel::kAllLayers);
+
+/// The first `layers` layers of a stack; empty ones where it has fewer.
+[[nodiscard]] std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers);
+
+/// Empty where the stack agrees with the truth at every pixel outside the band; otherwise what differs first, and
+/// in how many pixels. `most`: layers that the stack was limited to.
+[[nodiscard]] std::string difference(const Subject& subject, const gl::View& view, const goldfeather::HostLayers& stack,
+                                     Count& count, int most = peel::kAllLayers);
+
+}  // namespace comparison

@@ -1,0 +1,174 @@
+// Random models against the ray caster.
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "tests/engine/comparison.h"
+#include "tests/support/gl_test.h"
+
+namespace {
+
+using comparison::Subject;
+
+constexpr glm::ivec2 kSize{48, 48};
+
+struct Sample {
+    random_tree::Model model;
+    gl::Camera camera;
+};
+
+Sample make_sample(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    random_tree::Options options;
+    if (seed % 16 == 0)
+        options = {60, 8, true};  // more leaves than parity bits in a word
+    Sample sample{random_tree::make_model(random, options), {}};
+    // Some are tiny, huge, or far from the origin.
+    glm::dmat4 placed(1.0);
+    if (seed % 16 == 1)
+        placed = glm::dmat4(glm::dmat3(1e6));
+    else if (seed % 16 == 2)
+        placed = glm::dmat4(glm::dmat3(1e-4));
+    else if (seed % 16 == 3)
+        placed[3] = {1000, -2000, 300, 1};
+    if (seed % 16 >= 1 && seed % 16 <= 3)
+        sample.model = {csg::Operation::Transform, {}, {}, placed, {}, {sample.model}};
+    const Subject subject(random_tree::make_tree(sample.model));
+    sample.camera = random_tree::make_camera(random, subject.geometry.box.lo, subject.geometry.box.hi);
+    return sample;
+}
+
+int environment(const char* name, int otherwise) {
+    const char* text = std::getenv(name);
+    return text ? std::atoi(text) : otherwise;
+}
+
+/// What is wrong with the picture of a sample; empty if nothing is.
+class Check {
+  public:
+    explicit Check(const gl::Functions& gl) : gl_(gl), peeler_(gl) {}
+
+    std::string run(const Sample& sample, comparison::Count& count, std::size_t& over_budget) {
+        const Subject subject(random_tree::make_tree(sample.model));
+        over_budget += subject.over_budget;
+        const gl::View view = subject.view(sample.camera, kSize);
+        return comparison::difference(subject, view, comparison::peel_all(gl_, peeler_, subject, view), count);
+    }
+
+    /// The smallest model found for which something is still wrong.
+    Sample shrink(Sample sample) {
+        for (bool smaller = true; smaller;) {
+            smaller = false;
+            for (random_tree::Model& model : random_tree::simpler(sample.model)) {
+                const Sample candidate{std::move(model), sample.camera};
+                comparison::Count count;
+                std::size_t over_budget = 0;
+                if (!run(candidate, count, over_budget).empty()) {
+                    sample = candidate;
+                    smaller = true;
+                    break;
+                }
+            }
+        }
+        return sample;
+    }
+
+  private:
+    const gl::Functions& gl_;
+    peel::Peeler peeler_;
+};
+
+class RandomTrees : public test_support::GlTest {};
+
+TEST_P(RandomTrees, AgreeWithTheRayCaster) {
+    Check check(gl());
+    comparison::Count count;
+    std::size_t over_budget = 0;
+    const int first = environment("CSGSCOPE_TEST_SEED", 1);
+    const int trees = environment("CSGSCOPE_TEST_TREES", 1000);
+    int failures = 0;
+    for (int i = 0; i < trees && failures < 5; ++i) {
+        const auto seed = static_cast<std::uint64_t>(first + i);
+        const Sample sample = make_sample(seed);
+        if (check.run(sample, count, over_budget).empty())
+            continue;
+        ++failures;
+        const Sample small = check.shrink(sample);
+        comparison::Count again;
+        ADD_FAILURE() << "seed " << seed << ": " << check.run(small, again, over_budget)
+                      << random_tree::camera_text(small.camera) << random_tree::scad_text(small.model);
+    }
+    const double band =
+        static_cast<double>(count.undecided) / static_cast<double>(std::max<std::size_t>(1, count.pixels));
+    std::cout << fmt::format(
+        "{} trees, {} pixels with something along the ray, {} of them in the band ({:.2f} %), {} "
+        "surfaces compared, {} parts over budget\n",
+        trees, count.pixels, count.undecided, 100 * band, count.surfaces, over_budget);
+    EXPECT_LT(band, 0.05);
+}
+
+/// The first k layers are the first k of all.
+TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
+    peel::Peeler peeler(gl());
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        const Sample sample = make_sample(seed);
+        const Subject subject(random_tree::make_tree(sample.model));
+        const gl::View view = subject.view(sample.camera, kSize);
+        const auto all = comparison::peel_all(gl(), peeler, subject, view);
+        for (const int k : {1, 2}) {
+            const auto few = comparison::peel_all(gl(), peeler, subject, view, k);
+            ASSERT_LE(few.layers, k);
+            ASSERT_TRUE(few.surfaces == comparison::padded(all, few.layers))
+                << "seed " << seed << ", " << k << " layers\n"
+                << random_tree::scad_text(sample.model);
+        }
+    }
+}
+
+/// Walking the picture in bands is only a matter of memory.
+TEST_P(RandomTrees, BandsDoNotShow) {
+    goldfeather::Goldfeather whole(gl()), split(gl(), 48 * 24 * 5);
+    int most_bands = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const Sample sample = make_sample(seed);
+        const Subject subject(random_tree::make_tree(sample.model));
+        if (subject.products.empty())
+            continue;
+        peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
+        const gl::View view = subject.view(sample.camera, kSize);
+        const goldfeather::PartProducts part{model.products[0], model.leaf_boxes};
+        goldfeather::WalkStats stats, split_stats;
+        const auto a = goldfeather::read_back(gl(), whole.walk(view, model.leaves, part, model.tables, 0, stats));
+        const auto b = goldfeather::read_back(gl(), split.walk(view, model.leaves, part, model.tables, 0, split_stats));
+        ASSERT_EQ(a.layers, b.layers) << "seed " << seed;
+        ASSERT_EQ(a.surfaces, b.surfaces) << "seed " << seed;
+        most_bands = std::max(most_bands, split_stats.bands);
+    }
+    EXPECT_GE(most_bands, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Contexts, RandomTrees, testing::Values(gl::ContextKind::Egl), test_support::context_name);
+
+/// Both software renderers give the same stacks to the last bit.
+TEST(RandomTreesOnTwoContexts, AreTheSame) {
+    std::vector<std::vector<goldfeather::Surface>> stacks[2];
+    const gl::ContextKind kinds[2]{gl::ContextKind::Egl, gl::ContextKind::Osmesa};
+    for (int i = 0; i < 2; ++i) {
+        const auto made = test_support::try_context(kinds[i]);
+        if (!made.context) {
+            ASSERT_EQ(environment("CSGSCOPE_REQUIRE_GL", 0), 0) << "no OpenGL: " << made.reason;
+            GTEST_SKIP() << "no OpenGL: " << made.reason;
+        }
+        const gl::Functions& gl = made.context->functions();
+        peel::Peeler peeler(gl);
+        for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+            const Sample sample = make_sample(seed);
+            const Subject subject(random_tree::make_tree(sample.model));
+            stacks[i].push_back(comparison::peel_all(gl, peeler, subject, subject.view(sample.camera, kSize)).surfaces);
+        }
+    }
+    for (std::size_t i = 0; i < stacks[0].size(); ++i)
+        ASSERT_EQ(stacks[0][i], stacks[1][i]) << "seed " << i + 1;
+}
+
+}  // namespace

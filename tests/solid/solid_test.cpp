@@ -1,0 +1,243 @@
+#include "csg/solid/solid.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include "csg/solid/placed.h"
+#include "tests/random/random_tree.h"
+
+namespace {
+
+using csg::Fineness;
+using csg::solid::make_solid;
+using csg::solid::Solid;
+
+double volume(std::span<const glm::dvec3> points, std::span<const glm::uvec3> triangles) {
+    double six = 0;
+    for (const glm::uvec3& t : triangles)
+        six += glm::dot(points[t.x], glm::cross(points[t.y], points[t.z]));
+    return six / 6;
+}
+
+/// Every directed edge has exactly one opposite, and no other use.
+bool closed(std::span<const glm::uvec3> triangles) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const glm::uvec3& t : triangles)
+        for (int i = 0; i < 3; ++i)
+            ++edges[{t[i], t[(i + 1) % 3]}];
+    return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
+        const auto opposite = edges.find({e.first.second, e.first.first});
+        return e.second == 1 && opposite != edges.end();
+    });
+}
+
+/// Vertices of a file that OpenSCAD 2021.01 wrote.
+std::vector<glm::dvec3> golden(const std::string& name) {
+    std::ifstream file(std::string(CSGSCOPE_SOURCE_DIR) + "/tests/solid/golden/" + name + ".off");
+    std::string off;
+    std::size_t count = 0, faces = 0, edges = 0;
+    file >> off >> count >> faces >> edges;
+    EXPECT_TRUE(file && off == "OFF") << name;
+    std::vector<glm::dvec3> points(count);
+    for (glm::dvec3& p : points)
+        file >> p.x >> p.y >> p.z;
+    EXPECT_TRUE(file) << name;
+    return points;
+}
+
+TEST(Solid, VerticesAreOpenScads) {
+    const Fineness standard;
+    const std::pair<const char*, csg::LeafShape> shapes[]{
+        {"sphere_7", csg::Sphere{3, {7, 12, 2}}},
+        {"sphere_8", csg::Sphere{3, {8, 12, 2}}},
+        {"sphere_default", csg::Sphere{5, standard}},
+        {"cylinder_6", csg::Cylinder{4, 2, 1, true, {6, 12, 2}}},
+        {"cone_up", csg::Cylinder{4, 1.5, 0, false, {5, 12, 2}}},
+        {"cone_down", csg::Cylinder{4, 0, 1.5, false, {5, 12, 2}}},
+        {"cylinder_fine", csg::Cylinder{2, 4, 4, false, {0, 20, 0.5}}},
+        {"cube_centered", csg::Cube{{1, 2, 3}, true}}};
+    for (const auto& [name, shape] : shapes) {
+        const auto solid = make_solid(shape);
+        const std::vector<glm::dvec3> expected = golden(name);
+        ASSERT_EQ(solid->points.size(), expected.size()) << name;
+        for (const glm::dvec3& p : expected)
+            EXPECT_TRUE(std::any_of(solid->points.begin(), solid->points.end(), [&](const glm::dvec3& q) {
+                return glm::length(p - q) < 2e-5;
+            })) << fmt::format("{} lacks {}, {}, {}", name, p.x, p.y, p.z);
+    }
+}
+
+TEST(Solid, SegmentsOfACircleAreOpenScads) {
+    const struct {
+        double radius;
+        Fineness fineness;
+        int segments;
+    } table[]{
+        {0.01, {0, 12, 2}, 5},     {0.01, {0, 12, 0.1}, 5},    {0.01, {0, 5, 1}, 5},       {0.01, {0, 0.5, 0.01}, 7},
+        {0.01, {0, 60, 50}, 5},    {0.01, {0, 7, 0.3}, 5},     {0.5, {0, 12, 2}, 5},       {0.5, {0, 12, 0.1}, 30},
+        {0.5, {0, 5, 1}, 5},       {0.5, {0, 0.5, 0.01}, 315}, {0.5, {0, 60, 50}, 5},      {0.5, {0, 7, 0.3}, 11},
+        {1, {0, 12, 2}, 5},        {1, {0, 12, 0.1}, 30},      {1, {0, 5, 1}, 7},          {1, {0, 0.5, 0.01}, 629},
+        {1, {1, 12, 2}, 3},        {1, {2, 12, 2}, 3},         {1, {3, 12, 2}, 3},         {1, {3.7, 12, 2}, 3},
+        {1, {100, 12, 2}, 100},    {1, {0, 60, 50}, 5},        {1, {0, 7, 0.3}, 21},       {2, {0, 12, 2}, 7},
+        {2, {0, 12, 0.1}, 30},     {2, {0, 5, 1}, 13},         {2, {0, 0.5, 0.01}, 720},   {2, {0, 60, 50}, 5},
+        {2, {0, 7, 0.3}, 42},      {5, {0, 12, 2}, 16},        {5, {0, 12, 0.1}, 30},      {5, {0, 5, 1}, 32},
+        {5, {0, 0.5, 0.01}, 720},  {5, {0, 60, 50}, 5},        {5, {0, 7, 0.3}, 52},       {7.5, {0, 12, 2}, 24},
+        {7.5, {0, 12, 0.1}, 30},   {7.5, {0, 5, 1}, 48},       {7.5, {0, 0.5, 0.01}, 720}, {7.5, {0, 60, 50}, 5},
+        {7.5, {0, 7, 0.3}, 52},    {25, {0, 12, 2}, 30},       {25, {0, 12, 0.1}, 30},     {25, {0, 5, 1}, 72},
+        {25, {0, 0.5, 0.01}, 720}, {25, {0, 60, 50}, 5},       {25, {0, 7, 0.3}, 52}};
+    for (const auto& row : table)
+        EXPECT_EQ(csg::solid::circle_segments(row.radius, row.fineness), row.segments) << fmt::format(
+            "r = {}, $fn = {}, $fa = {}, $fs = {}", row.radius, row.fineness.fn, row.fineness.fa, row.fineness.fs);
+}
+
+TEST(Solid, SegmentsAreBoundedForAnyInput) {
+    const double nan = std::nan(""), infinity = HUGE_VAL;
+    for (const double r : {0.0, -1.0, 1e-300, 1e300, nan, infinity})
+        for (const double f : {0.0, -5.0, 1e-300, 1e300, nan, infinity}) {
+            EXPECT_GE(csg::solid::circle_segments(r, {f, 12, 2}), 3);
+            EXPECT_LE(csg::solid::circle_segments(r, {f, f, f}), 1 << 20);
+        }
+}
+
+TEST(Solid, ShapesAreClosedConvexAndOfTheRightVolume) {
+    for (int n = 3; n <= 40; ++n) {
+        const Fineness fineness{static_cast<double>(n), 12, 2};
+        // Area of the regular polygon in the unit circle.
+        const double area = n * std::sin(2 * M_PI / n) / 2;
+        const std::pair<csg::LeafShape, double> shapes[]{{csg::Cylinder{5, 2, 2, n % 2 == 0, fineness}, 20 * area},
+                                                         {csg::Cylinder{3, 2, 1, false, fineness}, 7 * area},
+                                                         {csg::Cylinder{3, 2, 0, true, fineness}, 4 * area},
+                                                         {csg::Cylinder{3, 0, 2, false, fineness}, 4 * area},
+                                                         {csg::Sphere{1, fineness}, -1},
+                                                         {csg::Cube{{1, 2, static_cast<double>(n)}, false}, 2.0 * n}};
+        for (const auto& [shape, expected] : shapes) {
+            const auto solid = make_solid(shape);
+            EXPECT_TRUE(solid->closed && solid->convex && solid->warnings.empty());
+            EXPECT_TRUE(closed(solid->triangles));
+            const double v = volume(solid->points, solid->triangles);
+            if (expected > 0)
+                EXPECT_NEAR(v, expected, 1e-12 * expected);
+            else
+                EXPECT_TRUE(v > 0.2 && v < 4 * M_PI / 3);
+            csg::Box box;
+            for (const glm::dvec3& p : solid->points)
+                box = csg::enclose(box, p);
+            EXPECT_EQ(box, solid->box);
+        }
+    }
+    const double ball =
+        volume(make_solid(csg::Sphere{1, {200, 12, 2}})->points, make_solid(csg::Sphere{1, {200, 12, 2}})->triangles);
+    EXPECT_NEAR(ball, 4 * M_PI / 3, 3e-3);
+}
+
+TEST(Solid, ShapesWithoutVolumeHaveNoTriangles) {
+    const double nan = std::nan("");
+    for (const csg::LeafShape& shape : std::initializer_list<csg::LeafShape>{
+             csg::Cube{{1, 0, 1}, false}, csg::Cube{{1, -2, 1}, true}, csg::Cube{{1, nan, 1}, true}, csg::Sphere{0, {}},
+             csg::Sphere{-1, {}}, csg::Sphere{HUGE_VAL, {}}, csg::Cylinder{0, 1, 1, false, {}},
+             csg::Cylinder{1, 0, 0, false, {}}, csg::Cylinder{1, -1, 1, false, {}}, csg::Cylinder{nan, 1, 1, false, {}},
+             std::make_shared<const csg::Polyhedron>()})
+        EXPECT_TRUE(make_solid(shape)->triangles.empty());
+}
+
+csg::Polyhedron tetrahedron() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}, 1};
+}
+
+Solid solid_of(const csg::Polyhedron& p) {
+    return *make_solid(std::make_shared<const csg::Polyhedron>(p));
+}
+
+TEST(Solid, PolyhedraAreCheckedNotBelieved) {
+    EXPECT_NEAR(volume(solid_of(tetrahedron()).points, solid_of(tetrahedron()).triangles), 1.0 / 6, 1e-15);
+    EXPECT_TRUE(solid_of(tetrahedron()).closed && solid_of(tetrahedron()).convex);
+    EXPECT_TRUE(solid_of(tetrahedron()).warnings.empty());
+
+    csg::Polyhedron open = tetrahedron();
+    open.faces.pop_back();
+    EXPECT_FALSE(solid_of(open).closed || solid_of(open).convex);
+    EXPECT_FALSE(solid_of(open).warnings.empty());
+
+    csg::Polyhedron inside_out = tetrahedron();
+    for (auto& face : inside_out.faces)
+        std::reverse(face.begin(), face.end());
+    EXPECT_TRUE(solid_of(inside_out).closed);
+    EXPECT_FALSE(solid_of(inside_out).warnings.empty());
+
+    // Points that are given twice are one.
+    csg::Polyhedron doubled;
+    for (const auto& face : tetrahedron().faces) {
+        doubled.faces.emplace_back();
+        for (const std::uint32_t i : face) {
+            doubled.faces.back().push_back(static_cast<std::uint32_t>(doubled.points.size()));
+            doubled.points.push_back(tetrahedron().points[i]);
+        }
+    }
+    EXPECT_TRUE(solid_of(doubled).closed);
+
+    csg::Polyhedron wild = tetrahedron();
+    wild.faces.push_back({0, 1, 99});
+    wild.faces.push_back({0});
+    wild.faces.push_back({});
+    EXPECT_NO_THROW(static_cast<void>(solid_of(wild)));
+    EXPECT_FALSE(solid_of(wild).warnings.empty());
+}
+
+/// Random placed polyhedra keep orientation, closedness and volume up to the determinant, mirrored or not.
+TEST(Placed, TransformsKeepOrientation) {
+    std::mt19937_64 random(11);
+    std::size_t seen = 0;
+    for (int round = 0; round < 300; ++round) {
+        const csg::Tree tree = random_tree::make_tree(random_tree::make_model(random));
+        const csg::Scene scene = csg::make_scene(tree);
+        csg::solid::SolidCache cache;
+        const csg::solid::Geometry geometry = csg::solid::place(tree, scene, cache);
+        for (std::size_t i = 0; i < geometry.leaves.size(); ++i) {
+            const csg::solid::PlacedLeaf& leaf = geometry.leaves[i];
+            ASSERT_EQ(leaf.planes.size(), leaf.triangles.size());
+            if (leaf.triangles.empty())
+                continue;
+            ++seen;
+            const double before = volume(leaf.solid->points, leaf.solid->triangles);
+            const double scale = std::abs(glm::determinant(glm::dmat3(scene.leaves[i].to_world)));
+            EXPECT_NEAR(volume(leaf.points, leaf.triangles), before * scale, 1e-9 * (1 + std::abs(before * scale)));
+            EXPECT_EQ(closed(leaf.triangles), leaf.solid->closed);
+            for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
+                const csg::solid::Plane& plane = geometry.planes.planes()[leaf.planes[t].index];
+                const glm::dvec3 a = leaf.points[leaf.triangles[t].x], b = leaf.points[leaf.triangles[t].y],
+                                 c = leaf.points[leaf.triangles[t].z];
+                for (const glm::dvec3& p : {a, b, c})
+                    EXPECT_LE(std::abs(glm::dot(plane.normal, p) - plane.offset), geometry.planes.tolerance());
+                EXPECT_EQ(glm::dot(plane.normal, glm::cross(b - a, c - a)) < 0, leaf.planes[t].flipped);
+            }
+        }
+    }
+    EXPECT_GT(seen, 1000U);
+}
+
+TEST(Placed, MatricesThatAreNotAffineLeaveTheLeafOut) {
+    for (int kind = 0; kind < 3; ++kind) {
+        glm::dmat4 m(1.0);
+        if (kind == 0)
+            m[0][0] = std::nan("");
+        else if (kind == 1)
+            m[0][3] = 0.5;
+        else
+            m[2] = glm::dvec4(0);
+        const random_tree::Model leaf{csg::Operation::Leaf, {}, csg::Cube{}, glm::dmat4(1.0), {}, {}};
+        const csg::Tree tree = random_tree::make_tree({csg::Operation::Transform, {}, csg::Cube{}, m, {}, {leaf}});
+        const csg::Scene scene = csg::make_scene(tree);
+        csg::solid::SolidCache cache;
+        const auto geometry = csg::solid::place(tree, scene, cache);
+        ASSERT_EQ(geometry.leaves.size(), 1U);
+        EXPECT_TRUE(geometry.leaves[0].triangles.empty() && geometry.leaves[0].box.empty());
+        EXPECT_EQ(geometry.warnings.empty(), kind == 2);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,2 @@
+function f(x) = 1 + f(x + 1);
+cube(f(0));

@@ -1,0 +1,62 @@
+#include "ui/pipeline/camera.h"
+
+#include <gtest/gtest.h>
+
+namespace ui {
+namespace {
+
+const csg::Box kBox{{0, 0, 0}, {10, 20, 30}};
+
+TEST(ChooseCamera, WithoutAnyEverythingIsInView) {
+    const gl::Camera camera = choose_camera({}, {}, kBox);
+    EXPECT_EQ(camera.target, kBox.centre());
+    EXPECT_EQ(camera.rotation, gl::Camera{}.rotation);
+    EXPECT_GT(camera.distance, kBox.diagonal());
+}
+
+TEST(ChooseCamera, TheFilesVariablesCount) {
+    csg::scad::ViewSettings file;
+    file.translation = {1, 2, 3};
+    file.rotation = {10, 20, 30};
+    file.distance = 77;
+    file.fov = 30;
+    const gl::Camera camera = choose_camera({}, file, kBox);
+    EXPECT_EQ(camera.target, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(camera.rotation, glm::dvec3(10, 20, 30));
+    EXPECT_EQ(camera.distance, 77);
+    EXPECT_EQ(camera.fov, 30);
+}
+
+TEST(ChooseCamera, ImpossibleVariablesAreAsIfNotGiven) {
+    csg::scad::ViewSettings file;
+    file.distance = -1;
+    file.fov = 180;
+    const gl::Camera camera = choose_camera({}, file, kBox);
+    EXPECT_EQ(camera.distance, gl::Camera{}.distance);
+    EXPECT_EQ(camera.fov, gl::Camera{}.fov);
+}
+
+TEST(ChooseCamera, TheUsersCameraWinsAndViewAllMovesIt) {
+    csg::scad::ViewSettings file;
+    file.distance = 77;
+    gl::Camera mine;
+    mine.target = {5, 5, 5};
+    mine.distance = 9;
+    CameraRequest request{mine, gl::Projection::Orthographic, false, false};
+    EXPECT_EQ(choose_camera(request, file, kBox).distance, 9);
+    EXPECT_EQ(choose_camera(request, file, kBox).projection, gl::Projection::Orthographic);
+    request.view_all = true;
+    EXPECT_GT(choose_camera(request, file, kBox).distance, kBox.diagonal());
+    EXPECT_EQ(choose_camera(request, file, kBox).target, mine.target);
+    request.autocenter = true;
+    EXPECT_EQ(choose_camera(request, file, kBox).target, kBox.centre());
+}
+
+TEST(ChooseCamera, AnEmptyBoxMovesNothing) {
+    gl::Camera mine;
+    mine.target = {5, 5, 5};
+    EXPECT_EQ(choose_camera({mine, gl::Projection::Perspective, false, true}, {}, {}).target, mine.target);
+}
+
+}  // namespace
+}  // namespace ui

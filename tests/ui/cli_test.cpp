@@ -1,0 +1,254 @@
+// Runs the program as its users do.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "gl/image.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+struct Result {
+    int status = -1;  ///< Exit status; -1 where a signal or the time limit ended it.
+    std::string out, err;
+};
+
+/// Each test has a folder of its own, in which the program runs.
+class Cli : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "csgscope_cli_XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+        write("m.scad", "difference() { cube(10, center = true); sphere(6, $fn = 24); }\n");
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name, std::ios::binary) << text;
+    }
+
+    /// `arguments` as for a shell.
+    [[nodiscard]] Result run(const std::string& arguments, const std::string& before = "") const {
+        const std::string command = "cd '" + folder_.string() + "' && " + before +
+                                    " timeout 60 '" CSGSCOPE_PROGRAM "' " + arguments + " >out.txt 2>err.txt";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) && WEXITSTATUS(status) < 124 ? WEXITSTATUS(status) : -1, read(folder_ / "out.txt"),
+                read(folder_ / "err.txt")};
+    }
+
+    fs::path folder_;
+};
+
+void expect_error(const Result& result, const std::string& message) {
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << "expected \"" << message << "\" in:\n" << result.err;
+    EXPECT_EQ(result.out, "");
+}
+
+TEST_F(Cli, DrawsAPngOfTheSizeAskedFor) {
+    const Result result = run("m.scad -o m.png --imgsize=80,60");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "") << "nothing is said on a pipe";
+    const gl::Image image = gl::read_png(folder_ / "m.png");
+    EXPECT_EQ(image.width, 80);
+    EXPECT_EQ(image.height, 60);
+    EXPECT_NE(std::vector<int>(image.pixel(40, 30), image.pixel(40, 30) + 3),
+              std::vector<int>(image.pixel(0, 0), image.pixel(0, 0) + 3))
+        << "the model is in the middle";
+}
+
+TEST_F(Cli, TheSameTwiceGivesTheSameBytes) {
+    ASSERT_EQ(run("m.scad -o a.png -o b.png --imgsize=64,64 --style blueprint").status, 0);
+    ASSERT_EQ(run("m.scad -o c.png --imgsize=64,64 --style blueprint").status, 0);
+    EXPECT_FALSE(read(folder_ / "a.png").empty());
+    EXPECT_EQ(read(folder_ / "a.png"), read(folder_ / "b.png"));
+    EXPECT_EQ(read(folder_ / "a.png"), read(folder_ / "c.png"));
+}
+
+TEST_F(Cli, EglAndOsmesaDrawTheSame) {
+    ASSERT_EQ(run("m.scad -o a.png --imgsize=64,64 --context osmesa").status, 0);
+    const Result egl = run("m.scad -o b.png --imgsize=64,64 --context egl --stats s.json");
+    if (egl.status != 0 || read(folder_ / "s.json").find("llvmpipe") == std::string::npos) {
+        GTEST_SKIP() << "EGL is not the software renderer that OSMesa is";
+    }
+    EXPECT_EQ(gl::read_png(folder_ / "a.png").rgba, gl::read_png(folder_ / "b.png").rgba);
+}
+
+TEST_F(Cli, EveryStyleDrawsItsOwnPicture) {
+    std::map<std::string, std::string> pictures;
+    for (const std::string style : {"shaded", "edges", "blueprint", "xray", "sketch"}) {
+        const Result result = run("m.scad -o " + style + ".png --imgsize=48,48 --style " + style);
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_TRUE(pictures.emplace(read(folder_ / (style + ".png")), style).second)
+            << style << " draws what another draws";
+    }
+}
+
+TEST_F(Cli, OptionsOfThePictureChangeIt) {
+    ASSERT_EQ(run("m.scad -o a.png --imgsize=48,48").status, 0);
+    for (const std::string options : {"--colorscheme Sunset", "--camera 0,0,0,0,0,0,60", "--projection o",
+                                      "--transparent-background", "--samples 1", "-D '$vpd=200'"}) {
+        ASSERT_EQ(run("m.scad -o b.png --imgsize=48,48 " + options).status, 0) << options;
+        EXPECT_NE(read(folder_ / "a.png"), read(folder_ / "b.png")) << options;
+    }
+    const gl::Image clear = [&] {
+        EXPECT_EQ(run("m.scad -o c.png --imgsize=48,48 --transparent-background").status, 0);
+        return gl::read_png(folder_ / "c.png");
+    }();
+    EXPECT_EQ(clear.pixel(0, 0)[3], 0);
+    EXPECT_EQ(clear.pixel(24, 24)[3], 255);
+}
+
+TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
+    const Result result = run("- -o - --export-format png --imgsize 32,32", "cat m.scad |");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out.substr(1, 3), "PNG");
+    ASSERT_EQ(run("m.scad -o m.png --imgsize 32,32").status, 0);
+    EXPECT_EQ(result.out, read(folder_ / "m.png"));
+}
+
+TEST_F(Cli, DefinitionsOverrideTheFile) {
+    write("e.scad", "a = 1;\nb = [0];\necho(a, b);\n");
+    const Result result = run("e.scad -o - --export-format echo -D a=2 -D 'b=[1,2]' -q");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.out, "ECHO: 2, [1, 2]\n");
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(run("e.scad -o e.echo").err, "ECHO: 1, [0]\n");
+}
+
+TEST_F(Cli, WritesCsgAndSyntaxTree) {
+    write("c.scad", "translate([1,2,3]) cube(4);\n");
+    const Result result = run("c.scad -o c.csg -o c.ast");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(read(folder_ / "c.csg").find("cube(size = [4, 4, 4], center = false);"), std::string::npos);
+    EXPECT_NE(read(folder_ / "c.ast").find("translate([1, 2, 3])"), std::string::npos);
+}
+
+TEST_F(Cli, WarningsAreOpenscadsAndMayBeHard) {
+    write("w.scad", "cube(1);\ncube(unknown_thing);\n");
+    const Result soft = run("w.scad -o w.csg");
+    EXPECT_EQ(soft.status, 0);
+    EXPECT_NE(soft.err.find("WARNING: Ignoring unknown variable"), std::string::npos) << soft.err;
+    EXPECT_NE(soft.err.find("line 2"), std::string::npos) << soft.err;
+    EXPECT_EQ(run("w.scad -o w.csg -q").err, "");
+    fs::remove(folder_ / "w.csg");
+    EXPECT_EQ(run("w.scad -o w.csg --hardwarnings").status, 1);
+    EXPECT_FALSE(fs::exists(folder_ / "w.csg"));
+}
+
+TEST_F(Cli, StatisticsAreComplete) {
+    ASSERT_EQ(run("m.scad -o m.png --imgsize 32,32 --layers all --stats s.json").status, 0);
+    const auto json = nlohmann::json::parse(read(folder_ / "s.json"));
+    EXPECT_EQ(json.at("leaves"), 2);
+    EXPECT_EQ(json.at("products"), 1);
+    EXPECT_EQ(json.at("width"), 32);
+    EXPECT_GE(json.at("layers").get<int>(), 2);
+    for (const char* key :
+         {"products_before_pruning", "passes", "fragments", "samples", "engine", "context", "renderer"}) {
+        EXPECT_TRUE(json.contains(key)) << key;
+    }
+    for (const char* key : {"evaluate", "place", "normalize", "upload", "peel", "style", "read", "encode"}) {
+        EXPECT_GE(json.at("ms").at(key).get<double>(), 0) << key;
+    }
+}
+
+TEST_F(Cli, SummaryAndDependencies) {
+    write("part.scad", "cube([1,2,3]);\n");
+    write("main.scad", "include <part.scad>\n");
+    ASSERT_EQ(run("main.scad -o main.csg -d main.d --summary-file s.json").status, 0);
+    EXPECT_EQ(nlohmann::json::parse(read(folder_ / "s.json")).at("bounding_box").at("size"), nlohmann::json({1, 2, 3}));
+    EXPECT_EQ(read(folder_ / "main.d"), "main.csg: \\\n\tmain.scad \\\n\tpart.scad\n");
+}
+
+TEST_F(Cli, AnEmptyModelIsABackground) {
+    write("empty.scad", "");
+    ASSERT_EQ(run("empty.scad -o e.png --imgsize 16,16").status, 0);
+    const gl::Image image = gl::read_png(folder_ / "e.png");
+    EXPECT_EQ(std::vector<int>(image.pixel(8, 8), image.pixel(8, 8) + 3), (std::vector<int>{255, 255, 229}));
+}
+
+TEST_F(Cli, HelpVersionAndInformationEndWell) {
+    EXPECT_NE(run("--help").out.find("--style"), std::string::npos);
+    EXPECT_EQ(run("-h").status, 0);
+    EXPECT_EQ(run("--version").out.substr(0, 9), "csgscope ");
+    EXPECT_NE(run("--info").out.find("OpenGL"), std::string::npos);
+}
+
+TEST_F(Cli, WhatCannotBeDoneSaysSoAndLeavesNoFile) {
+    fs::create_directory(folder_ / "dir");
+    const std::pair<const char*, const char*> cases[] = {
+        {"", "no input file"},
+        {"missing.scad -o m.png", "missing.scad"},
+        {"dir -o m.png", "dir"},
+        {"m.scad -o nowhere/m.png", "nowhere/m.png"},
+        {"m.scad -o m.stl", "png, csg, ast and echo"},
+        {"m.scad -o m.png --style bluprint", "Did you mean \"blueprint\"?"},
+        {"m.scad -o m.png --set nonsense=1", "nonsense"},
+        {"m.scad -o m.png --style blueprint --set line_width=thick", "thick"},
+        {"m.scad -o m.png --colorscheme Cornfeld", "Did you mean \"Cornfield\"?"},
+        {"m.scad -o m.png --context nvidia", "egl"},
+        {"m.scad -o m.png --imgsize 99999,1", "1 to 16384"},
+        {"m.scad -o m.png --camera 1,2", "6 numbers"},
+        {"m.scad -o - --export-format png --stats -", "only one"},
+        {"m.scad -o m.png -D 'x=('", "x=("},
+    };
+    for (const auto& [arguments, message] : cases) {
+        SCOPED_TRACE(arguments);
+        expect_error(run(arguments), message);
+        EXPECT_FALSE(fs::exists(folder_ / "m.png"));
+    }
+}
+
+/// Broken files: what is wrong, and where.
+TEST_F(Cli, BrokenFilesAreLocatedErrors) {
+    struct Case {
+        const char *file, *place, *message;
+    };
+    const Case cases[] = {
+        {"unclosed_call", ":1:8", "ERROR: "},
+        {"unclosed_brace", ":3:1", "ERROR: "},
+        {"unclosed_string", ":1:6", "ERROR: "},
+        {"unclosed_comment", ":2:1", "ERROR: "},
+        {"missing_semicolon", ":2:1", "ERROR: "},
+        {"stray_brace", ":2:1", "ERROR: "},
+        {"empty_argument", ":1:10", "ERROR: "},
+        {"failed_assertion", ":2:1", "size must be positive"},
+        {"endless_recursion", ":1:", "Recursion detected calling function 'f'"},
+        {"endless_module", ":1:", "Recursion detected calling module 'm'"},
+        {"binary_rubbish", ":1:1", "ERROR: "},
+        {"bad_expression", ":1:10", "ERROR: "},
+    };
+    const fs::path bad = fs::path(CSGSCOPE_SOURCE_DIR) / "tests/ui/bad";
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(bad)) {
+        files += entry.is_regular_file() ? 1 : 0;
+    }
+    EXPECT_EQ(files, std::size(cases)) << "every file is tested";
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.file);
+        const Result result = run("'" + (bad / c.file).string() + ".scad' -o m.png");
+        expect_error(result, c.message);
+        EXPECT_NE(result.err.find(c.file + std::string(".scad") + c.place), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find('^'), std::string::npos) << "no caret in:\n" << result.err;
+        EXPECT_FALSE(fs::exists(folder_ / "m.png"));
+    }
+}
+
+}  // namespace

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include "ui/command_line/files.h"
+#include "ui/command_line/options.h"
+
+namespace ui {
+namespace {
+
+Options read(const std::vector<std::string>& arguments) {
+    return read_command_line(arguments).options;
+}
+
+std::string error(const std::vector<std::string>& arguments) {
+    try {
+        (void)read_command_line(arguments);
+    } catch (const UsageError& e) {
+        return e.what();
+    }
+    return "no error";
+}
+
+TEST(Options, DefaultsAreOpenscads) {
+    const Options o = read({"a.scad"});
+    EXPECT_EQ(o.input, "a.scad");
+    EXPECT_TRUE(o.outputs.empty());
+    EXPECT_EQ(o.size, glm::ivec2(512, 512));
+    EXPECT_EQ(o.scheme, "Cornfield");
+    EXPECT_FALSE(o.camera);
+    EXPECT_TRUE(o.preview);
+    EXPECT_EQ(o.projection, gl::Projection::Perspective);
+}
+
+TEST(Options, OutputsAreReadBySuffixInAnyOrder) {
+    const Options o = read({"-o", "a.png", "m.scad", "-ob.csg", "--o=c.ECHO", "-o", "d.ast"});
+    ASSERT_EQ(o.outputs.size(), 4U);
+    EXPECT_EQ(o.outputs[0].format, Format::Png);
+    EXPECT_EQ(o.outputs[1].path, "b.csg");
+    EXPECT_EQ(o.outputs[1].format, Format::Csg);
+    EXPECT_EQ(o.outputs[2].format, Format::Echo);
+    EXPECT_EQ(o.outputs[3].format, Format::Ast);
+    EXPECT_EQ(o.input, "m.scad");
+}
+
+TEST(Options, ExportFormatWinsOverTheSuffix) {
+    const Options o = read({"-o", "-", "--export-format", "png", "m.scad"});
+    ASSERT_EQ(o.outputs.size(), 1U);
+    EXPECT_EQ(o.outputs[0].path, "-");
+    EXPECT_EQ(o.outputs[0].format, Format::Png);
+}
+
+TEST(Options, DefinitionsKeepCommasBracketsAndSpaces) {
+    const Options o = read({"-D", "size=[1, 2,3]", "-Dname=\"a b\"", "m.scad", "--D=x=-1"});
+    EXPECT_EQ(o.definitions, (std::vector<std::string>{"size=[1, 2,3]", "name=\"a b\"", "x=-1"}));
+    EXPECT_EQ(o.input, "m.scad");
+}
+
+TEST(Options, SevenNumbersAreAGimbalCamera) {
+    const Options o = read({"--camera", "-1,2,3.5,40,50,60,70", "--projection=o", "m.scad"});
+    ASSERT_TRUE(o.camera);
+    EXPECT_EQ(o.camera->target, glm::dvec3(-1, 2, 3.5));
+    EXPECT_EQ(o.camera->rotation, glm::dvec3(40, 50, 60));
+    EXPECT_EQ(o.camera->distance, 70);
+    EXPECT_EQ(o.camera->projection, gl::Projection::Orthographic);
+}
+
+TEST(Options, SixNumbersAreEyeAndCentre) {
+    const Options o = read({"--camera=10,0,0,1,0,0", "m.scad"});
+    ASSERT_TRUE(o.camera);
+    EXPECT_NEAR(glm::distance(o.camera->eye(), glm::dvec3(10, 0, 0)), 0, 1e-9);
+    EXPECT_NEAR(o.camera->distance, 9, 1e-9);
+}
+
+TEST(Options, RenderAndPreviewTakeNoFileForTheirValue) {
+    EXPECT_EQ(read({"--render", "m.scad"}).input, "m.scad");
+    EXPECT_FALSE(read({"--render", "m.scad"}).preview);
+    EXPECT_FALSE(read({"--render=force", "m.scad"}).preview);
+    EXPECT_TRUE(read({"--preview=throwntogether", "m.scad"}).preview);
+}
+
+TEST(Options, LayersAndSettings) {
+    EXPECT_EQ(read({"--layers", "all", "m.scad"}).layers, 0);
+    EXPECT_EQ(read({"--layers", "3", "m.scad"}).layers, 3);
+    const Options o = read({"--set", "ground=paper", "--set", "width=1.5", "m.scad"});
+    ASSERT_EQ(o.settings.size(), 2U);
+    EXPECT_EQ(o.settings[1], std::pair(std::string("width"), std::string("1.5")));
+}
+
+TEST(Options, HelpNamesEveryGroup) {
+    const std::string help = read_command_line({"--help"}).text.value_or("");
+    for (const char* word : {"Input and output", "Picture", "Camera", "Engine", "--style", "--imgsize", "--stats"}) {
+        EXPECT_NE(help.find(word), std::string::npos) << word;
+    }
+    EXPECT_EQ(read_command_line({"-v"}).text.value_or("").substr(0, 17), "csgscope version ");
+}
+
+TEST(Options, BadOnesSayWhatWasExpected) {
+    struct Case {
+        std::vector<std::string> arguments;
+        const char* message;
+    };
+    const Case cases[] = {
+        {{"--imgsize", "10"}, "expected width,height"},
+        {{"--imgsize", "0,10"}, "1 to 16384"},
+        {{"--imgsize", "10,20000"}, "1 to 16384"},
+        {{"--imgsize", "1.5,10"}, "whole number"},
+        {{"--imgsize", "10,10x"}, "expected width,height"},
+        {{"--imgsize", "nan,1"}, "expected width,height"},
+        {{"--imgsize", "1,2,"}, "expected width,height"},
+        {{"--camera", "1,2,3"}, "6 numbers"},
+        {{"--camera", "1,1,1,1,1,1"}, "same point"},
+        {{"--camera", "0,0,0,0,0,0,-5"}, "distance"},
+        {{"--camera", "0,0,0,0,0,0,inf"}, "6 numbers"},
+        {{"--projection", "x"}, "perspective"},
+        {{"--layers", "0"}, "1 to"},
+        {{"--layers", "many"}, "whole number"},
+        {{"--samples", "5"}, "1, 4, 8, 16"},
+        {{"--context", "eggl"}, "Did you mean \"egl\"?"},
+        {{"--engine", "godfeather"}, "Did you mean \"goldfeather\"?"},
+        {{"--sytle", "edges"}, "Did you mean \"--style\"?"},
+        {{"--imgsiez=3,4"}, "Did you mean \"--imgsize\"?"},
+        {{"--animate", "5"}, "unknown option --animate"},
+        {{"-o", "a.stl"}, "png, csg, ast and echo"},
+        {{"-o", "a"}, "suffix"},
+        {{"-o", "dir.png/a"}, "suffix"},
+        {{"-o", "-"}, "--export-format"},
+        {{"-o", "a.png", "--export-format", "svg"}, "png, csg, ast and echo"},
+        {{"-D", "x"}, "name=value"},
+        {{"--set", "=1"}, "name=value"},
+        {{"-o"}, "-o"},
+        {{"b.scad"}, "one input file"},
+        {{"-p", "set.json"}, "-D name=value"},
+    };
+    for (const Case& c : cases) {
+        auto arguments = c.arguments;
+        arguments.emplace_back("m.scad");
+        if (c.arguments == std::vector<std::string>{"-o"}) {
+            arguments = c.arguments;
+        }
+        EXPECT_NE(error(arguments).find(c.message), std::string::npos)
+            << arguments[0] << " gives: " << error(arguments);
+    }
+}
+
+TEST(Suggestion, IsTheNearestName) {
+    const std::vector<std::string> names = {"shaded", "edges", "blueprint"};
+    EXPECT_EQ(suggestion("bluprint", names), " Did you mean \"blueprint\"?");
+    EXPECT_EQ(suggestion("Edges", names), " Did you mean \"edges\"?");
+    EXPECT_EQ(suggestion("qqqqqqqq", names, " No."), " No.");
+}
+
+TEST(DependencyRules, EscapeWhatMakeWouldRead) {
+    EXPECT_EQ(dependency_rules({"a b.png"}, {"x$y.scad", "z.scad"}), "a\\ b.png: \\\n\tx$$y.scad \\\n\tz.scad\n");
+}
+
+}  // namespace
+}  // namespace ui

@@ -1,0 +1,68 @@
+#include "ui/command_line/files.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "csg/scad/source.h"
+#include "gl/image.h"
+#include "ui/command_line/options.h"
+
+namespace ui {
+
+namespace {
+
+/// What a name needs to stand in a makefile.
+std::string escape_for_make(const std::string& name) {
+    std::string escaped;
+    for (const char c : name) {
+        if (c == ' ' || c == '#' || c == '\\') {
+            escaped += '\\';
+        }
+        escaped += c == '$' ? "$$" : std::string(1, c);
+    }
+    return escaped;
+}
+
+}  // namespace
+
+std::string read_standard_input() {
+    std::string text;
+    std::array<char, 65536> chunk{};
+    while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), stdin)) {
+        text.append(chunk.data(), count);
+        if (text.size() > csg::scad::kMaxSourceBytes) {
+            throw UsageError(fmt::format("standard input: longer than {} MiB", csg::scad::kMaxSourceBytes >> 20));
+        }
+    }
+    if (std::ferror(stdin) != 0) {
+        throw UsageError(fmt::format("standard input: {}", std::strerror(errno)));
+    }
+    return text;
+}
+
+void write_output(const std::string& path, const std::string& bytes) {
+    if (path != "-") {
+        gl::write_file(path, bytes);
+    } else if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
+        throw std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+    }
+}
+
+std::string dependency_rules(const std::vector<std::string>& targets, const std::vector<std::string>& sources) {
+    std::string rules;
+    for (const std::string& target : targets) {
+        rules += escape_for_make(target) + ":";
+        for (const std::string& source : sources) {
+            rules += " \\\n\t" + escape_for_make(source);
+        }
+        rules += '\n';
+    }
+    return rules;
+}
+
+}  // namespace ui

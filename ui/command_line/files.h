@@ -1,0 +1,19 @@
+// The files of the command line: standard input and output stand for "-".
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ui {
+
+/// The whole of standard input. Throws UsageError where it is longer than a source text may be.
+[[nodiscard]] std::string read_standard_input();
+
+/// Writes the file whole or not at all, or to standard output for "-". Throws std::runtime_error with the reason.
+void write_output(const std::string& path, const std::string& bytes);
+
+/// A rule for make, as OpenSCAD's -d writes it: each of `targets` depends on all of `sources`.
+[[nodiscard]] std::string dependency_rules(const std::vector<std::string>& targets,
+                                           const std::vector<std::string>& sources);
+
+}  // namespace ui

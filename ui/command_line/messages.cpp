@@ -1,0 +1,42 @@
+#include "ui/command_line/messages.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace ui {
+
+void Messages::add(const csg::scad::Message& message, const csg::scad::SourceSet& sources) {
+    using csg::scad::Severity;
+    const std::string line = csg::scad::render_openscad(message, sources) + '\n';
+    echo_ += line;
+    warnings_ += message.severity == Severity::Warning || message.severity == Severity::Deprecated ? 1 : 0;
+    if (message.severity != Severity::Error) {
+        if (!quiet_) {
+            fmt::print(stderr, "{}", line);
+        }
+        return;
+    }
+    fmt::print(stderr, "{}", line);
+    if (message.where.known()) {
+        // The compiler's form, without its own first line, which says what `line` has said.
+        const std::string excerpt = csg::scad::render(message, sources);
+        fmt::print(stderr, "  at {}:{}:{}\n{}", sources[message.where.file].name(), message.where.line,
+                   message.where.column, excerpt.substr(excerpt.find('\n') + 1));
+    }
+}
+
+void Messages::warn(const std::string& text) {
+    ++warnings_;
+    const std::string line = fmt::format("WARNING: {}\n", text);
+    echo_ += line;
+    if (!quiet_) {
+        fmt::print(stderr, "{}", line);
+    }
+}
+
+void print_error(const std::string& text) {
+    fmt::print(stderr, "csgscope: error: {}\n", text);
+}
+
+}  // namespace ui

@@ -1,0 +1,295 @@
+#include "ui/command_line/options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+namespace ui {
+
+namespace {
+
+constexpr int kLargestSide = 16384;
+constexpr int kMostLayers = 65535;
+const std::array<std::pair<std::string_view, Format>, 4> kFormats{
+    {{"png", Format::Png}, {"csg", Format::Csg}, {"ast", Format::Ast}, {"echo", Format::Echo}}};
+
+/// The numbers of "1,2.5,-3", `counts` of them; the decimal point does not depend on the locale.
+std::vector<double> read_numbers(std::string_view option, std::string_view text,
+                                 std::initializer_list<std::size_t> counts, std::string_view meaning) {
+    std::vector<double> numbers;
+    bool good = true;
+    for (const char *at = text.data(), *end = at + text.size(); good;) {
+        double value = 0;
+        const auto [next, error] = std::from_chars(at, end, value);
+        good = error == std::errc{} && std::isfinite(value) && (next == end || *next == ',');
+        numbers.push_back(value);
+        if (!good || next == end) {
+            break;
+        }
+        at = next + 1;
+    }
+    if (!good || std::find(counts.begin(), counts.end(), numbers.size()) == counts.end()) {
+        throw UsageError(fmt::format("{} {}: expected {}", option, text, meaning));
+    }
+    return numbers;
+}
+
+int read_integer(std::string_view option, std::string_view text, int lowest, int highest) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < lowest || value > highest) {
+        throw UsageError(fmt::format("{} {}: expected a whole number from {} to {}", option, text, lowest, highest));
+    }
+    return value;
+}
+
+template <typename Value>
+Value read_name(std::string_view option, const std::string& text,
+                const std::vector<std::pair<std::string, Value>>& values) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : values) {
+        if (name == text) {
+            return value;
+        }
+        names.push_back(name);
+    }
+    throw UsageError(
+        fmt::format("{} {}: expected {}.{}", option, text, fmt::join(names, ", "), suggestion(text, names)));
+}
+
+Format read_format(std::string_view option, const std::string& text) {
+    std::string name = text;
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const auto& [known, format] : kFormats) {
+        if (name == known) {
+            return format;
+        }
+    }
+    throw UsageError(fmt::format("{}: format \"{}\" is not supported; there are png, csg, ast and echo", option, text));
+}
+
+Output read_output(const std::string& path, const std::string& export_format) {
+    if (path.empty()) {
+        throw UsageError("-o: the file's name is empty");
+    }
+    if (!export_format.empty()) {
+        return {path, read_format("--export-format", export_format)};
+    }
+    if (path == "-") {
+        throw UsageError("-o -: say the format of standard output with --export-format png, csg, ast or echo");
+    }
+    const std::size_t dot = path.rfind('.');
+    const std::size_t slash = path.rfind('/');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) {
+        throw UsageError(fmt::format("-o {}: a suffix must tell the format: .png, .csg, .ast or .echo", path));
+    }
+    return {path, read_format(fmt::format("-o {}", path), path.substr(dot + 1))};
+}
+
+gl::Camera read_camera(std::string_view text) {
+    const auto n = read_numbers("--camera", text, {6, 7},
+                                "6 numbers eye_x,y,z,center_x,y,z or 7 numbers translate_x,y,z,rot_x,y,z,distance");
+    if (n.size() == 6) {
+        if (n[0] == n[3] && n[1] == n[4] && n[2] == n[5]) {
+            throw UsageError(fmt::format("--camera {}: the eye and the centre are the same point", text));
+        }
+        return gl::camera_between({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+    }
+    if (n[6] <= 0) {
+        throw UsageError(fmt::format("--camera {}: the distance must be above 0", text));
+    }
+    gl::Camera camera;
+    camera.target = {n[0], n[1], n[2]};
+    camera.rotation = {n[3], n[4], n[5]};
+    camera.distance = n[6];
+    return camera;
+}
+
+/// The options as texts, as CLI11 gives them.
+struct Raw {
+    std::vector<std::string> inputs, outputs, settings;
+    std::string export_format, camera, size, layers, samples, view, csg_limit, make, backend, render, preview, scheme;
+    std::string parameter_file, parameter_set, check_parameters, check_ranges;
+    std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
+    std::vector<std::string> summary;
+    bool version = false;
+};
+
+void declare(CLI::App& app, Options& o, Raw& raw) {
+    // Values may hold commas and begin with '-': every option takes exactly the argument after it.
+    const auto text = [&](const char* names, std::string& value, const char* help, const char* type,
+                          const char* group) {
+        return app.add_option(names, value, help)
+            ->type_name(type)
+            ->group(group)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    };
+    const auto list = [&](const char* names, std::vector<std::string>& values, const char* help, const char* type,
+                          const char* group) {
+        return app.add_option(names, values, help)
+            ->type_name(type)
+            ->group(group)
+            ->expected(1)
+            ->allow_extra_args(false)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    const char* const in = "Input and output";
+    app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("");
+    list("-o,--o", raw.outputs,
+         "Write FILE: .png, .csg, .ast or .echo; - is standard output. May be repeated. Without "
+         "it a window opens",
+         "FILE", in);
+    text("--export-format", raw.export_format, "The format of the outputs, whatever their suffix", "FORMAT", in);
+    list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
+    text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
+    text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
+    text("--summary-file", raw.summary_file, "Write camera and bounding box as JSON; - is standard output", "FILE", in);
+    list("--summary", raw.summary, "Print all, camera, bounding-box or time", "WHAT", in);
+    app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(in);
+    app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
+
+    const char* const picture = "Picture";
+    text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
+    text("--style", o.style, "shaded, edges, blueprint, xray or sketch (shaded)", "STYLE", picture);
+    list("--set", raw.settings, "Set a parameter of the style; may be repeated", "NAME=VALUE", picture);
+    text("--colorscheme", raw.scheme, "OpenSCAD's colour scheme (Cornfield)", "NAME", picture);
+    text("--layers", raw.layers, "The first N surfaces behind each pixel, or all (what the style needs)", "N|all",
+         picture);
+    text("--samples", raw.samples, "Samples per pixel: 1, 4, 8 or 16 (4)", "N", picture);
+    app.add_flag("--transparent-background", o.transparent_background, "No background")->group(picture);
+    app.add_flag("--render", raw.render, "Evaluate with $preview false")->group(picture);
+    app.add_flag("--preview", raw.preview, "Evaluate with $preview true (default)")->group(picture);
+
+    const char* const camera = "Camera";
+    text("--camera", raw.camera, "x,y,z,rotx,roty,rotz,distance or eyex,y,z,centerx,y,z", "NUMBERS", camera);
+    text("--projection", raw.projection, "o (orthographic) or p (perspective, default)", "o|p", camera);
+    app.add_flag("--viewall", o.view_all, "Move the camera so that all is seen")->group(camera);
+    app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
+
+    const char* const engine = "Engine";
+    text("--engine", raw.engine, "auto or goldfeather (auto)", "NAME", engine);
+    text("--context", raw.context, "OpenGL from: auto, egl or osmesa (auto)", "NAME", engine);
+    text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
+
+    const char* const other = "Other";
+    app.add_flag("-v,--version", raw.version, "Print the version")->group(other);
+    app.add_flag("--info", o.information, "Print version and OpenGL")->group(other);
+    const char* const accepted = "Accepted for OpenSCAD's sake, without effect";
+    text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
+    text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
+    text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
+    text("-m,--m", raw.make, "Command that makes missing files", "COMMAND", accepted);
+    text("--check-parameters", raw.check_parameters, "Checks of arguments are always on", "BOOL", accepted);
+    text("--check-parameter-ranges", raw.check_ranges, "Checks of arguments are always on", "BOOL", accepted);
+    text("-p,--p", raw.parameter_file, "", "FILE", "");
+    text("-P,--P", raw.parameter_set, "", "NAME", "");
+}
+
+void interpret(Options& o, const Raw& raw) {
+    if (raw.inputs.size() > 1) {
+        throw UsageError(fmt::format("one input file is expected, not {} (\"{}\" and \"{}\")", raw.inputs.size(),
+                                     raw.inputs[0], raw.inputs[1]));
+    }
+    if (!raw.parameter_file.empty() || !raw.parameter_set.empty()) {
+        throw UsageError("-p and -P: parameter sets are not supported; set variables with -D name=value");
+    }
+    o.input = raw.inputs.empty() ? "" : raw.inputs[0];
+    for (const std::string& path : raw.outputs) {
+        o.outputs.push_back(read_output(path, raw.export_format));
+    }
+    const auto split = [](const char* option, const std::string& text) {
+        const std::size_t equals = text.find('=');
+        if (equals == 0 || equals == std::string::npos) {
+            throw UsageError(fmt::format("{} {}: expected name=value", option, text));
+        }
+        return std::pair(text.substr(0, equals), text.substr(equals + 1));
+    };
+    for (const std::string& definition : o.definitions) {
+        (void)split("-D", definition);
+    }
+    for (const std::string& setting : raw.settings) {
+        o.settings.push_back(split("--set", setting));
+    }
+    if (!raw.size.empty()) {
+        const auto n = read_numbers("--imgsize", raw.size, {2}, "width,height");
+        for (const double side : n) {
+            if (side != std::floor(side) || side < 1 || side > kLargestSide) {
+                throw UsageError(
+                    fmt::format("--imgsize {}: a side is a whole number from 1 to {}", raw.size, kLargestSide));
+            }
+        }
+        o.size = {static_cast<int>(n[0]), static_cast<int>(n[1])};
+    }
+    o.projection = read_name<gl::Projection>("--projection", raw.projection,
+                                             {{"p", gl::Projection::Perspective},
+                                              {"o", gl::Projection::Orthographic},
+                                              {"perspective", gl::Projection::Perspective},
+                                              {"ortho", gl::Projection::Orthographic},
+                                              {"orthographic", gl::Projection::Orthographic}});
+    if (!raw.camera.empty()) {
+        o.camera = read_camera(raw.camera);
+        o.camera->projection = o.projection;
+    }
+    if (!raw.scheme.empty()) {
+        o.scheme = raw.scheme;
+    }
+    if (!raw.layers.empty()) {
+        o.layers = raw.layers == "all" ? 0 : read_integer("--layers", raw.layers, 1, kMostLayers);
+    }
+    if (!raw.samples.empty()) {
+        o.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
+    }
+    o.engine =
+        read_name<Engine>("--engine", raw.engine, {{"auto", Engine::Auto}, {"goldfeather", Engine::Goldfeather}});
+    o.context = read_name<gl::ContextKind>(
+        "--context", raw.context,
+        {{"auto", gl::ContextKind::Auto}, {"egl", gl::ContextKind::Egl}, {"osmesa", gl::ContextKind::Osmesa}});
+    const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
+    o.statistics = given(raw.statistics);
+    o.summary_file = given(raw.summary_file);
+    o.dependencies = given(raw.dependencies);
+    o.summary = !raw.summary.empty();
+    o.preview = raw.render.empty() || !raw.preview.empty();
+}
+
+}  // namespace
+
+CommandLine read_command_line(const std::vector<std::string>& arguments) {
+    CLI::App app("csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.", "csgscope");
+    app.set_help_flag("-h,--help", "Print this help")->group("Other");
+    app.get_formatter()->column_width(34);
+    CommandLine line;
+    Raw raw;
+    declare(app, line.options, raw);
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        line.text = app.help();
+        return line;
+    } catch (const CLI::ExtrasError&) {
+        std::vector<std::string> names;
+        for (const CLI::Option* option : app.get_options()) {
+            for (const std::string& name : option->get_lnames()) {
+                names.push_back("--" + name);
+            }
+        }
+        const auto extra = app.remaining().empty() ? std::string() : app.remaining().front();
+        const auto name = extra.substr(0, extra.find('='));
+        throw UsageError(fmt::format("unknown option {}.{}", name, suggestion(name, names, " See csgscope --help.")));
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    if (raw.version) {
+        line.text = "csgscope version " CSGSCOPE_VERSION "\n";
+        return line;
+    }
+    interpret(line.options, raw);
+    return line;
+}
+
+}  // namespace ui

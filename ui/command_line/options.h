@@ -1,0 +1,73 @@
+// The command line, read: OpenSCAD 2021.01's options and csgscope's own.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gl/camera.h"
+#include "gl/context.h"
+
+namespace ui {
+
+/// What the user asked for cannot be done as asked; the text is for people.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+enum class Format { Png, Csg, Ast, Echo };
+
+struct Output {
+    std::string path;  ///< "-": standard output.
+    Format format = Format::Png;
+};
+
+enum class Engine { Auto, Goldfeather };
+
+struct Options {
+    std::string input;  ///< "-": standard input; empty where none was given.
+    std::vector<Output> outputs;
+    std::vector<std::string> definitions;  ///< name=expression
+    std::optional<gl::Camera> camera;      ///< Absent: the file's $vp… variables, or everything in view.
+    bool view_all = false;
+    bool autocenter = false;
+    gl::Projection projection = gl::Projection::Perspective;
+    glm::ivec2 size{512, 512};
+    std::string scheme = "Cornfield";
+    std::string style = "shaded";
+    std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters.
+    std::optional<int> layers;                                  ///< 0: all. Absent: what the style needs.
+    int samples = 4;
+    Engine engine = Engine::Auto;
+    gl::ContextKind context = gl::ContextKind::Auto;
+    std::optional<std::string> statistics;  ///< File for JSON; "-": standard output.
+    std::optional<std::string> summary_file;
+    std::optional<std::string> dependencies;  ///< File for make.
+    std::string frames_log;                   ///< The window's log; empty: none.
+    bool preview = true;                      ///< $preview
+    bool transparent_background = false;
+    bool quiet = false;
+    bool hard_warnings = false;
+    bool summary = false;
+    bool information = false;  ///< --info
+};
+
+/// What to do: run with the options, or print `text` on standard output and end well.
+struct CommandLine {
+    Options options;
+    std::optional<std::string> text;
+};
+
+/// Reads the arguments (without the program's name). Throws UsageError.
+[[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments);
+
+/// ` Did you mean "x"?` where a candidate is near to `name`, else `fallback`.
+[[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates,
+                                     std::string_view fallback = "");
+
+}  // namespace ui

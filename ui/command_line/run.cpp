@@ -1,0 +1,317 @@
+#include "ui/command_line/run.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "csg/scad/ast_text.h"
+#include "csg/scad/csg_text.h"
+#include "csg/scad/parser.h"
+#include "csg/scad/scad.h"
+#include "gl/error.h"
+#include "ui/command_line/files.h"
+#include "ui/command_line/messages.h"
+#include "ui/command_line/options.h"
+#include "ui/pipeline/camera.h"
+#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/stopwatch.h"
+
+namespace ui {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Says on a terminal what is going on; nothing elsewhere.
+class Progress {
+  public:
+    explicit Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
+    ~Progress() { say(""); }
+    void say(const char* stage) const {
+        if (shown_) {
+            fmt::print(stderr, "\r\033[K{}", stage);
+            std::fflush(stderr);
+        }
+    }
+
+  private:
+    bool shown_;
+};
+
+bool wants(const Options& options, Format format) {
+    return std::any_of(options.outputs.begin(), options.outputs.end(),
+                       [&](const Output& output) { return output.format == format; });
+}
+
+void write_outputs(const Options& options, Format format, const std::string& bytes) {
+    for (const Output& output : options.outputs) {
+        if (output.format == format) {
+            write_output(output.path, bytes);
+        }
+    }
+}
+
+/// One run: the source, what became of it, and the figures.
+class Run {
+  public:
+    explicit Run(Options options)
+        : options_(std::move(options)), messages_(options_.quiet), progress_(options_.quiet) {}
+
+    /// False where an error in the file ended it; the messages have said why.
+    bool operator()() {
+        check();
+        read();
+        if (wants(options_, Format::Ast)) {
+            write_outputs(options_, Format::Ast, syntax_tree());
+        }
+        if (!evaluate()) {
+            return false;
+        }
+        if (wants(options_, Format::Csg)) {
+            write_outputs(options_, Format::Csg, csg::scad::csg_text(*evaluation_.tree));
+        }
+        if (wants(options_, Format::Png) || options_.statistics || options_.summary || options_.summary_file) {
+            build();
+        }
+        if (wants(options_, Format::Png)) {
+            draw();
+        }
+        report();
+        return true;
+    }
+
+  private:
+    void check() const {
+        std::vector<std::string> to_standard_output;
+        for (const Output& output : options_.outputs) {
+            if (output.path == "-") {
+                to_standard_output.emplace_back("-o");
+            }
+        }
+        for (const auto& [name, path] :
+             {std::pair("--stats", options_.statistics), std::pair("--summary-file", options_.summary_file)}) {
+            if (path == "-") {
+                to_standard_output.emplace_back(name);
+            }
+        }
+        if (to_standard_output.size() > 1) {
+            throw UsageError(
+                fmt::format("only one of {} can go to standard output", fmt::join(to_standard_output, ", ")));
+        }
+        check_picture(picture_request({}));
+    }
+
+    void read() {
+        request_.path = options_.input == "-" ? "<stdin>" : options_.input;
+        if (options_.input == "-") {
+            request_.text = read_standard_input();
+        } else {
+            auto text = csg::scad::read_source_file(options_.input);
+            if (const auto* error = std::get_if<csg::scad::ReadError>(&text)) {
+                throw UsageError(error->text);
+            }
+            request_.text = std::get<std::string>(std::move(text));
+        }
+        request_.definitions = options_.definitions;
+        request_.preview = options_.preview;
+        if (options_.camera) {
+            const gl::Camera& camera = *options_.camera;
+            request_.view = {{camera.target.x, camera.target.y, camera.target.z},
+                             {camera.rotation.x, camera.rotation.y, camera.rotation.z},
+                             camera.distance,
+                             camera.fov};
+        }
+    }
+
+    [[nodiscard]] bool evaluate() {
+        progress_.say("Evaluating…");
+        Stopwatch watch;
+        std::stop_source stop;
+        request_.stop = stop.get_token();
+        bool stopped_by_warning = false;
+        evaluation_ = csg::scad::evaluate(request_, [&](const auto& message, const auto& sources) {
+            if (stopped_by_warning) {
+                return;  // The stopped evaluation says so; the warning has said why.
+            }
+            progress_.say("");
+            messages_.add(message, sources);
+            if (options_.hard_warnings && messages_.warnings() != 0) {
+                stopped_by_warning = true;
+                stop.request_stop();
+            }
+        });
+        evaluate_ms_ = watch.lap();
+        write_outputs(options_, Format::Echo, messages_.echo_text());
+        return evaluation_.ok && !stopped_by_warning;
+    }
+
+    void build() {
+        progress_.say("Building the model…");
+        model_ = ModelBuilder().build(evaluation_.tree);
+        for (const std::string& warning : model_->warnings) {
+            messages_.warn(warning);
+        }
+        if (options_.hard_warnings && !model_->warnings.empty()) {
+            throw ModelError("stopped at a warning");
+        }
+        camera_ = choose_camera({options_.camera, options_.projection, options_.view_all, options_.autocenter},
+                                evaluation_.view, model_->box);
+    }
+
+    [[nodiscard]] PictureRequest picture_request(const gl::Camera& camera) const {
+        PictureRequest request;
+        request.camera = camera;
+        request.size = options_.size;
+        request.style = options_.style;
+        request.settings = options_.settings;
+        request.scheme = options_.scheme;
+        request.layers = options_.layers.value_or(-1);
+        request.samples = options_.samples;
+        request.transparent_background = options_.transparent_background;
+        return request;
+    }
+
+    void draw() {
+        progress_.say("Drawing…");
+        Stopwatch watch;
+        const auto context = gl::create_context(options_.context);
+        Renderer renderer(*context);
+        const double context_ms = watch.lap();
+        const gl::Image image = renderer.render(*model_, picture_request(camera_));
+        (void)watch.lap();
+        const std::string png = gl::encode_png(image);
+        picture_json_ = to_json(renderer.statistics());
+        picture_json_["ms"]["context"] = context_ms;
+        picture_json_["ms"]["encode"] = watch.lap();
+        picture_json_["context"] = gl::name(context->kind());
+        picture_json_["renderer"] = context->renderer();
+        picture_json_["opengl"] = context->version();
+        progress_.say("");
+        write_outputs(options_, Format::Png, png);
+    }
+
+    /// What is written beside the outputs.
+    void report() {
+        if (options_.dependencies) {
+            std::vector<std::string> targets;
+            for (const Output& output : options_.outputs) {
+                targets.push_back(output.path);
+            }
+            write_output(*options_.dependencies, dependency_rules(targets, evaluation_.files));
+        }
+        if (options_.statistics) {
+            write_output(*options_.statistics, statistics().dump(2) + "\n");
+        }
+        if (options_.summary_file) {
+            write_output(*options_.summary_file, summary().dump(2) + "\n");
+        }
+        if (options_.summary && !options_.quiet) {
+            fmt::print(stderr, "{}\n", summary().dump(2));
+        }
+    }
+
+    [[nodiscard]] Json statistics() const {
+        Json all = to_json(model_->statistics);
+        const Json model_ms = all["ms"];
+        all.erase("ms");
+        all["width"] = options_.size.x;
+        all["height"] = options_.size.y;
+        all["warnings"] = messages_.warnings();
+        Json ms = {{"evaluate", evaluate_ms_}};
+        ms.update(model_ms);
+        if (!picture_json_.is_null()) {
+            ms.update(picture_json_["ms"]);
+            all.update(picture_json_);
+        }
+        all["ms"] = ms;
+        return all;
+    }
+
+    [[nodiscard]] Json summary() const {
+        const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
+        Json json = {{"camera",
+                      {{"translation", array(camera_.target)},
+                       {"rotation", array(camera_.rotation)},
+                       {"distance", camera_.distance},
+                       {"fov", camera_.fov}}},
+                     {"bounding_box", nullptr}};
+        if (!model_->empty()) {
+            json["bounding_box"] = {
+                {"min", array(model_->box.lo)}, {"max", array(model_->box.hi)}, {"size", array(model_->box.size())}};
+        }
+        return json;
+    }
+
+    [[nodiscard]] std::string syntax_tree() const;
+
+    Options options_;
+    Messages messages_;
+    Progress progress_;
+    csg::scad::Request request_;
+    csg::scad::Evaluation evaluation_;
+    std::shared_ptr<const Model> model_;
+    gl::Camera camera_;
+    double evaluate_ms_ = 0;
+    Json picture_json_;
+};
+
+std::string Run::syntax_tree() const {
+    const csg::scad::Program program = csg::scad::parse(request_.path, *request_.text);
+    return csg::scad::ast_text(program);
+}
+
+/// The window is a library of its own, where it is built.
+int open_window(const Options&) {
+    throw UsageError("no window in this build; write a picture with -o picture.png");
+}
+
+std::string information(gl::ContextKind kind) {
+    std::string text = "csgscope version " CSGSCOPE_VERSION "\n";
+    for (const gl::ContextKind each : {gl::ContextKind::Egl, gl::ContextKind::Osmesa}) {
+        if (kind != gl::ContextKind::Auto && kind != each) {
+            continue;
+        }
+        try {
+            const auto context = gl::create_context(each);
+            text += fmt::format("{}: {}, OpenGL {}{}\n", gl::name(each), context->renderer(), context->version(),
+                                context->software() ? " (software)" : "");
+        } catch (const gl::Error& error) {
+            text += fmt::format("{}: not to be had: {}\n", gl::name(each), error.what());
+        }
+    }
+    return text;
+}
+
+int run_or_throw(const std::vector<std::string>& arguments) {
+    CommandLine line = read_command_line(arguments);
+    Options& options = line.options;
+    if (line.text || options.information) {
+        write_output("-", line.text ? *line.text : information(options.context));
+        return 0;
+    }
+    if (options.input.empty()) {
+        throw UsageError("no input file; see csgscope --help");
+    }
+    if (options.outputs.empty() && !options.statistics && !options.summary && !options.summary_file) {
+        return open_window(options);
+    }
+    return Run(std::move(options))() ? 0 : 1;
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& arguments) {
+    try {
+        return run_or_throw(arguments);
+    } catch (const std::bad_alloc&) {
+        print_error("out of memory");
+    } catch (const std::exception& error) {
+        print_error(error.what());
+    }
+    return 1;
+}
+
+}  // namespace ui

@@ -1,0 +1,38 @@
+#include "ui/pipeline/camera.h"
+
+#include <cmath>
+
+namespace ui {
+
+gl::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSettings& file, const csg::Box& box) {
+    gl::Camera camera = request.camera.value_or(gl::Camera{});
+    bool view_all = request.view_all;
+    bool autocenter = request.autocenter;
+    if (!request.camera) {
+        const bool by_file = file.translation || file.rotation || file.distance || file.fov;
+        view_all |= !by_file;
+        autocenter |= !by_file;
+        if (file.translation) {
+            camera.target = {(*file.translation)[0], (*file.translation)[1], (*file.translation)[2]};
+        }
+        if (file.rotation) {
+            camera.rotation = {(*file.rotation)[0], (*file.rotation)[1], (*file.rotation)[2]};
+        }
+        // Values that no camera can have are as if not given.
+        if (file.distance && std::isfinite(*file.distance) && *file.distance > 0) {
+            camera.distance = *file.distance;
+        }
+        if (file.fov && *file.fov > 0 && *file.fov < 180) {
+            camera.fov = *file.fov;
+        }
+    }
+    camera.projection = request.projection;
+    if (view_all) {
+        gl::view_all(camera, box.lo, box.hi, autocenter);
+    } else if (autocenter && !box.empty()) {
+        camera.target = box.centre();
+    }
+    return camera;
+}
+
+}  // namespace ui

@@ -1,0 +1,24 @@
+// The camera of a picture: what the user and the file say, and what is left to the model's size.
+#pragma once
+
+#include <optional>
+
+#include "csg/scad/scad.h"
+#include "csg/tree/box.h"
+#include "gl/camera.h"
+
+namespace ui {
+
+struct CameraRequest {
+    std::optional<gl::Camera> camera;  ///< Wins over the file's $vp… variables.
+    gl::Projection projection = gl::Projection::Perspective;
+    bool view_all = false;
+    bool autocenter = false;
+};
+
+/// OpenSCAD's rules: a camera that is given stays as it is; else the file's $vpt, $vpr, $vpd and $vpf count, and where
+/// there is none of these, all of `box` is brought into view. `view_all` and `autocenter` apply in any case.
+[[nodiscard]] gl::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSettings& file,
+                                       const csg::Box& box);
+
+}  // namespace ui

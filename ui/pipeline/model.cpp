@@ -1,0 +1,82 @@
+#include "ui/pipeline/model.h"
+
+#include <atomic>
+
+#include <fmt/format.h>
+
+#include "ui/pipeline/stopwatch.h"
+
+namespace ui {
+
+namespace {
+
+std::string place_of(const csg::Tree& tree, const csg::SourceLocation& where) {
+    if (!where.known() || where.file >= tree.files().size()) {
+        return "";
+    }
+    return fmt::format("{}:{}:{}: ", tree.files()[where.file], where.line, where.column);
+}
+
+std::uint64_t next_generation() {
+    static std::atomic<std::uint64_t> count{0};
+    return ++count;
+}
+
+/// The part's products; none for an empty part.
+std::vector<goldfeather::Product> products_of(const Model& model, const csg::Part& part,
+                                              std::span<const csg::Box> boxes, const goldfeather::Budget& budget,
+                                              ModelStatistics& sum) {
+    goldfeather::NormalizationStats stats;
+    auto normalized = goldfeather::normalize(model.scene, part, boxes, budget, stats);
+    if (const auto* over = std::get_if<goldfeather::OverBudget>(&normalized)) {
+        const auto& where = model.scene.leaves[part.first_leaf].where;
+        throw ModelError(
+            fmt::format("{}the part that begins here needs more than {} products ({} were made); "
+                        "differences and intersections of large unions multiply",
+                        place_of(*model.tree, where), budget.products, over->products));
+    }
+    sum.products_unpruned = std::min(1e18, sum.products_unpruned + stats.products_unpruned);
+    sum.products += stats.products;
+    sum.literals += stats.literals;
+    sum.pruned_products += stats.pruned_products;
+    sum.pruned_literals += stats.pruned_literals;
+    auto* found = std::get_if<goldfeather::SumOfProducts>(&normalized);
+    return found ? std::move(found->products) : std::vector<goldfeather::Product>{};
+}
+
+}  // namespace
+
+std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, std::stop_token stop) {
+    auto model = std::make_shared<Model>();
+    model->tree = std::move(tree);
+    model->generation = next_generation();
+    Stopwatch watch;
+    ModelStatistics& statistics = model->statistics;
+    model->scene = csg::make_scene(*model->tree);
+    model->geometry = csg::solid::place(*model->tree, model->scene, solids_);
+    solids_.trim();
+    statistics.place_ms = watch.lap();
+
+    std::vector<csg::Box> boxes;
+    for (const auto& leaf : model->geometry.leaves) {
+        boxes.push_back(leaf.box);
+        statistics.triangles += leaf.triangles.size();
+    }
+    for (const csg::Part& part : model->scene.parts) {
+        if (stop.stop_requested()) {
+            return nullptr;
+        }
+        model->products.push_back(products_of(*model, part, boxes, budget_, statistics));
+        for (const goldfeather::Product& product : model->products.back()) {
+            model->box = csg::enclose(model->box, product.box);
+        }
+    }
+    statistics.normalize_ms = watch.lap();
+    statistics.leaves = model->scene.leaves.size();
+    statistics.parts = model->scene.parts.size();
+    statistics.planes = model->geometry.planes.planes().size();
+    model->warnings = model->geometry.warnings;
+    return model;
+}
+
+}  // namespace ui

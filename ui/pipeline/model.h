@@ -1,0 +1,56 @@
+// A model made ready for drawing: everything between a CSG tree and the GPU.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "csg/solid/placed.h"
+#include "csg/tree/scene.h"
+#include "goldfeather/products.h"
+
+namespace ui {
+
+/// The model cannot be drawn; the text begins with file:line:column where the place is known.
+class ModelError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+struct ModelStatistics {
+    std::size_t leaves = 0, parts = 0, triangles = 0, planes = 0;
+    double products_unpruned = 0;  ///< What plain rewriting would give; saturates at 1e18.
+    std::size_t products = 0, literals = 0, pruned_products = 0, pruned_literals = 0;
+    double place_ms = 0, normalize_ms = 0;  ///< Wall time.
+};
+
+/// Immutable, without OpenGL; drawn by any number of renderers.
+struct Model {
+    std::shared_ptr<const csg::Tree> tree;
+    csg::Scene scene;
+    csg::solid::Geometry geometry;
+    std::vector<std::vector<goldfeather::Product>> products;  ///< By part; an empty part has none.
+    csg::Box box;                       ///< Encloses all products, so the solid too; empty where nothing is to be seen.
+    std::vector<std::string> warnings;  ///< With file:line:column where known.
+    ModelStatistics statistics;
+    std::uint64_t generation = 0;  ///< Counts the models of the process: which one a renderer holds.
+
+    [[nodiscard]] bool empty() const { return box.empty(); }
+};
+
+/// Builds models; keeps the meshes of leaves from one to the next, so that an edit builds only what it changed.
+class ModelBuilder {
+  public:
+    explicit ModelBuilder(goldfeather::Budget budget = {}) : budget_(budget) {}
+
+    /// Throws ModelError where a part has more products than the budget allows. Gives null where `stop` ended it.
+    [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree, std::stop_token stop = {});
+
+  private:
+    goldfeather::Budget budget_;
+    csg::solid::SolidCache solids_;
+};
+
+}  // namespace ui

@@ -1,0 +1,60 @@
+// Draws models: from a Model to a picture, in one OpenGL context.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/camera.h"
+#include "gl/context.h"
+#include "gl/image.h"
+#include "npr/accumulate.h"
+#include "npr/color_scheme.h"
+#include "npr/style.h"
+#include "peel/peeler.h"
+#include "ui/pipeline/model.h"
+#include "ui/pipeline/statistics.h"
+
+namespace ui {
+
+struct PictureRequest {
+    gl::Camera camera;
+    glm::ivec2 size{512, 512};
+    std::string style = "shaded";
+    std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters by name; the rest are defaults.
+    std::string scheme = "Cornfield";
+    int layers = -1;  ///< 0: all; below 0: what the style needs.
+    int samples = 4;  ///< Per pixel.
+    bool transparent_background = false;
+};
+
+/// Throws std::runtime_error where there is no such style, parameter, value or scheme; names the nearest one.
+void check_picture(const PictureRequest& request);
+
+/// Holds one model on the GPU and the programs of all styles. Its context must be current whenever it is used, and
+/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs.
+class Renderer {
+  public:
+    explicit Renderer(const gl::Context& context);
+
+    /// The picture in main memory.
+    [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request);
+
+    /// Draws the picture into `target` (0: the window), its lower left corner at `corner`.
+    void draw(const Model& model, const PictureRequest& request, GLuint target, glm::ivec2 corner);
+
+    /// Of the last picture.
+    [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
+
+  private:
+    void hold(const Model& model);
+
+    const gl::Functions& gl_;
+    peel::Peeler peeler_;
+    std::unique_ptr<peel::PeelModel> model_;
+    std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
+    PictureStatistics statistics_;
+};
+
+}  // namespace ui

@@ -1,0 +1,31 @@
+#include "ui/pipeline/statistics.h"
+
+namespace ui {
+
+nlohmann::ordered_json to_json(const ModelStatistics& s) {
+    return {{"parts", s.parts},
+            {"leaves", s.leaves},
+            {"triangles", s.triangles},
+            {"planes", s.planes},
+            {"products_before_pruning", s.products_unpruned},
+            {"products", s.products},
+            {"literals", s.literals},
+            {"pruned_products", s.pruned_products},
+            {"pruned_literals", s.pruned_literals},
+            {"ms", {{"place", s.place_ms}, {"normalize", s.normalize_ms}}}};
+}
+
+nlohmann::ordered_json to_json(const PictureStatistics& s) {
+    return {{"engine", "goldfeather"},
+            {"samples", s.samples},
+            {"layers", s.walk.layers},
+            {"passes", s.walk.passes},
+            {"bands", s.walk.bands},
+            {"fragments", s.walk.fragments},
+            {"drawn_leaves", s.walk.drawn_leaves},
+            {"drawn_products", s.walk.drawn_products},
+            {"parity_slots", s.walk.slots},
+            {"ms", {{"upload", s.upload_ms}, {"peel", s.peel_ms}, {"style", s.style_ms}, {"read", s.read_ms}}}};
+}
+
+}  // namespace ui

@@ -1,0 +1,27 @@
+// What a run cost, as JSON (--stats, benchmarks).
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "goldfeather/engine.h"
+#include "ui/pipeline/model.h"
+
+namespace ui {
+
+/// The cost of one picture. Times are wall time in milliseconds, over all samples.
+struct PictureStatistics {
+    goldfeather::WalkStats walk;  ///< Passes, bands and fragments summed over samples, the rest at its largest.
+    int samples = 0;
+    double upload_ms = 0;  ///< 0 where the renderer held the model already.
+    double peel_ms = 0;
+    double style_ms = 0;
+    double read_ms = 0;
+};
+
+/// Counts and stages of a model: {"leaves": …, "products": …, "ms": {"place": …, "normalize": …}}.
+[[nodiscard]] nlohmann::ordered_json to_json(const ModelStatistics& statistics);
+
+/// {"passes": …, "fragments": …, "layers": …, "samples": …, "ms": {"upload": …, "peel": …, "style": …, "read": …}}.
+[[nodiscard]] nlohmann::ordered_json to_json(const PictureStatistics& statistics);
+
+}  // namespace ui
