@@ -1,0 +1,32 @@
+// From source text to a Program: the grammar of OpenSCAD 2021.01 and newer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/scad/ast.h"
+#include "csg/scad/diagnostics.h"
+#include "csg/scad/source.h"
+
+namespace csg::scad {
+
+struct ParseRequest {
+    std::string path;  ///< Of the main file; names it in messages, and includes are looked for beside it.
+    std::string text;  ///< Of the main file.
+    std::vector<std::string> definitions;  ///< `name=expression`, as of -D: assignments that come after the main file.
+    SourceReader reader = read_source_file;
+    std::vector<std::string> search_path = search_path_from_environment();
+};
+
+struct Parsed {
+    Program program;
+    std::vector<Message> messages;  ///< In the order in which they arose; they refer to program.sources.
+    bool ok = false;                ///< The main file parsed, with all that it includes: units[0].block is set.
+};
+
+/// Parses the main file, what it includes, and what these use. Never throws. A syntax error ends the file it is in
+/// and is one message that says what was expected; in an included file it ends the including file as well, in a used
+/// one only that unit is without a block. A missing include or use is a warning, as in OpenSCAD.
+[[nodiscard]] Parsed parse(const ParseRequest& request);
+
+}  // namespace csg::scad
