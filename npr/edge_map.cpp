@@ -6,9 +6,7 @@
 namespace npr {
 namespace {
 
-// As in npr/edge_point.glsl.
-constexpr int kEdgeLayers = 16;
-constexpr int kEdgeTile = 4;
+constexpr int kEdgeLayers = 16;  // As in npr/edge_point.glsl.
 
 constexpr std::size_t candidate_bytes(std::uint32_t room) {
     return 8 * (static_cast<std::size_t>(room) + 1);
@@ -75,12 +73,12 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
     resize(frame.layers.size, frame.layers.layers);
     find_links_.program().set("part_edges", settings.parts);
     find_candidates_.program().set("part_edges", settings.parts);
-    const std::uint32_t links = list_links(frame);
-    std::uint32_t count = links > 0 ? list_candidates(frame, links) : 0;
+    link_count_ = list_links(frame);
+    std::uint32_t count = link_count_ > 0 ? list_candidates(frame, link_count_) : 0;
     if (count > room_) {
         room_ = count + count / 4;
         candidates_.reserve(candidate_bytes(room_), GL_DYNAMIC_COPY);
-        count = list_candidates(frame, links);
+        count = list_candidates(frame, link_count_);
     }
     const std::uint32_t zero = 0;
     gl_.ClearTexImage(marks_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
@@ -95,6 +93,11 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
         gl_.DispatchCompute(groups(count), 1, 1);
         gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
+    bind();
+}
+
+void EdgeMap::bind() const {
+    links_.bind(GL_SHADER_STORAGE_BUFFER, 2);
     marks_.bind(2);
     tiles_.bind(3);
     points_.bind(4);

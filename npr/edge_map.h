@@ -5,6 +5,9 @@
 
 namespace npr {
 
+/// Side of the tiles for which marks are summed up, in pixels.
+inline constexpr int kEdgeTile = 4;
+
 /// What counts as an edge.
 struct EdgeSettings {
     float crease_degrees = 28;  ///< Between normals, from which a bend is an inner edge.
@@ -30,6 +33,12 @@ class EdgeMap {
     /// Finds the edges of the frame's layers, and binds the map to texture units 2 to 4 for npr/lines.glsl.
     void draw(const Frame& frame, const EdgeSettings& settings);
 
+    /// The same textures, and the list of links whose ends see different planes (edges are only on these), as storage
+    /// block 2.
+    void bind() const;
+    /// How many links are listed.
+    [[nodiscard]] std::uint32_t links() const { return link_count_; }
+
   private:
     void resize(glm::ivec2 size, int layers);
     std::uint32_t list_links(const Frame& frame);
@@ -43,6 +52,7 @@ class EdgeMap {
     gl::Buffer links_;       ///< Their count, and the links whose ends see different planes.
     gl::Buffer candidates_;  ///< Their count, room for so many, and surfaces that may have edges on a link.
     std::uint32_t room_ = 1U << 16;
+    std::uint32_t link_count_ = 0;
     gl::Texture marks_;   ///< R32UI: which layers have an edge on the pixel's link to the right, and up.
     gl::Texture tiles_;   ///< R32UI: the same for small tiles.
     gl::Texture points_;  ///< R32UI array: edge points (npr/edge_point.glsl), two slices per layer.

@@ -62,3 +62,29 @@ Edge edge_at(vec2 at, int layer, float width) {
         }
     return edge;
 }
+
+#ifdef OVERSHOOT
+layout(binding = 5) uniform usampler2DArray overshoot_points;
+layout(binding = 6) uniform usampler2D overshoot_tiles;
+
+// Visible edges drawn on beyond their ends (npr/overshoot.h).
+Edge overshoot_at(vec2 at, float width) {
+    Edge edge = Edge(0.0, 0.0);
+    ivec4 links = links_near(at, width);
+    ivec4 tiles = links / kEdgeTile;
+    uint any = 0u;
+    for (int y = tiles.y; y <= tiles.w; ++y)
+        for (int x = tiles.x; x <= tiles.z; ++x)
+            any |= texelFetch(overshoot_tiles, ivec2(x, y), 0).x;
+    if (any == 0u)
+        return edge;
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x)
+            for (int axis = 0; axis < 2; ++axis) {
+                uint bits = texelFetch(overshoot_points, ivec3(x, y, axis), 0).x;
+                if (bits != 0u)
+                    add_piece(edge, bits, at, ivec2(x, y), vec2(1 - axis, axis), width);
+            }
+    return edge;
+}
+#endif
