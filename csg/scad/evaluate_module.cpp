@@ -176,7 +176,9 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
         for (std::size_t k = 0; k < parameters.size(); ++k) {
             step.parameters.emplace_back(parameters[k].name, values.data()[k]);
         }
-        error.trace.add(std::move(step));
+        if (request_.trace_parameters) {
+            error.trace.add(std::move(step));
+        }
         host_.module_names.pop_back();
         throw;
     }

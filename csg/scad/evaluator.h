@@ -107,6 +107,7 @@ class Evaluator {
     // For built-in modules (builtin_modules.h).
 
     [[nodiscard]] const Program& program() const { return p_; }
+    [[nodiscard]] const Request& request() const { return request_; }
     [[nodiscard]] TreeBuilder& builder() { return builder_; }
     [[nodiscard]] const std::string& name(Symbol symbol) const { return p_.symbols.text(symbol); }
     void warn(const SourceRange& where, std::string text);

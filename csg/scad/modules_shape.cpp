@@ -29,6 +29,21 @@ std::optional<double> radius(const ModuleContext& c, const ModuleArguments& argu
     return as_diameter ? std::optional(*as_diameter / 2) : as_radius;
 }
 
+bool is_positive(double x) {
+    return x > 0 && std::isfinite(x);
+}
+
+void check_ranges(const ModuleContext& c, const Cylinder& cylinder) {
+    if (!is_positive(cylinder.height)) {
+        c.warn(fmt::format("cylinder(h={}, ...)", number_text(cylinder.height)));
+    }
+    const double r1 = cylinder.radius1, r2 = cylinder.radius2;
+    const bool cone = (is_positive(r1) && r2 == 0) || (r1 == 0 && is_positive(r2));
+    if (!cone && !(is_positive(r1) && is_positive(r2))) {
+        c.warn(fmt::format("cylinder(r1={}, r2={}, ...)", number_text(r1), number_text(r2)));
+    }
+}
+
 void run_cube(const ModuleContext& c, Nodes& out) {
     static constexpr std::array<Names, 2> kParameters{"size", "center"};
     c.expect_no_children();
@@ -40,6 +55,10 @@ void run_cube(const ModuleContext& c, Nodes& out) {
     } else if (!size.is_undef() && !to_vec3(size, cube.size, std::nan(""))) {
         c.warn(fmt::format("Unable to convert cube(size={}, ...) parameter to a number or a vec3 of numbers",
                            size.echo_text()));
+    }
+    const bool makes_nothing = !is_positive(cube.size.x) || !is_positive(cube.size.y) || !is_positive(cube.size.z);
+    if (makes_nothing && c.evaluator.request().check_ranges) {
+        c.warn(fmt::format("cube(size={}, ...)", size.echo_text()));
     }
     cube.center = is_true(arguments["center"]);
     add_leaf(c, cube, out);
@@ -53,6 +72,9 @@ void run_sphere(const ModuleContext& c, Nodes& out) {
     Sphere sphere;
     sphere.fineness = c.evaluator.fineness(c.where());
     sphere.radius = radius(c, arguments, "r", "d").value_or(1);
+    if (!is_positive(sphere.radius) && c.evaluator.request().check_ranges) {
+        c.warn(fmt::format("sphere(r={})", number_text(sphere.radius)));
+    }
     add_leaf(c, sphere, out);
 }
 
@@ -72,6 +94,9 @@ void run_cylinder(const ModuleContext& c, Nodes& out) {
     }
     cylinder.radius1 = below.value_or(both.value_or(1));
     cylinder.radius2 = above.value_or(both.value_or(1));
+    if (c.evaluator.request().check_ranges) {
+        check_ranges(c, cylinder);
+    }
     cylinder.center = is_true(arguments["center"]);
     add_leaf(c, cylinder, out);
 }

@@ -67,6 +67,10 @@ void run_scale(const ModuleContext& c, Nodes& out) {
         c.warn(fmt::format("Unable to convert scale({}) parameter to a number, a vec3 or vec2 of numbers or a number",
                            v.echo_text()));
     }
+    const bool flat = factor.x * factor.y * factor.z == 0 || !is_finite(factor);
+    if (flat && c.evaluator.request().check_ranges) {
+        c.warn(fmt::format("scale({})", v.echo_text()));
+    }
     add_transform(c, {glm::dvec3(factor.x, 0, 0), glm::dvec3(0, factor.y, 0), glm::dvec3(0, 0, factor.z)},
                   glm::dvec3(0.0), out);
 }

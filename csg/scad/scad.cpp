@@ -66,7 +66,8 @@ class Job {
             }
         }
         MessageGate gate(sink_, program->sources, result);
-        for (const Message& message : parsed.messages) {
+        for (Message& message : parsed.messages) {
+            message.parsing = true;
             gate(message);
         }
         if (!parsed.ok) {
