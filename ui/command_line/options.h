@@ -2,15 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "gl/camera.h"
 #include "gl/context.h"
+#include "goldfeather/choice.h"
 
 namespace ui {
 
@@ -27,8 +26,6 @@ struct Output {
     Format format = Format::Png;
 };
 
-enum class Engine { Auto, Goldfeather };
-
 struct Options {
     std::string input;  ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
@@ -43,7 +40,7 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters.
     std::optional<int> layers;                                  ///< 0: all. Absent: what the style needs.
     int samples = 4;
-    Engine engine = Engine::Auto;
+    std::optional<goldfeather::EngineKind> engine;  ///< Absent: auto.
     gl::ContextKind context = gl::ContextKind::Auto;
     std::optional<std::string> statistics;  ///< File for JSON; "-": standard output.
     std::optional<std::string> summary_file;
@@ -65,9 +62,5 @@ struct CommandLine {
 
 /// Reads the arguments (without the program's name). Throws UsageError.
 [[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments);
-
-/// ` Did you mean "x"?` where a candidate is near to `name`, else `fallback`.
-[[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates,
-                                     std::string_view fallback = "");
 
 }  // namespace ui

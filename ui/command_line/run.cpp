@@ -178,7 +178,7 @@ class Run {
         progress_.say("Drawing…");
         Stopwatch watch;
         const auto context = gl::create_context(options_.context);
-        Renderer renderer(*context);
+        Renderer renderer(*context, options_.engine);
         const double context_ms = watch.lap();
         const gl::Image image = renderer.render(*model_, picture_request(camera_));
         (void)watch.lap();
@@ -259,8 +259,8 @@ class Run {
 };
 
 std::string Run::syntax_tree() const {
-    const csg::scad::Program program = csg::scad::parse(request_.path, *request_.text);
-    return csg::scad::ast_text(program);
+    csg::scad::ParseRequest request{request_.path, *request_.text, request_.definitions};
+    return csg::scad::ast_text(csg::scad::parse(request).program);
 }
 
 /// The window is a library of its own, where it is built.

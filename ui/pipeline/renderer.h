@@ -1,7 +1,9 @@
 // Draws models: from a Model to a picture, in one OpenGL context.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,10 +35,12 @@ struct PictureRequest {
 void check_picture(const PictureRequest& request);
 
 /// Holds one model on the GPU and the programs of all styles. Its context must be current whenever it is used, and
-/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs.
+/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs, and ModelError where the engine asked
+/// for cannot draw the model.
 class Renderer {
   public:
-    explicit Renderer(const gl::Context& context);
+    /// `engine`: absent to let the renderer choose.
+    explicit Renderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine = {});
 
     /// The picture in main memory.
     [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request);
@@ -49,11 +53,19 @@ class Renderer {
 
   private:
     void hold(const Model& model);
+    npr::Style& style(const npr::StyleInfo& info);
+    void accumulate(const Model& model, const PictureRequest& request);
 
     const gl::Functions& gl_;
+    bool software_;
+    std::optional<goldfeather::EngineKind> wanted_;
+    goldfeather::EngineChoice choice_;  ///< For the model held.
     peel::Peeler peeler_;
+    npr::Accumulator accumulator_;
+    std::map<std::string, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
     std::unique_ptr<peel::PeelModel> model_;
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
+    bool translucent_ = false;      ///< Whether something in that model is not opaque.
     PictureStatistics statistics_;
 };
 
