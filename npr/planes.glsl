@@ -16,6 +16,8 @@ bool in_picture(ivec2 pixel) {
     return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(layer_depths, 0).xy));
 }
 
+const float kSmooth = 0.9;  // cosine between the normals of neighbouring facets of a smooth surface, at least
+
 // How a surface goes on in a neighbouring pixel.
 struct Continuation {
     bool found;    // false: it ends
@@ -57,14 +59,16 @@ Continuation continuation(Surface s, ivec2 pixel, ivec2 offset) {
         if (t.leaving != s.leaving)
             continue;
         // How much nearer this surface's plane is than the other's, here and there. Where the planes meet between the
-        // two pixels the signs differ. Planes of a curved surface's facets may meet a little outside.
+        // two pixels the signs differ. Planes of a curved surface's facets may meet a little outside, and about a
+        // corner of facets that the two pixels see across, a little beside.
         vec2 other = depth_gradient(t.plane);
         float here = s.depth - (t.depth - dot(other, vec2(offset)));
         float there = s.depth + dot(gradient, vec2(offset)) - t.depth;
         float apart = min(abs(here), abs(there)) - 1e-6 * s.depth;
-        if (here * there > 0.0 && apart > abs(there - here))
-            continue;
         float cosine = dot(s.normal, t.normal);
+        float slack = cosine > kSmooth ? length(gradient - other) : abs(there - here);
+        if (here * there > 0.0 && apart > slack)
+            continue;
         // A plane that is seen on both sides goes on, and is no continuation of another.
         if (cosine > c.cosine && !sees(pixel, t.plane << 1 | uint(t.leaving))) {
             float sum = abs(here) + abs(there);
