@@ -99,7 +99,7 @@ std::string render_openscad(const Message& message, const SourceSet& sources, st
         return text;
     }
     std::string_view name = sources[message.where.file].name();
-    if (message.reading && !base_directory.empty()) {
+    if (message.parsing && !base_directory.empty()) {
         std::error_code error;
         const std::string from_here = std::filesystem::proximate(name, error).string();
         return fmt::format("{} in file {}, line {}", text, error ? name : from_here, message.where.line);
