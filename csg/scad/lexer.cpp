@@ -113,7 +113,7 @@ Token Lexer::error(const Place& begin, std::string text) {
 }
 
 void Lexer::warn(const SourceRange& where, std::string text) const {
-    report(sink_, {Severity::Warning, where, std::move(text)});
+    report(sink_, {Severity::Warning, where, std::move(text), true});
 }
 
 void Lexer::advance() {

@@ -73,7 +73,8 @@ std::optional<std::uint32_t> Files::include(const std::string& name, std::uint32
     if (!found.file) {
         report(sink_, {Severity::Warning, where,
                        found.problem.empty() ? fmt::format("Can't find include file '{}'.", name)
-                                             : fmt::format("Can't open include file '{}': {}", name, found.problem)});
+                                             : fmt::format("Can't open include file '{}': {}", name, found.problem),
+                       true});
     }
     return found.file;
 }
@@ -84,7 +85,8 @@ void Files::use(const std::string& name, std::uint32_t from, UnitId unit, const 
     if (!found.file) {
         report(sink_, {Severity::Warning, where,
                        found.problem.empty() ? fmt::format("Can't open library '{}'.", name)
-                                             : fmt::format("Can't open library '{}': {}", name, found.problem)});
+                                             : fmt::format("Can't open library '{}': {}", name, found.problem),
+                       true});
     } else if (!use.font) {
         const auto [at, is_new] = unit_of_file_.emplace(*found.file, static_cast<UnitId>(program_.units.size()));
         use.unit = at->second;
