@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
 #include "npr/style_pass.h"
 
@@ -29,7 +30,7 @@ std::span<const Parameter> parameters() {
 
 class Blueprint : public Style {
   public:
-    explicit Blueprint(const gl::Functions& gl) : pass_(gl, "npr/blueprint.frag") {}
+    explicit Blueprint(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/blueprint.frag") {}
 
     /// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
     [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool /*translucent*/) const override { return 0; }
@@ -37,7 +38,7 @@ class Blueprint : public Style {
     void draw(const Frame& frame) override {
         const Parameters& p = frame.parameters;
         const gl::Program& program = pass_.program();
-        set_edges(program, p.number(kCrease), p.toggle(kParts));
+        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts)});
         program.set("width", p.number(kWidth));
         program.set("hidden_width", 0.8F * p.number(kWidth));
         program.set("inner_strength", p.number(kInner));
@@ -56,6 +57,7 @@ class Blueprint : public Style {
     }
 
   private:
+    EdgeMap edges_;
     StylePass pass_;
 };
 

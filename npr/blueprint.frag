@@ -1,7 +1,8 @@
 // Edges of all layers, with the depth-complexity cue of Nienhaus (2005), 5.2: the tone tells how many surfaces lie
 // behind each other, and edges get fainter from layer to layer.
 #include "npr/color.glsl"
-#include "npr/edges.glsl"
+#include "npr/frame.glsl"
+#include "npr/lines.glsl"
 
 uniform float width;
 uniform float hidden_width;
@@ -28,18 +29,20 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 ray = pixel_ray(pixel);
     int layers = most_layers > 0 ? min(most_layers, layer_count) : layer_count;
-    float bare = 1.0;  // of the paper, not yet covered by lines
     float clear = 1.0;
     int seen = 0;
-    float strength = 1.0;
-    for (int i = 0; i < layers && bare > 0.0; ++i) {
-        Surface s = layer_surface(pixel, i, ray);
-        if (!s.hit)
-            break;
+    while (seen < layers && layer_surface(pixel, seen, ray).hit) {
         ++seen;
         clear *= 1.0 - tone;
-        Edge edge = surface_edge(s, pixel, i == 0 ? width : hidden_width);
-        bare *= 1.0 - strength * max(edge.profile, inner_strength * edge.inner);
+    }
+    float bare = 1.0;  // of the paper, not yet covered by lines
+    float strength = 1.0;
+    uint lines = layers_near(vec2(pixel), width);
+    for (int i = 0; i < min(layers, kEdgeLayers) && lines >> i != 0u && bare > 0.0; ++i) {
+        if ((lines >> i & 1u) != 0u) {
+            Edge edge = edge_at(vec2(pixel), i, i == 0 ? width : hidden_width);
+            bare *= 1.0 - strength * max(edge.profile, inner_strength * edge.inner);
+        }
         strength = i == 0 ? hidden_strength : strength * hidden_falloff;
     }
     // Strengths are as the eye sees them, hence mixed in sRGB.

@@ -1,7 +1,5 @@
 #include "npr/edge_parameters.h"
 
-#include <cmath>
-
 namespace npr {
 
 Parameter line_width(float initial) {
@@ -12,11 +10,6 @@ Parameter crease_angle() {
 }
 Parameter part_edges() {
     return Parameter::toggle("parts", "Edges between parts", false);
-}
-
-void set_edges(const gl::Program& program, float crease_degrees, bool parts) {
-    program.set("crease_cosine", std::cos(glm::radians(crease_degrees)));
-    program.set("part_edges", parts);
 }
 
 }  // namespace npr

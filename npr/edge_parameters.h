@@ -1,7 +1,6 @@
-// Parameters that styles with edges share, and the uniforms of npr/edges.glsl.
+// Parameters that styles with edges share.
 #pragma once
 
-#include "gl/program.h"
 #include "npr/parameter.h"
 
 namespace npr {
@@ -12,7 +11,5 @@ namespace npr {
 [[nodiscard]] Parameter crease_angle();
 /// "parts": whether boundaries between parts within a plane are edges.
 [[nodiscard]] Parameter part_edges();
-
-void set_edges(const gl::Program& program, float crease_degrees, bool parts);
 
 }  // namespace npr

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
 #include "npr/style_pass.h"
 
@@ -24,7 +25,7 @@ std::span<const Parameter> parameters() {
 
 class Edges : public Style {
   public:
-    explicit Edges(const gl::Functions& gl) : pass_(gl, "npr/edges.frag") {}
+    explicit Edges(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/edges.frag") {}
 
     /// A surface is looked for in all layers of the neighbours.
     [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool /*translucent*/) const override { return 0; }
@@ -32,7 +33,7 @@ class Edges : public Style {
     void draw(const Frame& frame) override {
         const Parameters& p = frame.parameters;
         const gl::Program& program = pass_.program();
-        set_edges(program, p.number(kCrease), p.toggle(kParts));
+        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts)});
         program.set("width", p.number(kWidth));
         program.set("inner_strength", p.number(kInner));
         program.set("edge_color", p.color(kColor));
@@ -41,6 +42,7 @@ class Edges : public Style {
     }
 
   private:
+    EdgeMap edges_;
     StylePass pass_;
 };
 

@@ -1,6 +1,6 @@
 // Surface colors with profile and inner edges.
 #include "npr/color.glsl"
-#include "npr/edges.glsl"
+#include "npr/lines.glsl"
 #include "npr/surface_color.glsl"
 
 uniform float width;
@@ -14,17 +14,20 @@ void main() {
     vec3 ray = pixel_ray(pixel);
     vec3 color = vec3(0.0);  // premultiplied
     float through = 1.0;
-    for (int i = 0; i < layer_count && through > 0.0; ++i) {
+    uint lines = layers_near(vec2(pixel), width);
+    bool hit = true;
+    // Behind the last surface there may still be the outer half of a line that bounds a neighbour's surface.
+    for (int i = 0; i < layer_count && through > 0.0 && hit; ++i) {
         Surface s = layer_surface(pixel, i, ray);
-        if (!s.hit)
-            break;
-        vec4 c = surface_color(s);
-        if (c.a == 0.0)
-            continue;
+        hit = s.hit;
+        vec4 c = hit ? surface_color(s) : vec4(0.0);
         c.rgb = mix(vec3(1.0), c.rgb, shade);
-        Edge edge = surface_edge(s, pixel, width);
-        float ink = max(edge.profile, inner_strength * edge.inner);
-        c = mix(c, vec4(edge_color, 1.0), ink);
+        if ((lines >> edge_layer(i) & 1u) != 0u && !(hit && c.a == 0.0)) {
+            Edge edge = edge_at(vec2(pixel), i, width);
+            float ink = max(edge.profile, inner_strength * edge.inner);
+            float alpha = mix(c.a, 1.0, ink);
+            c = vec4(mix(c.rgb * c.a, edge_color, ink) / max(alpha, 1e-6), alpha);
+        }
         color += through * c.a * c.rgb;
         through *= 1.0 - c.a;
     }

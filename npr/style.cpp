@@ -6,11 +6,13 @@
 #include "npr/blueprint.h"
 #include "npr/edges.h"
 #include "npr/shaded.h"
+#include "npr/sketch.h"
+#include "npr/xray.h"
 
 namespace npr {
 
 std::span<const StyleInfo> styles() {
-    static const std::array all{shaded_style(), edges_style(), blueprint_style()};
+    static const std::array all{shaded_style(), edges_style(), blueprint_style(), xray_style(), sketch_style()};
     return all;
 }
 

@@ -1,0 +1,106 @@
+#include "npr/edge_map.h"
+
+#include <algorithm>
+#include <array>
+
+namespace npr {
+namespace {
+
+constexpr int kEdgeLayers = 16;  // As in npr/edge_point.glsl.
+
+constexpr std::size_t candidate_bytes(std::uint32_t room) {
+    return 8 * (static_cast<std::size_t>(room) + 1);
+}
+
+std::uint32_t read_count(const gl::Functions& gl, const gl::Buffer& list) {
+    std::uint32_t count = 0;
+    gl.GetNamedBufferSubData(list.id(), 0, sizeof count, &count);
+    return count;
+}
+
+constexpr GLuint groups(std::uint32_t invocations) {
+    return (invocations + 63) / 64;
+}
+
+}  // namespace
+
+EdgeMap::EdgeMap(const gl::Functions& gl)
+    : gl_(gl),
+      find_links_(gl, {"npr/edge_links.comp"}),
+      find_candidates_(gl, {"npr/edge_candidates.comp"}),
+      find_edges_(gl, {"npr/edge_map.comp"}),
+      links_(gl),
+      candidates_(gl) {
+    candidates_.reserve(candidate_bytes(room_), GL_DYNAMIC_COPY);
+}
+
+void EdgeMap::resize(glm::ivec2 size, int layers) {
+    const int slices = 2 * std::min(layers, kEdgeLayers);
+    if (!marks_ || marks_.size() != size) {
+        marks_ = gl::Texture::make_2d(gl_, GL_R32UI, size);
+        tiles_ = gl::Texture::make_2d(gl_, GL_R32UI, (size + kEdgeTile - 1) / kEdgeTile);
+        const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+        links_.reserve(4 * (1 + 2 * pixels), GL_DYNAMIC_COPY);
+    }
+    if (!points_ || points_.size() != size || points_.layers() < slices)
+        points_ = gl::Texture::make_2d_array(gl_, GL_R32UI, size, slices);
+}
+
+std::uint32_t EdgeMap::list_links(const Frame& frame) {
+    const std::uint32_t zero = 0;
+    gl_.NamedBufferSubData(links_.id(), 0, sizeof zero, &zero);
+    links_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    find_links_.use(frame);
+    gl_.DispatchCompute(groups(static_cast<std::uint32_t>(frame.layers.size.x)),
+                        static_cast<GLuint>(frame.layers.size.y), 1);
+    gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    return read_count(gl_, links_);
+}
+
+std::uint32_t EdgeMap::list_candidates(const Frame& frame, std::uint32_t links) {
+    const std::array<std::uint32_t, 2> head{0, room_};
+    gl_.NamedBufferSubData(candidates_.id(), 0, sizeof head, head.data());
+    candidates_.bind(GL_SHADER_STORAGE_BUFFER, 3);
+    gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32UI);
+    find_candidates_.use(frame);
+    gl_.DispatchCompute(groups(links), 1, 1);
+    gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    return read_count(gl_, candidates_);
+}
+
+void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
+    resize(frame.layers.size, frame.layers.layers);
+    find_links_.program().set("part_edges", settings.parts);
+    find_candidates_.program().set("part_edges", settings.parts);
+    link_count_ = list_links(frame);
+    std::uint32_t count = link_count_ > 0 ? list_candidates(frame, link_count_) : 0;
+    if (count > room_) {
+        room_ = count + count / 4;
+        candidates_.reserve(candidate_bytes(room_), GL_DYNAMIC_COPY);
+        count = list_candidates(frame, link_count_);
+    }
+    const std::uint32_t zero = 0;
+    gl_.ClearTexImage(marks_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    gl_.ClearTexImage(tiles_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    if (count > 0) {
+        find_edges_.program().set("crease_angle", glm::radians(settings.crease_degrees));
+        find_edges_.program().set("part_edges", settings.parts);
+        gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
+        gl_.BindImageTexture(1, marks_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+        gl_.BindImageTexture(2, tiles_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+        find_edges_.use(frame);
+        gl_.DispatchCompute(groups(count), 1, 1);
+        gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+    bind();
+}
+
+void EdgeMap::bind() const {
+    links_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    marks_.bind(2);
+    tiles_.bind(3);
+    points_.bind(4);
+}
+
+}  // namespace npr

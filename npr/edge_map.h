@@ -1,0 +1,61 @@
+// The edge map: where the surfaces of each layer end or bend (Nienhaus 2005, chapter 4; 5.6 for results of CSG).
+#pragma once
+
+#include "npr/frame_program.h"
+
+namespace npr {
+
+/// Side of the tiles for which marks are summed up, in pixels.
+inline constexpr int kEdgeTile = 4;
+
+/// What counts as an edge.
+struct EdgeSettings {
+    float crease_degrees = 28;  ///< Between normals, from which a bend is an inner edge.
+    bool parts = false;         ///< Whether boundaries between parts within a plane are inner edges.
+};
+
+/// Finds the edges of all layers, once per frame, from which lines of any width are drawn (npr/lines.glsl).
+///
+/// As in chapter 4, edges are discontinuities between neighbouring pixels of a layer: profile edges where the surface
+/// ends, inner edges where it bends. Thresholds on depth, which hide edges of touching parallel faces and draw false
+/// ones on slanted faces, are not needed: the stack of layers knows each surface's plane, so that a surface is found
+/// again in the neighbour whatever its layer is there, and two planes that meet between two pixels meet in a known
+/// point. Edges are those of the result (5.6): inner edges are creases between two fronts or two backs; a profile edge
+/// is where front meets back, and belongs to the front's layer.
+///
+/// The map holds, per layer and per link between two pixels' samples, that point, the direction across the edge, and
+/// the kind: 32 bits, by which lines are smooth at one sample per pixel.
+class EdgeMap {
+  public:
+    /// Throws gl::Error. `gl` must outlive the map.
+    explicit EdgeMap(const gl::Functions& gl);
+
+    /// Finds the edges of the frame's layers, and binds the map to texture units 2 to 4 for npr/lines.glsl.
+    void draw(const Frame& frame, const EdgeSettings& settings);
+
+    /// The same textures, and the list of links whose ends see different planes (edges are only on these), as storage
+    /// block 2.
+    void bind() const;
+    /// How many links are listed.
+    [[nodiscard]] std::uint32_t links() const { return link_count_; }
+
+  private:
+    void resize(glm::ivec2 size, int layers);
+    std::uint32_t list_links(const Frame& frame);
+    /// Returns how many candidates there are; those for which there is room are listed.
+    std::uint32_t list_candidates(const Frame& frame, std::uint32_t links);
+
+    const gl::Functions& gl_;
+    FrameProgram find_links_;
+    FrameProgram find_candidates_;
+    FrameProgram find_edges_;
+    gl::Buffer links_;       ///< Their count, and the links whose ends see different planes.
+    gl::Buffer candidates_;  ///< Their count, room for so many, and surfaces that may have edges on a link.
+    std::uint32_t room_ = 1U << 16;
+    std::uint32_t link_count_ = 0;
+    gl::Texture marks_;   ///< R32UI: which layers have an edge on the pixel's link to the right, and up.
+    gl::Texture tiles_;   ///< R32UI: the same for small tiles.
+    gl::Texture points_;  ///< R32UI array: edge points (npr/edge_point.glsl), two slices per layer.
+};
+
+}  // namespace npr

@@ -1,0 +1,43 @@
+// A point of an edge on the link between the samples of two neighbouring pixels, in 32 bits. Zero: no edge; the larger
+// of two counts.
+const uint kInnerEdge = 1u;
+const uint kProfileEdge = 2u;
+
+struct EdgePoint {
+    uint kind;
+    float strength;  // 0 to 1
+    float at;        // part of the way from the link's lower or left pixel
+    vec2 across;     // unit vector across the edge, either way
+};
+
+uint pack_edge(EdgePoint e) {
+    float angle = atan(e.across.y, e.across.x) / 3.14159265;
+    return e.kind << 30 | uint(e.strength * 1023.0 + 0.5) << 20 | uint(clamp(e.at, 0.0, 1.0) * 1023.0 + 0.5) << 10 |
+           uint(fract(angle) * 1023.99);
+}
+
+EdgePoint unpack_edge(uint bits) {
+    float angle = (float(bits & 1023u) + 0.5) * (3.14159265 / 1024.0);
+    return EdgePoint(bits >> 30, float(bits >> 20 & 1023u) / 1023.0, float(bits >> 10 & 1023u) / 1023.0,
+                     vec2(cos(angle), sin(angle)));
+}
+
+// The last layer of the edge map holds all deeper ones too.
+const int kEdgeLayers = 16;
+
+int edge_layer(int layer) {
+    return min(layer, kEdgeLayers - 1);
+}
+
+// The slice that holds the points of a layer, on links to the right (axis 0) or up.
+int edge_slice(int layer, int axis) {
+    return 2 * edge_layer(layer) + axis;
+}
+
+// A pixel's mark: which layers have an edge on its link.
+uint edge_mark(int layer, int axis) {
+    return 1u << (edge_layer(layer) + kEdgeLayers * axis);
+}
+
+// Marks are summed up for tiles of this many pixels, squared.
+const int kEdgeTile = 4;

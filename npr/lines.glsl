@@ -1,0 +1,90 @@
+// Lines along the edges of a bound edge map (npr/edge_map.h).
+#include "npr/edge_point.glsl"
+
+layout(binding = 2) uniform usampler2D edge_marks;
+layout(binding = 3) uniform usampler2D edge_tiles;
+layout(binding = 4) uniform usampler2DArray edge_points;
+
+struct Edge {
+    float profile;  // coverage of the pixel by the line, in [0, 1]
+    float inner;
+};
+
+// The links that a line of that width reaches `at` from: those that start at pixels from x, y to z, w.
+ivec4 links_near(vec2 at, float width) {
+    float reach = 0.5 * width + 0.5;
+    ivec2 last = textureSize(edge_marks, 0) - 1;
+    return ivec4(clamp(ivec2(ceil(at - reach)) - 1, ivec2(0), last), clamp(ivec2(floor(at + reach)), ivec2(0), last));
+}
+
+// The layers with edges so near that lines of that width may cover `at`, and some more. Positions are counted in
+// samples: pixel (x, y) has its sample at (x, y), whatever the jitter.
+uint layers_near(vec2 at, float width) {
+    ivec4 tiles = links_near(at, width) / kEdgeTile;
+    uint marks = 0u;
+    for (int y = tiles.y; y <= tiles.w; ++y)
+        for (int x = tiles.x; x <= tiles.z; ++x)
+            marks |= texelFetch(edge_tiles, ivec2(x, y), 0).x;
+    return (marks | marks >> kEdgeLayers) & 0xffffu;
+}
+
+// Coverage by the piece of a line about one edge point. Points follow each other at 1.42 pixels at most.
+float piece(vec2 from_point, vec2 across, float width) {
+    float beside = dot(from_point, across);
+    float beyond = max(abs(dot(from_point, vec2(-across.y, across.x))) - 0.71, 0.0);
+    return clamp(0.5 * width + 0.5 - length(vec2(beside, beyond)), 0.0, 1.0);
+}
+
+void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, float width) {
+    EdgePoint e = unpack_edge(bits);
+    float coverage = e.strength * piece(at - vec2(lower) - e.at * along, e.across, width);
+    if (e.kind == kProfileEdge)
+        edge.profile = max(edge.profile, coverage);
+    else
+        edge.inner = max(edge.inner, coverage);
+}
+
+// Lines of one layer, `width` pixels wide, about its edges.
+Edge edge_at(vec2 at, int layer, float width) {
+    ivec4 links = links_near(at, width);
+    uint right = edge_mark(layer, 0), up = edge_mark(layer, 1);
+    Edge edge = Edge(0.0, 0.0);
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x) {
+            ivec2 p = ivec2(x, y);
+            uint marks = texelFetch(edge_marks, p, 0).x;
+            if ((marks & right) != 0u)
+                add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 0)), 0).x, at, p, vec2(1.0, 0.0),
+                          width);
+            if ((marks & up) != 0u)
+                add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 1)), 0).x, at, p, vec2(0.0, 1.0),
+                          width);
+        }
+    return edge;
+}
+
+#ifdef OVERSHOOT
+layout(binding = 5) uniform usampler2DArray overshoot_points;
+layout(binding = 6) uniform usampler2D overshoot_tiles;
+
+// Visible edges drawn on beyond their ends (npr/overshoot.h).
+Edge overshoot_at(vec2 at, float width) {
+    Edge edge = Edge(0.0, 0.0);
+    ivec4 links = links_near(at, width);
+    ivec4 tiles = links / kEdgeTile;
+    uint any = 0u;
+    for (int y = tiles.y; y <= tiles.w; ++y)
+        for (int x = tiles.x; x <= tiles.z; ++x)
+            any |= texelFetch(overshoot_tiles, ivec2(x, y), 0).x;
+    if (any == 0u)
+        return edge;
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x)
+            for (int axis = 0; axis < 2; ++axis) {
+                uint bits = texelFetch(overshoot_points, ivec3(x, y, axis), 0).x;
+                if (bits != 0u)
+                    add_piece(edge, bits, at, ivec2(x, y), vec2(1 - axis, axis), width);
+            }
+    return edge;
+}
+#endif

@@ -1,0 +1,83 @@
+// Surfaces continued by their planes: on a plane, depth is an affine function of the pixel.
+#include "npr/frame.glsl"
+
+// Derivative of depth by the pixel's coordinates, on the plane.
+vec2 depth_gradient(uint plane) {
+    vec4 row = plane_rows[plane];
+    vec3 n = mat3(view.eye_from_world) * row.xyz;
+    float offset = row.w + dot(n, centre_in_eye);
+    float scale = 2.0 * view.picture.z / view.picture.y;
+    if (view.depth_range.z > 0.5)  // t = (n.xy * at - offset) / n.z, depth = (far - t) / (far - near)
+        return -scale * n.xy / (n.z * (view.depth_range.y - view.depth_range.x));
+    return scale * view.depth_range.x * n.xy / offset;  // 1 / t = dot(n, vec3(at, -1)) / offset, depth = near / t
+}
+
+bool in_picture(ivec2 pixel) {
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(layer_depths, 0).xy));
+}
+
+const float kSmooth = 0.9;  // cosine between the normals of neighbouring facets of a smooth surface, at least
+
+// How a surface goes on in a neighbouring pixel.
+struct Continuation {
+    bool found;    // false: it ends
+    int layer;     // there
+    float cosine;  // between the normals, 1 on the same plane
+    float at;      // where the planes meet, as a part of the way
+    vec2 across;   // direction in the picture across the line in which they meet
+};
+
+bool sees(ivec2 p, uint key) {
+    for (int j = 0; j < layer_count; ++j) {
+        uvec2 ids = texelFetch(layer_surfaces, ivec3(p, j), 0).xy;
+        if (ids.x == 0xffffffffu)
+            return false;
+        if (ids.y == key)
+            return true;
+    }
+    return false;
+}
+
+// `offset`: of the neighbour. Both pixels must be in the picture.
+Continuation continuation(Surface s, ivec2 pixel, ivec2 offset) {
+    Continuation c = Continuation(false, 0, -2.0, 0.5, vec2(offset));
+    ivec2 p = pixel + offset;
+    uint key = s.plane << 1 | uint(s.leaving);
+    for (int j = 0; j < layer_count; ++j) {
+        uvec2 ids = texelFetch(layer_surfaces, ivec3(p, j), 0).xy;
+        if (ids.x == 0xffffffffu)
+            break;
+        if (ids.y == key)
+            return Continuation(true, j, 1.0, 0.5, vec2(offset));
+    }
+    vec2 gradient = depth_gradient(s.plane);
+    vec3 ray = pixel_ray(p);
+    for (int j = 0; j < layer_count; ++j) {
+        Surface t = layer_surface(p, j, ray);
+        if (!t.hit)
+            break;
+        if (t.leaving != s.leaving)
+            continue;
+        // How much nearer this surface's plane is than the other's, here and there. Where the planes meet between the
+        // two pixels the signs differ. Planes of a curved surface's facets may meet a little outside, and about a
+        // corner of facets that the two pixels see across, a little beside.
+        vec2 other = depth_gradient(t.plane);
+        float here = s.depth - (t.depth - dot(other, vec2(offset)));
+        float there = s.depth + dot(gradient, vec2(offset)) - t.depth;
+        float apart = min(abs(here), abs(there)) - 1e-6 * s.depth;
+        float cosine = dot(s.normal, t.normal);
+        float slack = cosine > kSmooth ? length(gradient - other) : abs(there - here);
+        if (here * there > 0.0 && apart > slack)
+            continue;
+        // A plane that is seen on both sides goes on, and is no continuation of another.
+        if (cosine > c.cosine && !sees(pixel, t.plane << 1 | uint(t.leaving))) {
+            float sum = abs(here) + abs(there);
+            c.found = true;
+            c.layer = j;
+            c.cosine = cosine;
+            c.at = here * there > 0.0 || sum == 0.0 ? 0.5 : abs(here) / sum;
+            c.across = gradient - other;
+        }
+    }
+    return c;
+}
