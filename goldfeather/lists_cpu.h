@@ -39,6 +39,7 @@ struct CpuLayers {
     int layers = 0;  ///< At least 1; `planes` may hold more, from a picture before.
     bool complete = false;
     std::deque<CpuLayer> planes;  ///< A deque, so that those there stay where they are while it grows.
+    std::vector<int> held;        ///< By tile: layers in which it holds a surface.
 };
 
 struct ListsStats {

@@ -32,10 +32,25 @@ class TileLists {
     [[nodiscard]] bool add(const ScreenTriangle& triangle, std::uint32_t index);
 
     [[nodiscard]] std::uint32_t count(int pixel) const { return counts_[static_cast<std::size_t>(pixel)]; }
-    /// The k-th fragment of a pixel, in the order of adding.
-    [[nodiscard]] double depth(int pixel, std::uint32_t k) const { return depths_[k * kPixels + std::size_t(pixel)]; }
+    /// Depth of the k-th fragment of a pixel, in the order of adding; those of the pixels after it in the row follow.
+    [[nodiscard]] const double* depths(int pixel, std::uint32_t k) const {
+        return &depths_[std::size_t{k} * kPixels + static_cast<std::size_t>(pixel)];
+    }
     [[nodiscard]] std::uint32_t triangle(int pixel, std::uint32_t k) const {
-        return triangles_[k * kPixels + std::size_t(pixel)];
+        return triangles_[std::size_t{k} * kPixels + static_cast<std::size_t>(pixel)];
+    }
+    /// Do two pixels have the same triangles, added in the same order?
+    [[nodiscard]] bool same(int a, int b) const {
+        const std::uint32_t n = count(a);
+        if (count(b) != n) {
+            return false;
+        }
+        for (std::uint32_t k = 0; k < n; ++k) {
+            if (triangle(a, k) != triangle(b, k)) {
+                return false;
+            }
+        }
+        return true;
     }
     static int pixel_of(int x, int y) { return y * kSide + x; }  ///< From the tile's corner.
 

@@ -101,8 +101,8 @@ std::string csg_text(const Tree& tree) {
         }
         const NodeId child = children[top.next++];
         const Modifiers& modifiers = tree.node(child).modifiers;
-        text += modifiers.highlight ? "#" : "";
         text += modifiers.background ? "%" : "";
+        text += modifiers.highlight ? "#" : "";
         text.append(open.size() - 1, '\t');
         text += head(tree, child);
         if (tree.children(child).empty()) {

@@ -1,4 +1,5 @@
 // Calls of functions. Calls in tail position loop; they use no stack.
+#include <algorithm>
 #include <bit>
 
 #include "csg/scad/evaluator.h"
@@ -11,7 +12,8 @@ struct Evaluator::Callee {
     ExprId body = kNone;
     std::uint32_t locals = 0;
     const Frame* frame = nullptr;
-    Value closure;  ///< Keeps a function value alive.
+    UnitId unit = kNone;  ///< Of a function of a used file, in whose frame it runs.
+    Value closure;        ///< Keeps a function value alive.
     BuiltinFunction builtin = nullptr;
     Symbol name = kNoSymbol;
 
@@ -19,6 +21,13 @@ struct Evaluator::Callee {
         return {slots, frame, closure.is_function() ? &static_cast<Closure&>(closure.function()) : nullptr};
     }
 };
+
+/// Once the arguments are known, which see the caller's `$` variables.
+void Evaluator::enter(Callee& callee) {
+    if (callee.unit != kNone) {
+        callee.frame = enter_unit(callee.unit);
+    }
+}
 
 /// False (and a warning) where there is nothing to call.
 bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee) {
@@ -37,8 +46,8 @@ bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& call
                     callee.parameters = p_.parameters_of(f);
                     callee.body = f.body;
                     callee.locals = r_.locals_of_function[t.function.id];
-                    callee.frame = t.function.hops == kUsedUnit ? unit_frame(t.function.unit)
-                                                                : outward(scope.frame, t.function.hops);
+                    callee.unit = t.function.hops == kUsedUnit ? t.function.unit : kNone;
+                    callee.frame = callee.unit == kNone ? outward(scope.frame, t.function.hops) : nullptr;
                     callee.closure = Value();
                     return true;
                 }
@@ -63,6 +72,7 @@ bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& call
     callee.body = literal.operand(0);
     callee.locals = r_.literals[r_.of_expression[closure.literal]].locals;
     callee.frame = closure.frame;
+    callee.unit = kNone;
     callee.closure = std::move(value);
     return true;
 }
@@ -76,6 +86,7 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
     std::size_t position = 0;
     bool too_many = false;
     std::vector<std::pair<std::uint32_t, Value>> dynamics;
+    std::vector<Symbol> unknown;
     for (const Argument& a : arguments) {
         Value value = evaluate(a.value, caller);
         if (a.name == kNoSymbol) {
@@ -112,7 +123,10 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
             }
             dynamics.emplace_back(slot, std::move(value));
         } else {
-            warn(where, fmt::format("variable \"{}\" not specified as parameter", name(a.name)));
+            const bool again = std::find(unknown.begin(), unknown.end(), a.name) != unknown.end();
+            warn(where, again ? fmt::format("argument \"{}\" supplied more than once", name(a.name))
+                              : fmt::format("variable \"{}\" not specified as parameter", name(a.name)));
+            unknown.push_back(a.name);
         }
     }
     for (auto& [slot, value] : dynamics) {
@@ -170,10 +184,11 @@ Value Evaluator::call(ExprId id, Scope& caller) {
     }
     check_stack(e->where, "calling function", callee.name, kCallReserve);
     check_stop(e->where);
-    DynamicMark mark(*this);
+    const DynamicMark mark(*this);
     ValueStack::Region slots(stack_, callee.locals);
     try {
         bind_arguments(p_.arguments_of(*e), callee.parameters, e->where, caller, slots.data());
+        enter(callee);
         Scope scope = callee.scope(slots.data());
         bind_defaults(callee.parameters, scope, slots.data());
         ExprId body = callee.body;
@@ -205,10 +220,10 @@ Value Evaluator::call(ExprId id, Scope& caller) {
                 check_stop(b.where);
                 ValueStack::Region fresh(stack_, next.locals);
                 bind_arguments(p_.arguments_of(b), next.parameters, b.where, scope, fresh.data());
-                mark.unwind();
                 e = &b;
                 callee = std::move(next);
                 slots.replace(fresh);
+                enter(callee);  // `$` variables of the caller stay, as in OpenSCAD.
                 scope = callee.scope(slots.data());
                 bind_defaults(callee.parameters, scope, slots.data());
                 body = callee.body;

@@ -1,5 +1,7 @@
 // Evaluation of expressions but calls and lists.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "csg/scad/evaluator.h"
 #include "csg/scad/expression_text.h"
@@ -16,6 +18,12 @@ const Frame* Evaluator::outward(const Frame* frame, std::uint32_t hops) const {
 
 Value Evaluator::variable(const VariableRef& ref, const Scope& scope) const {
     switch (ref.place) {
+        case Place::Children:
+            return scope.frame == nullptr || scope.frame->module == nullptr
+                       ? Value::unset()
+                       : Value(static_cast<double>(child_count(*scope.frame->module)));
+        case Place::Pi:
+            return std::numbers::pi;
         case Place::Local:
             return scope.locals[ref.slot];
         case Place::Capture: {
@@ -160,6 +168,9 @@ Value Evaluator::evaluate_range(const Expr& e, Scope& scope) {
         return {};
     }
     const Range range{begin.number(), step.number(), end.number()};
+    if (!std::isfinite(range.begin) || !std::isfinite(range.step) || !std::isfinite(range.end)) {
+        return range;  // Whoever goes through it will say so.
+    }
     if (range.step > 0 && range.end < range.begin) {
         warn(e.where, "begin is greater than the end, but step is positive");
     } else if (range.step < 0 && range.end > range.begin) {
@@ -168,13 +179,34 @@ Value Evaluator::evaluate_range(const Expr& e, Scope& scope) {
     return range;
 }
 
+/// `v.x`, `v.zy`, `v.rgb`, …: up to four of one set of letters; undef else, and where an element is missing.
+static Value swizzle(const Value& vector, std::string_view letters) {
+    constexpr std::size_t kMost = 4;
+    for (const std::string_view set : {"xyzw", "rgba"}) {
+        if (letters.empty() || letters.size() > kMost || letters.find_first_not_of(set) != std::string_view::npos) {
+            continue;
+        }
+        if (letters.size() == 1) {
+            return element_of(vector, static_cast<double>(set.find(letters[0])));
+        }
+        std::vector<Value> result;
+        for (const char letter : letters) {
+            const std::size_t index = set.find(letter);
+            if (index >= vector.elements().size()) {
+                return {};
+            }
+            result.push_back(vector.elements()[index]);
+        }
+        return result;
+    }
+    return {};
+}
+
 Value Evaluator::evaluate_member(const Expr& e, Scope& scope) {
     const Value value = evaluate(e.operand(0), scope);
     const std::string& member = name(e.name);
-    constexpr std::string_view kAxes = "xyz";
-    const std::size_t axis = member.size() == 1 ? kAxes.find(member[0]) : std::string_view::npos;
-    if (value.is_vector() && axis != std::string_view::npos) {
-        return element_of(value, static_cast<double>(axis));
+    if (value.is_vector()) {
+        return swizzle(value, member);
     }
     if (value.is_range()) {
         const Range& r = value.range();
@@ -213,12 +245,21 @@ void Evaluator::bind_local(const Argument& a, Value value, Scope& scope) {
     }
 }
 
+bool Evaluator::is_repeated(std::span<const Argument> arguments, const Argument& a) {
+    return std::any_of(arguments.data(), &a, [&](const Argument& before) { return before.name == a.name; });
+}
+
 void Evaluator::bind_let(std::span<const Argument> arguments, Scope& scope) {
     const std::size_t late = late_.size();
     for (const Argument& a : arguments) {
         Value value = evaluate(a.value, scope);
         if (a.name == kNoSymbol) {
             warn(a.where, fmt::format("Assignment without variable name {}", value.echo_text()));
+            continue;
+        }
+        if (is_repeated(arguments, a)) {
+            warn(a.where,
+                 fmt::format("Ignoring duplicate variable assignment \"{}\" = {}", name(a.name), value.echo_text()));
             continue;
         }
         bind_local(a, std::move(value), scope);

@@ -90,7 +90,7 @@ void Evaluator::collect_for_c(const Expr& e, Scope& scope, std::vector<Value>& o
     bind_let(p_.arguments_of(e), scope);
     for (unsigned round = 0; evaluate(e.operand(1), scope); ++round) {
         if (round == kMaxRounds) {
-            fail(e.where, "for loop counter exceeded limit");
+            fail(e.where, "For loop counter exceeded limit");
         }
         check_stop(e.where);
         collect(e.operand(0), scope, out);

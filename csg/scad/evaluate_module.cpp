@@ -140,9 +140,9 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
     const ModuleDefinition& m = p_.modules[definition.id];
     check_stack(m.where, "calling module", m.name, kCallReserve);
     const auto parameters = p_.parameters_of(m);
-    const Frame* const defining =
-        definition.hops == kUsedUnit ? unit_frame(definition.unit) : outward(frame, definition.hops);
     const DynamicMark mark(*this);
+    const Frame* const defining =
+        definition.hops == kUsedUnit ? enter_unit(definition.unit) : outward(frame, definition.hops);
     const ModuleCall call{&i, frame};
     const ValueStack::Region values(stack_, parameters.size());
     {
@@ -152,11 +152,11 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
     }
     Nodes nodes;
     host_.module_names.push_back(name(m.name));
+    bool in_body = false;  // Traces show the call only from there on.
     try {
         const ValueStack::Region locals(stack_, r_.statement_locals);
         Scope scope{locals.data(), defining, nullptr};
         bind_defaults(parameters, scope, values.data());
-        bind_dynamic(children_index_, static_cast<double>(child_count(call)));
         bind_dynamic(parent_modules_index_, static_cast<double>(host_.module_names.size()));
         const std::uint32_t count = r_.frame_slots[m.body];
         const ValueStack::Region slots(stack_, count == kNone ? 0 : count);
@@ -170,13 +170,18 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
                 body.slots[r_.argument_slots[index_of(parameters[k])]] = values.data()[k];
             }
         }
-        run_block(m.body, &body, nodes);
+        const Block& block = p_.blocks[m.body];
+        run_assignments(block, body);
+        in_body = true;
+        for (const Instantiation& statement : p_.instantiations_of(block)) {
+            instantiate(statement, &body, nodes);
+        }
     } catch (EvaluationError& error) {
         TraceStep step{TraceStep::Kind::CallOf, m.where, m.name, {}};
         for (std::size_t k = 0; k < parameters.size(); ++k) {
             step.parameters.emplace_back(parameters[k].name, values.data()[k]);
         }
-        if (request_.trace_parameters) {
+        if (in_body && request_.trace_parameters) {
             error.trace.add(std::move(step));
         }
         host_.module_names.pop_back();
@@ -184,6 +189,15 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
     }
     host_.module_names.pop_back();
     out.push_back(builder_.combine(Operation::Group, nodes, location(i.where), modifiers(i)));
+}
+
+/// The frame of a used file, whose `$` variables hold until the caller unwinds them.
+const Frame* Evaluator::enter_unit(UnitId id) {
+    const Frame* const frame = unit_frame(id);
+    for (const auto& [index, value] : units_[id].dynamics) {
+        bind_dynamic(index, value);
+    }
+    return frame;
 }
 
 const Frame* Evaluator::unit_frame(UnitId id) {
@@ -195,6 +209,12 @@ const Frame* Evaluator::unit_frame(UnitId id) {
         unit.frame = {nullptr, unit.slots.data(), nullptr};
         const DynamicMark mark(*this);
         run_assignments(p_.blocks[block], unit.frame);
+        for (const Argument& a : p_.assignments_of(p_.blocks[block])) {
+            if (dynamic_name(a.name)) {
+                const std::uint32_t index = r_.assignment_slots[static_cast<std::size_t>(&a - p_.assignments.data())];
+                unit.dynamics.emplace_back(index, dynamic_[index]);
+            }
+        }
     }
     return &unit.frame;
 }

@@ -28,7 +28,6 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
       stack_limit_(stack_limit),
       r_(resolve(program, {})),
       is_undef_(find_builtin_function("is_undef")),
-      children_index_(index_of_special(program, r_, "$children")),
       parent_modules_index_(index_of_special(program, r_, "$parent_modules")),
       fn_index_(index_of_special(program, r_, "$fn")),
       fa_index_(index_of_special(program, r_, "$fa")),

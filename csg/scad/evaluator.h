@@ -143,6 +143,8 @@ class Evaluator {
     void run_child(const ModuleCall& call, std::size_t index, Nodes& out);
     [[nodiscard]] std::size_t child_count(const ModuleCall& call) const;
     void assign(const Argument& a, Value value, const Frame& frame);
+    /// Whether one of the arguments before `a` has its name.
+    [[nodiscard]] static bool is_repeated(std::span<const Argument> arguments, const Argument& a);
     /// A frame for `block` inside `outer`, as long as it lives; `$` variables are as before afterwards.
     class BlockFrame {
       public:
@@ -213,6 +215,7 @@ class Evaluator {
 
     // evaluate_call.cpp
     struct Callee;
+    void enter(Callee& callee);
     Value call(ExprId id, Scope& scope);
     bool find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee);
     Value call_builtin(const Expr& e, BuiltinFunction function, Scope& scope);
@@ -226,6 +229,7 @@ class Evaluator {
     void instantiate_user(const Instantiation& i, const DefinitionRef& definition, const Frame* frame, Nodes& out);
     void run_assignments(const Block& block, const Frame& frame);
     const Frame* unit_frame(UnitId unit);
+    const Frame* enter_unit(UnitId unit);
 
     void unwind(std::size_t mark);
     /// Fails where the stack is nearly used up. `reserve` is what must be left: calls ask for more than expressions, so
@@ -263,6 +267,7 @@ class Evaluator {
     struct UnitFrame {
         Frame frame;
         std::vector<Value> slots;
+        std::vector<std::pair<std::uint32_t, Value>> dynamics;  ///< The `$` variables that the file sets.
         bool ready = false;
     };
     std::vector<UnitFrame> units_;
@@ -271,9 +276,8 @@ class Evaluator {
     std::vector<std::uint32_t> tree_files_;  ///< By file of the SourceSet.
     std::vector<std::uint32_t> source_of_;   ///< The other way round.
     bool has_root_modifier_ = false;
-    BuiltinFunction is_undef_;      ///< The one that may ask for a variable in silence.
-    std::uint32_t children_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
-    std::uint32_t parent_modules_index_;
+    BuiltinFunction is_undef_;            ///< The one that may ask for a variable in silence.
+    std::uint32_t parent_modules_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
     std::uint32_t fn_index_, fa_index_, fs_index_;
     std::uint32_t steps_ = 0;
     std::size_t nodes_ = 0;

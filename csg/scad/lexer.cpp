@@ -113,7 +113,7 @@ Token Lexer::error(const Place& begin, std::string text) {
 }
 
 void Lexer::warn(const SourceRange& where, std::string text) const {
-    report(sink_, {Severity::Warning, where, std::move(text)});
+    report(sink_, {Severity::Warning, where, std::move(text), true});
 }
 
 void Lexer::advance() {
@@ -237,7 +237,7 @@ Token Lexer::word(const Place& begin) {
     token.name = symbols_.intern(text);
     if (is_digit(text[0])) {
         report(sink_, {Severity::Deprecated, token.where,
-                       fmt::format("Names that begin with a digit ('{}') will not be accepted in future", text)});
+                       fmt::format("Names that begin with a digit ('{}') will not be accepted in future", text), true});
     }
     return token;
 }

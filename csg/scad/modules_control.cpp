@@ -90,6 +90,9 @@ void run_let(const ModuleContext& c, Nodes& out) {
             Value value = evaluator.statement_value(a.value, frame.get());
             if (a.name == kNoSymbol) {
                 evaluator.warn(a.where, fmt::format("Assignment without variable name {}", value.echo_text()));
+            } else if (Evaluator::is_repeated(evaluator.program().arguments_of(c.instantiation), a)) {
+                evaluator.warn(a.where, fmt::format("Ignoring duplicate variable assignment \"{}\" = {}",
+                                                    evaluator.name(a.name), value.echo_text()));
             } else {
                 evaluator.assign(a, std::move(value), *frame.get());
             }

@@ -155,14 +155,17 @@ void run_polyhedron(const ModuleContext& c, Nodes& out) {
     }
     const Value& faces = arguments[old ? "triangles" : "faces"];
     if (faces.is_vector()) {
-        polyhedron->faces.reserve(faces.elements().size());
-        for (const Value& face : faces.elements()) {
-            const std::size_t index = polyhedron->faces.size();
-            if (!face.is_vector()) {
-                c.warn(fmt::format("Unable to convert faces[{}] = {} to a vector of numbers", index, face.echo_text()));
+        const auto given = faces.elements();
+        polyhedron->faces.reserve(given.size());
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            if (!given[i].is_vector()) {
+                c.warn(fmt::format("Unable to convert faces[{}] = {} to a vector of numbers", i, given[i].echo_text()));
+                continue;
             }
-            polyhedron->faces.push_back(face_of(c, index, face.is_vector() ? face.elements() : std::span<const Value>(),
-                                                polyhedron->points.size()));
+            auto loop = face_of(c, i, given[i].elements(), polyhedron->points.size());
+            if (!loop.empty()) {
+                polyhedron->faces.push_back(std::move(loop));
+            }
         }
     } else if (arguments["points"].is_vector()) {
         c.warn(fmt::format("Unable to convert faces = {} to a vector of vector of point indices", faces.echo_text()));

@@ -53,7 +53,7 @@ void run_translate(const ModuleContext& c, Nodes& out) {
                            arguments["v"].echo_text()));
         offset = glm::dvec3(0.0);
     }
-    add_transform(c, identity(), offset, out);
+    add_transform(c, identity(), offset + 0.0, out);
 }
 
 void run_scale(const ModuleContext& c, Nodes& out) {
@@ -71,8 +71,11 @@ void run_scale(const ModuleContext& c, Nodes& out) {
     if (flat && c.evaluator.request().check_ranges) {
         c.warn(fmt::format("scale({})", v.echo_text()));
     }
-    add_transform(c, {glm::dvec3(factor.x, 0, 0), glm::dvec3(0, factor.y, 0), glm::dvec3(0, 0, factor.z)},
-                  glm::dvec3(0.0), out);
+    Axes axes = identity();
+    axes[0] *= factor.x;
+    axes[1] *= factor.y;
+    axes[2] *= factor.z;
+    add_transform(c, axes, glm::dvec3(0.0), out);
 }
 
 void run_mirror(const ModuleContext& c, Nodes& out) {
@@ -129,9 +132,13 @@ Axes about(const glm::dvec3& u, double degrees) {
     const auto [sine, cosine] = sine_cosine(degrees);
     const glm::dvec3 s = sine * u;
     const glm::dvec3 k = (1 - cosine) * u;
-    return {glm::dvec3(k.x * u.x + cosine, k.x * u.y + s.z, k.x * u.z - s.y),
-            glm::dvec3(k.x * u.y - s.z, k.y * u.y + cosine, k.y * u.z + s.x),
-            glm::dvec3(k.x * u.z + s.y, k.y * u.z - s.x, k.z * u.z + cosine)};
+    Axes axes{glm::dvec3(k.x * u.x + cosine, k.x * u.y + s.z, k.x * u.z - s.y),
+              glm::dvec3(k.x * u.y - s.z, k.y * u.y + cosine, k.y * u.z + s.x),
+              glm::dvec3(k.x * u.z + s.y, k.y * u.z - s.x, k.z * u.z + cosine)};
+    for (glm::dvec3& axis : axes) {
+        axis += 0.0;  // No zero with a sign.
+    }
+    return axes;
 }
 
 /// Angles about x, then y, then z. False where something is no finite number, or there are more than three.
@@ -143,15 +150,9 @@ bool rotate_about_axes(std::span<const Value> angles, Axes& axes) {
         good = good && usable;
         degrees[i] = usable ? angles[i].number() : 0;
     }
-    if (degrees[2] != 0) {
-        turn(axes[0], axes[1], degrees[2]);
-    }
-    if (degrees[1] != 0) {
-        turn(axes[2], axes[0], degrees[1]);
-    }
-    if (degrees[0] != 0) {
-        turn(axes[1], axes[2], degrees[0]);
-    }
+    turn(axes[0], axes[1], degrees[2]);
+    turn(axes[2], axes[0], degrees[1]);
+    turn(axes[1], axes[2], degrees[0]);
     return good;
 }
 
@@ -161,20 +162,26 @@ void run_rotate(const ModuleContext& c, Nodes& out) {
     const Value &a = arguments["a"], &v = arguments["v"];
     Axes axes = identity();
     if (a.is_vector()) {
+        glm::dvec3 unused;
         if (!rotate_about_axes(a.elements(), axes)) {
-            c.warn(fmt::format("Problem converting rotate(a={}) parameter", a.echo_text()));
+            c.warn(v.is_undef() || to_vec3(v, unused, 0)
+                       ? fmt::format("Problem converting rotate(a={}) parameter", a.echo_text())
+                       : fmt::format("Problem converting rotate(a={}, v={}) parameter", a.echo_text(), v.echo_text()));
+        } else if (!v.is_undef()) {
+            c.warn(fmt::format("When parameter a is supplied as vector, v is ignored rotate(a={}, v={})", a.echo_text(),
+                               v.echo_text()));
         }
         add_transform(c, axes, glm::dvec3(0.0), out);
         return;
     }
     const bool angle = a.is_number() && std::isfinite(a.number());
     glm::dvec3 axis(0, 0, 1);
-    const bool axis_given = !v.is_undef();
-    const bool axis_good = !axis_given || to_vec3(v, axis, 0);
-    if (!angle || !axis_good) {
-        c.warn(axis_given && !axis_good
-                   ? fmt::format("Problem converting rotate(a={}, v={}) parameter", a.echo_text(), v.echo_text())
-                   : fmt::format("Problem converting rotate(a={}) parameter", a.echo_text()));
+    const bool axis_good = v.is_undef() || to_vec3(v, axis, 0);
+    if (!axis_good) {
+        c.warn(angle ? fmt::format("Problem converting rotate(..., v={}) parameter", v.echo_text())
+                     : fmt::format("Problem converting rotate(a={}, v={}) parameter", a.echo_text(), v.echo_text()));
+    } else if (!angle) {
+        c.warn(fmt::format("Problem converting rotate(a={}) parameter", a.echo_text()));
     }
     if (angle) {
         if (!axis_good) {

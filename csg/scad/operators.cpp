@@ -65,6 +65,11 @@ std::optional<int> order(const Value& a, const Value& b, std::size_t& steps, int
 Value compare(Operator op, const Value& a, const Value& b, std::string& problem) {
     std::size_t steps = 0;
     const auto o = order(a, b, steps);
+    if (!o && a.type() == b.type() && !a.is_vector()) {
+        problem =
+            fmt::format("operation undefined ({} {} {})", type_name(a.type()), operator_text(op), type_name(b.type()));
+        return {};
+    }
     if (!o) {
         return undefined(op, a, b, problem);
     }
@@ -154,8 +159,13 @@ Value multiply_vectors(const Value& a, const Value& b, std::string& problem) {
     }
     std::vector<Value> result;
     for (const Value& row : x) {
-        if (!row.is_vector() || row.elements().size() != columns) {
-            problem = "Matrix must be rectangular";
+        const std::size_t length = row.is_vector() ? row.elements().size() : 0;
+        if (!row.is_vector() || length != columns) {
+            problem = is_matrix(y) ? fmt::format(
+                                         "matrix*matrix left operand row length does not match right operand "
+                                         "row count ({} != {}) at row {}",
+                                         length, y.size(), result.size())
+                                   : "Matrix must be rectangular";
             return {};
         }
         result.push_back(is_matrix(y) ? times_matrix(row.elements(), y, problem) : dot(row.elements(), y));

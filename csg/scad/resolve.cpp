@@ -195,7 +195,9 @@ class Resolver {
             return {found->second, hops, kNone};
         }
         if (s.unit != kNone) {
-            for (const Use& use : p_.units[s.unit].uses) {
+            const auto& uses = p_.units[s.unit].uses;
+            for (auto at = uses.rbegin(); at != uses.rend(); ++at) {  // Of several files the last counts.
+                const Use& use = *at;
                 if (use.unit == kNone || use.unit == s.unit) {
                     continue;
                 }
@@ -401,6 +403,9 @@ class Resolver {
     }
 
     VariableRef find_variable(Symbol name) {
+        if (p_.symbols.text(name) == "$children") {
+            return {Place::Children, 0, 0, kNone};
+        }
         if (dynamic_name(name)) {
             return {Place::Dynamic, 0, dynamic(name), kNone};
         }
@@ -421,7 +426,7 @@ class Resolver {
             }
             hops += s->framed;
         }
-        return {};
+        return {p_.symbols.text(name) == "PI" ? Place::Pi : Place::Unknown, 0, 0, kNone};
     }
 
     std::uint32_t find_call(Symbol name) {

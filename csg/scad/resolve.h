@@ -21,7 +21,8 @@ struct ModuleContext;
 /// Adds what the module makes to `out`: at most one node. See builtin_modules.h.
 using BuiltinModule = void (*)(const ModuleContext& context, std::vector<NodeId>& out);
 
-enum class Place : std::uint8_t { Unknown, Local, Capture, Block, Dynamic };
+/// `Children`: $children, which is lexical although its name begins with `$`. `Pi`: the constant PI.
+enum class Place : std::uint8_t { Unknown, Local, Capture, Block, Dynamic, Children, Pi };
 
 struct VariableRef {
     Place place = Place::Unknown;

@@ -66,8 +66,7 @@ class Job {
             }
         }
         MessageGate gate(sink_, program->sources, result);
-        for (Message& message : parsed.messages) {
-            message.parsing = true;
+        for (const Message& message : parsed.messages) {
             gate(message);
         }
         if (!parsed.ok) {

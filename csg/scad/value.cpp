@@ -87,10 +87,13 @@ std::uint32_t Range::count() const {
     if (step < 0 ? begin < end : begin > end) {
         return 0;
     }
+    if (step == 0) {
+        return begin == end ? 0 : kMany;
+    }
     if (begin == end || std::isinf(step)) {
         return 1;
     }
-    if (std::isinf(begin) || std::isinf(end) || step == 0) {
+    if (std::isinf(begin) || std::isinf(end)) {
         return kMany;
     }
     // The quotient of 1 and 0.1 must count as 10 although it may round to just below: one step in the last place up.

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,7 +41,7 @@ struct Range {
 
     /// How many numbers it holds; saturates at 2^32-1, which also stands for a range that never ends. 0 for NaN.
     [[nodiscard]] std::uint32_t count() const;
-    [[nodiscard]] double at(std::uint32_t i) const { return begin + step * i; }
+    [[nodiscard]] double at(std::uint32_t i) const { return i == 0 ? begin : begin + step * i; }
 };
 
 /// What a function value is made of. Evaluators derive from it.

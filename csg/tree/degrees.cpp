@@ -13,7 +13,11 @@ constexpr double kRadians = std::numbers::pi / 180.0;
 double sin_first_quadrant(double x) {
     if (x == 30.0)
         return 0.5;
-    if (x <= 45.0)
+    if (x == 45.0)
+        return std::numbers::sqrt2 / 2;
+    if (x == 60.0)
+        return std::numbers::sqrt3 / 2;
+    if (x < 45.0)
         return std::sin(x * kRadians);
     // Measured from 90, so that sin(60) and cos(30) are one value.
     return std::cos((90.0 - x) * kRadians);
@@ -63,6 +67,10 @@ double tan_degrees(double degrees) {
         return 1.0;
     if (x == -45.0 || x == 135.0)
         return -1.0;
+    if (std::abs(x) == 30.0 || std::abs(x) == 150.0)
+        return (x > 0.0) == (std::abs(x) < 90.0) ? std::numbers::sqrt3 / 3 : -std::numbers::sqrt3 / 3;
+    if (std::abs(x) == 60.0 || std::abs(x) == 120.0)
+        return (x > 0.0) == (std::abs(x) < 90.0) ? std::numbers::sqrt3 : -std::numbers::sqrt3;
     return sin_degrees(degrees) / cos_degrees(degrees);
 }
 
