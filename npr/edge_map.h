@@ -10,7 +10,7 @@ inline constexpr int kEdgeTile = 4;
 
 /// What counts as an edge.
 struct EdgeSettings {
-    float crease_degrees = 28;  ///< Between normals, from which a bend is an inner edge.
+    float crease_degrees = 33;  ///< Between normals, from which a bend is an inner edge.
     bool parts = false;         ///< Whether boundaries between parts within a plane are inner edges.
 };
 

@@ -16,7 +16,7 @@ bool in_picture(ivec2 pixel) {
     return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(layer_depths, 0).xy));
 }
 
-const float kSmooth = 0.9;  // cosine between the normals of neighbouring facets of a smooth surface, at least
+const float kSmooth = 0.83;  // cosine between the normals of neighbouring facets of a smooth surface, at least
 
 // How a surface goes on in a neighbouring pixel.
 struct Continuation {
@@ -59,14 +59,14 @@ Continuation continuation(Surface s, ivec2 pixel, ivec2 offset) {
         if (t.leaving != s.leaving)
             continue;
         // How much nearer this surface's plane is than the other's, here and there. Where the planes meet between the
-        // two pixels the signs differ. Planes of a curved surface's facets may meet a little outside, and about a
-        // corner of facets that the two pixels see across, a little beside.
+        // two pixels the signs differ. Planes of a curved surface's facets may meet a little outside, or beside,
+        // where the pixels see facets with others between.
         vec2 other = depth_gradient(t.plane);
         float here = s.depth - (t.depth - dot(other, vec2(offset)));
         float there = s.depth + dot(gradient, vec2(offset)) - t.depth;
         float apart = min(abs(here), abs(there)) - 1e-6 * s.depth;
         float cosine = dot(s.normal, t.normal);
-        float slack = cosine > kSmooth ? length(gradient - other) : abs(there - here);
+        float slack = cosine > kSmooth ? 3.0 * length(gradient - other) : abs(there - here);
         if (here * there > 0.0 && apart > slack)
             continue;
         // A plane that is seen on both sides goes on, and is no continuation of another.
