@@ -72,8 +72,8 @@ void main() {
     ivec2 q = p + ivec2(1 - axis, axis);
     uint p_bits = surface_bits(p), q_bits = surface_bits(q);
     bool p_ahead = true, q_ahead = true;
-    int layer = 0;
-    for (; layer < layer_count; ++layer) {
+    int last = -1;  // of the candidates
+    for (int layer = 0; layer < layer_count; ++layer) {
         uvec2 a = p_ahead ? surface_ids(p, layer) : uvec2(kNone);
         uvec2 b = q_ahead ? surface_ids(q, layer) : uvec2(kNone);
         p_ahead = a.x != kNone && !(visible_only && opaque(a));
@@ -90,7 +90,9 @@ void main() {
             add(link, layer, 0u);
         if (b_ends)
             add(link, layer, 1u);
+        if (a_ends || b_ends)
+            last = layer;
     }
-    for (int i = 0; i < min(layer, kEdgeLayers); ++i)
+    for (int i = 0; i <= min(last, kEdgeLayers - 1); ++i)
         imageStore(edge_points, ivec3(p, edge_slice(i, axis)), uvec4(0u));
 }
