@@ -3,7 +3,7 @@
 #include "npr/planes.glsl"
 
 uniform float crease_angle;  // between normals, from which a bend is an inner edge
-uniform bool part_edges;     // boundaries of parts within a plane are inner edges
+uniform bool part_edges;     // boundaries of parts and colors on smooth surfaces are inner edges
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) readonly buffer Candidates {
@@ -50,11 +50,12 @@ EdgePoint outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
     if (!back.hit || back.leaving == s.leaving)
         return e;
     vec2 apart = depth_gradient(s.plane) - depth_gradient(back.plane);
-    float closing = dot(apart, vec2(offset));
-    float at = closing == 0.0 ? -1.0 : (back.depth - s.depth) / closing;
-    if (at < -0.1 || abs(closing) < 0.15 * length(apart))
+    if (apart == vec2(0.0))
         return e;
-    e.at = at > 2.0 ? 0.5 : clamp(at, 0.0, 1.0);
+    float closing = dot(apart, vec2(offset));
+    float at = closing == 0.0 ? 0.5 : (back.depth - s.depth) / closing;
+    // On curved surfaces front and back need not be neighbours.
+    e.at = at < -0.1 || at > 2.0 ? 0.5 : clamp(at, 0.0, 1.0);
     e.across = normalize(apart);
     return e;
 }
@@ -90,8 +91,7 @@ void main() {
     } else {
         bool bends = is_crease(p, layer, p + offset, c);
         if (!bends && part_edges) {
-            uint leaf = texelFetch(layer_surfaces, ivec3(p + offset, c.layer), 0).x >> 1;
-            bends = leaf_rows[leaf].part.x != s.part;
+            bends = !look_alike(s.leaf, texelFetch(layer_surfaces, ivec3(p + offset, c.layer), 0).x >> 1);
         }
         if (!bends)
             return;
