@@ -59,7 +59,8 @@ float stroke_ink(int j, vec2 at, vec4 noise, float grain) {
             }
         ink = max(ink, hidden * deposit(behind, 0.7 * pressure, grain));
     }
-    return ink * min(pressure, 1.0);
+    // A pen draws as dark as it can, whatever the pressure.
+    return medium == 1 && j == 0 ? ink : ink * min(pressure, 1.0);
 }
 
 void main() {
