@@ -103,7 +103,7 @@ std::string difference(const Case& c) {
     const Evaluation evaluation = evaluate(request_for(c), [&](const Message& message, const SourceSet& sources) {
         if (c.kind == "echo") {
             // What is found while reading names files as the command line does, the rest from the main file's folder.
-            got += render_openscad(message, sources, message.reading ? std::string() : c.input.parent_path().string()) +
+            got += render_openscad(message, sources, message.parsing ? std::string() : c.input.parent_path().string()) +
                    '\n';
         }
     });
