@@ -12,11 +12,9 @@ layout(r32ui, binding = 1) uniform uimage2D overshoot_tiles;
 
 uniform float overshoot;  // pixels
 
-const float kBehind = 12.0;  // so long must an edge be at least
-
 bool in_line(EdgePoint e, ivec2 lower, vec2 along, vec2 at, vec2 across) {
     vec2 apart = vec2(lower) + e.at * along - at;
-    return abs(dot(e.across, across)) > 0.98 && abs(dot(apart, across)) < 0.75 && dot(apart, apart) < 1.6;
+    return abs(dot(e.across, across)) > 0.985 && abs(dot(apart, across)) < 0.75 && dot(apart, apart) < 1.6;
 }
 
 // Is there a visible edge at this place, in this direction?
@@ -35,7 +33,17 @@ bool line_at(vec2 at, vec2 across) {
     return false;
 }
 
-void draw_on(EdgePoint e, vec2 from, vec2 direction) {
+// How far the edge goes back in a straight line, about; 0 where it does not end here.
+float straight_length(EdgePoint e, vec2 from, vec2 direction) {
+    if (line_at(from + 2.0 * direction, e.across) || line_at(from + 3.5 * direction, e.across))
+        return 0.0;
+    float behind = 4.0;
+    while (behind <= 2.5 * overshoot && line_at(from - behind * direction, e.across))
+        behind += 4.0;
+    return behind - 4.0;
+}
+
+void draw_on(EdgePoint e, vec2 from, vec2 direction, float reach) {
     bool steep = abs(direction.y) > abs(direction.x);
     vec2 step = direction / (steep ? abs(direction.y) : abs(direction.x));
     // The points in which the line crosses the rows or columns of samples.
@@ -45,12 +53,12 @@ void draw_on(EdgePoint e, vec2 from, vec2 direction) {
     vec2 at = from + skip * step;
     int axis = steep ? 0 : 1;
     ivec2 last = textureSize(edge_marks, 0) - 2;
-    for (float way = 0.0; way < overshoot; way += length(step), at += step) {
+    for (float way = 0.0; way < reach; way += length(step), at += step) {
         ivec2 lower = ivec2(steep ? floor(at.x) : round(at.x), steep ? round(at.y) : floor(at.y));
         if (any(lessThan(lower, ivec2(0))) || any(greaterThan(lower, last)))
             return;
         e.at = steep ? at.x - float(lower.x) : at.y - float(lower.y);
-        e.strength = 1.0 - 0.85 * way / overshoot;
+        e.strength = 1.0 - 0.85 * way / reach;
         imageAtomicMax(overshoot_points, ivec3(lower, axis), pack_edge(e));
         imageAtomicOr(overshoot_tiles, lower / kEdgeTile, 1u);
     }
@@ -70,9 +78,9 @@ void main() {
     vec2 from = vec2(lower) + e.at * vec2(1 - axis, axis);
     for (float turn = -1.0; turn < 2.0; turn += 2.0) {
         vec2 direction = turn * vec2(-e.across.y, e.across.x);
-        if (!line_at(from + 2.0 * direction, e.across) && !line_at(from + 3.5 * direction, e.across) &&
-            line_at(from - 0.33 * kBehind * direction, e.across) &&
-            line_at(from - 0.67 * kBehind * direction, e.across) && line_at(from - kBehind * direction, e.across))
-            draw_on(e, from, direction);
+        // Short edges are not drawn on as far as long ones, and bows not at all.
+        float straight = straight_length(e, from, direction);
+        if (straight > 10.0)
+            draw_on(e, from, direction, min(overshoot, 0.45 * straight));
     }
 }

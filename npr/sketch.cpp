@@ -1,6 +1,8 @@
 #include "npr/sketch.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "npr/edge_map.h"
@@ -36,7 +38,7 @@ std::span<const Parameter> parameters() {
         Parameter::integer("seed", "Seed", 1, 0, 9999),
         Parameter::number("wobble", "Deviation of strokes", 3, 0, 20),
         Parameter::integer("strokes", "Strokes per edge", 2, 1, 4),
-        Parameter::number("overshoot", "Length drawn beyond corners", 11, 0, 60),
+        Parameter::number("overshoot", "Length drawn beyond corners", 16, 0, 60),
         Parameter::choice("medium", "Medium", 0, {"pencil", "ink", "chalk"}),
         Parameter::number("hatch", "Strength of hatching", 0.75F, 0, 1),
         Parameter::number("color", "Strength of surface colors", 0.55F, 0, 1),
@@ -96,7 +98,7 @@ class Sketch : public Style {
 
     void draw(const Frame& frame) override {
         const Parameters& p = frame.parameters;
-        // Drawings of all sizes look the same; their lines stay as wide as told.
+        // Drawings of all sizes look the same, though with finer lines the larger they are.
         const float unit = static_cast<float>(frame.layers.size.y) / 512.0F;
         noise_.draw(frame, unit);
         edges_.draw(frame, {p.number(kCrease), p.toggle(kParts)});
@@ -104,7 +106,7 @@ class Sketch : public Style {
         const gl::Program& program = pass_.program();
         program.set("unit", unit);
         program.set("seed", static_cast<unsigned>(p.integer(kSeed)));
-        program.set("width", p.number(kWidth));
+        program.set("width", p.number(kWidth) * std::sqrt(std::max(unit, 1.0F)));
         program.set("wobble", unit * p.number(kWobble));
         program.set("strokes", p.integer(kStrokes));
         program.set("medium", p.choice(kMedium));

@@ -20,7 +20,7 @@ out vec4 result;
 
 const mat2 kStrokeTurns[4] = mat2[4](mat2(1.0, 0.1, -0.1, 1.0), mat2(-0.55, 0.6, -0.7, -0.45),
                                      mat2(0.3, -0.95, 0.9, 0.25), mat2(-0.9, -0.4, 0.3, -1.0));
-const mat2 kShadeTurn = mat2(-1.5, 0.7, -0.9, -1.3);
+const mat2 kShadeTurn = mat2(-2.3, 1.1, -1.3, -2.0);
 
 float luminance(vec3 c) {
     return dot(c, vec3(0.2126, 0.7152, 0.0722));
