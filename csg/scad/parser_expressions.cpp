@@ -1,4 +1,6 @@
 // Expressions but lists.
+#include <fmt/format.h>
+
 #include "csg/scad/parser_impl.h"
 
 namespace csg::scad {
@@ -96,7 +98,7 @@ ExprId Parser::expression(Position position) {
         take();
         const ExprId then = expression();
         if (!at(TokenKind::Colon)) {
-            fail_expected("':' of the '?' before it");
+            fail_expected("':' to go with the '?' before it");
         }
         take();
         arms.push_back({last, then});
@@ -284,7 +286,12 @@ ExprId Parser::primary(Position position) {
         case TokenKind::Assert:
         case TokenKind::Echo:
             fail(current().where,
-                 "'" + std::string(token_text(current().kind)) + "' cannot be an operand: put parentheses around it");
+                 fmt::format("'{}' cannot be an operand: put parentheses around it", token_text(current().kind)));
+        case TokenKind::For:
+        case TokenKind::If:
+        case TokenKind::Each:
+            fail(current().where,
+                 fmt::format("'{}' gives elements of a list: put brackets around it", token_text(current().kind)));
         default:
             fail_expected("an expression");
     }
