@@ -1,5 +1,6 @@
 #include "csg/scad/ast_text.h"
 
+#include "csg/scad/annotations.h"
 #include "csg/scad/expression_writer.h"
 
 namespace csg::scad {
@@ -10,6 +11,7 @@ class AstWriter {
     explicit AstWriter(const Program& program) : p_(program), expressions_(program, out_) {}
 
     std::string text(BlockId block) {
+        annotations_ = annotations(p_);
         contents(block, 0);
         return std::move(out_);
     }
@@ -25,12 +27,26 @@ class AstWriter {
         for (const ModuleDefinition& m : p_.modules_of(block)) {
             module(m, level);
         }
-        for (const Argument& a : p_.assignments_of(block)) {
-            assignment(a, level);
+        const auto assignments = p_.assignments_of(block);
+        for (std::size_t i = 0; i < assignments.size(); ++i) {
+            if (id == p_.units[0].block && annotations_[i]) {
+                annotation(*annotations_[i]);
+            }
+            assignment(assignments[i], level);
         }
         for (const Instantiation& i : p_.instantiations_of(block)) {
             instantiation(i, level, level);
         }
+    }
+
+    void annotation(const Annotation& a) {
+        if (a.group) {
+            out_ += "//Group(" + quoted(*a.group) + ")\n";
+        }
+        if (!a.description.empty()) {
+            out_ += "//Description(" + quoted(a.description) + ")\n";
+        }
+        out_ += "//Parameter(" + comment_value_text(a.form) + ")\n";
     }
 
     void function(const FunctionDefinition& f, int level) {
@@ -123,6 +139,7 @@ class AstWriter {
     const Program& p_;
     std::string out_;
     ExpressionWriter expressions_;
+    std::vector<std::optional<Annotation>> annotations_;  ///< Of the main file's assignments.
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace csg::scad {
 namespace {
@@ -98,6 +99,11 @@ std::string render_openscad(const Message& message, const SourceSet& sources, st
         return text;
     }
     std::string_view name = sources[message.where.file].name();
+    if (message.parsing && !base_directory.empty()) {
+        std::error_code error;
+        const std::string from_here = std::filesystem::proximate(name, error).string();
+        return fmt::format("{} in file {}, line {}", text, error ? name : from_here, message.where.line);
+    }
     if (!base_directory.empty() && name.starts_with(base_directory)) {
         name.remove_prefix(base_directory.size());
         while (name.starts_with('/')) {

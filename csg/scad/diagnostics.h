@@ -17,7 +17,7 @@ struct Message {
     Severity severity = Severity::Error;
     SourceRange where;  ///< Not known() where the message has no place.
     std::string text;
-    bool reading = false;  ///< Arose while text was read. OpenSCAD names the file as it was opened in such messages.
+    bool parsing = false;  ///< Arose before anything ran. OpenSCAD names the file as it was opened in such messages.
 };
 
 /// Takes messages in the order in which they arise. May be empty: use `report`.
@@ -38,7 +38,8 @@ inline void report(const MessageSink& sink, const Message& message) {
 [[nodiscard]] std::string render(const Message& message, const SourceSet& sources);
 
 /// OpenSCAD's one-line form, without newline: `WARNING: text in file a.scad, line 3`, `ECHO: …`. `base_directory` is
-/// cut from file names (OpenSCAD shows them relative to the main file); empty leaves them as they are.
+/// cut from file names (OpenSCAD shows them relative to the main file, but relative to the working directory in what
+/// arose while parsing); empty leaves them as they are.
 [[nodiscard]] std::string render_openscad(const Message& message, const SourceSet& sources,
                                           std::string_view base_directory = {});
 

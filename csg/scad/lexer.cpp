@@ -237,7 +237,7 @@ Token Lexer::word(const Place& begin) {
     token.name = symbols_.intern(text);
     if (is_digit(text[0])) {
         report(sink_, {Severity::Deprecated, token.where,
-                       fmt::format("Names that begin with a digit ('{}') will not be accepted in future", text)});
+                       fmt::format("Names that begin with a digit ('{}') will not be accepted in future", text), true});
     }
     return token;
 }

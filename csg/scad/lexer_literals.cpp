@@ -123,9 +123,11 @@ Token Lexer::string(const Place& begin) {
         if (peek() == '\\') {
             escape(value);
         } else {
-            const std::size_t from = place_.at;
+            const char c = peek();
             advance();
-            value.append(text_, from, place_.at - from);
+            if (c != '\n' && c != '\r') {  // Line ends fall away, as in OpenSCAD.
+                value += c;
+            }
         }
     }
     if (at_end()) {

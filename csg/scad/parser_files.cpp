@@ -21,13 +21,20 @@ bool is_font(std::string_view name) {
     return end == ".ttf" || end == ".otf";
 }
 
+/// Equal for paths that name the same file, as far as their text tells.
+std::string identity(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+    return (error ? std::filesystem::path(path) : absolute).lexically_normal().string();
+}
+
 }  // namespace
 
 Files::Files(const ParseRequest& request, Program& program, const MessageSink& sink)
     : request_(request), program_(program), sink_(sink) {
     const std::uint32_t main = add(request.path, request.text);
     const std::filesystem::path path = std::filesystem::path(request.path).lexically_normal();
-    by_path_.emplace(path.string(), main);
+    by_path_.emplace(identity(request.path), main);
     base_directory_ = path.has_parent_path() ? path.parent_path().string() : "";
     base_directory_ += base_directory_.empty() || base_directory_.ends_with('/') ? "" : "/";
     unit_of_file_.emplace(main, 0);
@@ -47,7 +54,8 @@ Files::Found Files::find(const std::string& name, std::uint32_t from, std::span<
         return found;
     }
     for (std::string& path : source_candidates(name, program_.sources[from].name(), request_.search_path)) {
-        if (const auto known = by_path_.find(path); known != by_path_.end()) {
+        std::string key = identity(path);
+        if (const auto known = by_path_.find(key); known != by_path_.end()) {
             if (std::find(open.begin(), open.end(), known->second) != open.end()) {
                 continue;
             }
@@ -56,7 +64,7 @@ Files::Found Files::find(const std::string& name, std::uint32_t from, std::span<
         ReadResult result = request_.reader(path);
         if (auto* const text = std::get_if<std::string>(&result)) {
             const std::uint32_t file = add(path, std::move(*text));
-            by_path_.emplace(path, file);
+            by_path_.emplace(std::move(key), file);
             return {file, std::move(path), {}};
         }
         const ReadError& error = std::get<ReadError>(result);
@@ -98,6 +106,12 @@ void Files::use(const std::string& name, std::uint32_t from, UnitId unit, const 
     if (std::none_of(uses.begin(), uses.end(), [&](const Use& u) { return u.path == use.path; })) {
         uses.push_back(std::move(use));
     }
+}
+
+std::string Files::name_in_messages(std::uint32_t file) const {
+    std::string name = std::filesystem::path(program_.sources[file].name()).lexically_normal().string();
+    name.erase(0, name.starts_with(base_directory_) ? base_directory_.size() : 0);
+    return name;
 }
 
 bool Files::account(std::uint32_t file) {

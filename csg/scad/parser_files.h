@@ -1,7 +1,6 @@
 // The files of a program while it is parsed: found, read once, and handed out. Internal to the parser.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,8 +34,8 @@ class Files {
     [[nodiscard]] Program& program() { return program_; }
     [[nodiscard]] const MessageSink& sink() const { return sink_; }
     [[nodiscard]] std::uint32_t add(std::string name, std::string text);
-    /// The directory of the main file, with a slash at its end; empty for the working directory.
-    [[nodiscard]] const std::string& base_directory() const { return base_directory_; }
+    /// Relative to the directory of the main file, where it is inside it.
+    [[nodiscard]] std::string name_in_messages(std::uint32_t file) const;
 
   private:
     struct Found {
@@ -49,8 +48,8 @@ class Files {
     const ParseRequest& request_;
     Program& program_;
     const MessageSink& sink_;
-    std::string base_directory_;
-    std::unordered_map<std::string, std::uint32_t> by_path_;  ///< Normalised paths.
+    std::string base_directory_;  ///< Of the main file, with a slash at its end; empty for the working directory.
+    std::unordered_map<std::string, std::uint32_t> by_path_;  ///< By `identity`.
     std::unordered_map<std::uint32_t, UnitId> unit_of_file_;
     std::size_t inclusions_ = 0;
     std::size_t bytes_ = 0;

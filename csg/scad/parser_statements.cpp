@@ -124,12 +124,10 @@ void Parser::warn_overwritten(const Argument& assignment, const SourceRange& bef
     if (by_main && before.file != main) {
         return;
     }
-    std::string_view file = program_.sources[before.file].name();
-    file.remove_prefix(file.starts_with(files_.base_directory()) ? files_.base_directory().size() : 0);
-    report(files_.sink(),
-           {Severity::Warning, assignment.where,
-            fmt::format("\"{}\" was assigned on line {}{} but was overwritten", program_.symbols.text(assignment.name),
-                        before.line, by_main ? "" : fmt::format(" of \"{}\"", file))});
+    const std::string file = by_main ? "" : fmt::format(" of \"{}\"", files_.name_in_messages(before.file));
+    report(files_.sink(), {Severity::Warning, assignment.where,
+                           fmt::format("\"{}\" was assigned on line {}{} but was overwritten",
+                                       program_.symbols.text(assignment.name), before.line, file)});
 }
 
 void Parser::module_definition(BlockBuilder& block) {
