@@ -78,8 +78,10 @@ bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& call
 }
 
 /// Values of the arguments go to the slots of the parameters they are for; parameters without one stay unset.
+/// Named arguments that are for no parameter go to `others`.
 void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
-                               const SourceRange& where, Scope& caller, Value* slots) {
+                               const SourceRange& where, Scope& caller, Value* slots,
+                               std::vector<std::pair<Symbol, Value>>* others) {
     std::uint64_t by_name = 0;  // Of the first 64 parameters.
     std::uint64_t by_position = 0;
     const auto bit = [](std::size_t i) { return i < 64 ? std::uint64_t{1} << i : 0; };
@@ -127,6 +129,9 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
             warn(where, again ? fmt::format("argument \"{}\" supplied more than once", name(a.name))
                               : fmt::format("variable \"{}\" not specified as parameter", name(a.name)));
             unknown.push_back(a.name);
+            if (others != nullptr) {
+                others->emplace_back(a.name, std::move(value));
+            }
         }
     }
     for (auto& [slot, value] : dynamics) {

@@ -36,7 +36,8 @@ void Evaluator::assign(const Argument& a, Value value, const Frame& frame) {
 
 void Evaluator::run_assignments(const Block& block, const Frame& frame) {
     for (const Argument& a : p_.assignments_of(block)) {
-        const std::uint32_t slot = r_.assignment_slots[static_cast<std::size_t>(&a - p_.assignments.data())];
+        const auto index = static_cast<std::uint32_t>(&a - p_.assignments.data());
+        const std::uint32_t slot = r_.assignment_slots[index];
         try {
             Value value = statement_value(a.value, &frame);
             if (dynamic_name(a.name)) {
@@ -47,7 +48,12 @@ void Evaluator::run_assignments(const Block& block, const Frame& frame) {
         } catch (const ValueLimit& limit) {
             fail_limit(a.where, limit);
         } catch (EvaluationError& error) {
-            error.trace.add({TraceStep::Kind::Assignment, a.where, a.name, {}});
+            if (const auto first = p_.first_places.find(index); first != p_.first_places.end()) {
+                error.trace.add({TraceStep::Kind::Overwritten, first->second, a.name, {}});
+                error.trace.add({TraceStep::Kind::Overwriting, a.where, a.name, {}});
+            } else {
+                error.trace.add({TraceStep::Kind::Assignment, a.where, a.name, {}});
+            }
             throw;
         }
     }
@@ -145,10 +151,12 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
         definition.hops == kUsedUnit ? enter_unit(definition.unit) : outward(frame, definition.hops);
     const ModuleCall call{&i, frame};
     const ValueStack::Region values(stack_, parameters.size());
+    const ModuleInfo& info = r_.module_info[definition.id];
+    std::vector<std::pair<Symbol, Value>> others;
     {
         const ValueStack::Region locals(stack_, r_.statement_locals);
         Scope caller{locals.data(), frame, nullptr};
-        bind_arguments(p_.arguments_of(i), parameters, i.where, caller, values.data());
+        bind_arguments(p_.arguments_of(i), parameters, i.where, caller, values.data(), &others);
     }
     Nodes nodes;
     host_.module_names.push_back(name(m.name));
@@ -169,6 +177,17 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
             if (!dynamic_name(parameters[k].name)) {
                 body.slots[r_.argument_slots[index_of(parameters[k])]] = values.data()[k];
             }
+        }
+        for (auto& [other, value] : others) {
+            for (const auto& [known, slot] : info.other_arguments) {
+                if (known == other) {
+                    body.slots[slot] = std::move(value);
+                }
+            }
+        }
+        for (const std::uint32_t assignment : info.literal_parameters) {
+            const Argument& a = p_.assignments[assignment];
+            warn(a.where, fmt::format("Parameter \"{}\" is overwritten with a literal", name(a.name)));
         }
         const Block& block = p_.blocks[m.body];
         run_assignments(block, body);

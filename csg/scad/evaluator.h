@@ -220,7 +220,8 @@ class Evaluator {
     bool find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee);
     Value call_builtin(const Expr& e, BuiltinFunction function, Scope& scope);
     void bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
-                        const SourceRange& where, Scope& caller, Value* slots);
+                        const SourceRange& where, Scope& caller, Value* slots,
+                        std::vector<std::pair<Symbol, Value>>* others = nullptr);
     void bind_defaults(std::span<const Argument> parameters, Scope& defining, Value* slots);
 
     // evaluate_module.cpp

@@ -163,7 +163,7 @@ void run_polyhedron(const ModuleContext& c, Nodes& out) {
                 continue;
             }
             auto loop = face_of(c, i, given[i].elements(), polyhedron->points.size());
-            if (!loop.empty()) {
+            if (loop.size() >= 3) {
                 polyhedron->faces.push_back(std::move(loop));
             }
         }

@@ -13,6 +13,10 @@ std::string text_of(const TraceStep& step, const SymbolTable& symbols) {
             return fmt::format("called by '{}'", name);
         case TraceStep::Kind::Assignment:
             return fmt::format("assignment to \"{}\"", name);
+        case TraceStep::Kind::Overwritten:
+            return fmt::format("overwritten assignment to \"{}\" (this is where the assignment is evaluated)", name);
+        case TraceStep::Kind::Overwriting:
+            return fmt::format("overwriting assignment to \"{}\"", name);
         case TraceStep::Kind::CallOf:
             break;
     }

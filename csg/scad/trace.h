@@ -16,7 +16,7 @@ namespace csg::scad {
 /// One step outwards: where a call, a definition or an assignment stands. Its text is made only when it is shown,
 /// because values may be long and recursion deep.
 struct TraceStep {
-    enum class Kind : std::uint8_t { CalledBy, CallOf, Assignment } kind = Kind::CalledBy;
+    enum class Kind : std::uint8_t { CalledBy, CallOf, Assignment, Overwritten, Overwriting } kind = Kind::CalledBy;
     SourceRange where;
     Symbol name = kNoSymbol;
     std::vector<std::pair<Symbol, Value>> parameters;  ///< Of CallOf.
