@@ -109,16 +109,19 @@ void turn(glm::dvec3& a, glm::dvec3& b, double degrees) {
     b = c * b - s * from;
 }
 
-/// By `degrees` about a unit vector (Rodrigues).
-Axes about(const glm::dvec3& u, double degrees) {
+/// By `degrees` about an axis of any length but 0 (Rodrigues). Products come before the division, so that axes of whole
+/// numbers give exact results where there are any.
+Axes about(const glm::dvec3& axis, double degrees) {
+    const double square = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
     const double c = cosine(degrees);
-    const glm::dvec3 s = sine(degrees) * u;
-    const glm::dvec3 k = (1 - c) * u;
-    Axes axes{glm::dvec3(k.x * u.x + c, k.x * u.y + s.z, k.x * u.z - s.y),
-              glm::dvec3(k.x * u.y - s.z, k.y * u.y + c, k.y * u.z + s.x),
-              glm::dvec3(k.x * u.z + s.y, k.y * u.z - s.x, k.z * u.z + c)};
-    for (glm::dvec3& axis : axes) {
-        axis += 0.0;  // No zero with a sign.
+    const glm::dvec3 s = sine(degrees) * axis / std::sqrt(square);
+    const auto part = [&](double a, double b) { return (1 - c) * a * b / square; };
+    const auto [x, y, z] = std::array{axis.x, axis.y, axis.z};
+    Axes axes{glm::dvec3(part(x, x) + c, part(x, y) + s.z, part(x, z) - s.y),
+              glm::dvec3(part(x, y) - s.z, part(y, y) + c, part(y, z) + s.x),
+              glm::dvec3(part(x, z) + s.y, part(y, z) - s.x, part(z, z) + c)};
+    for (glm::dvec3& column : axes) {
+        column += 0.0;  // No zero with a sign.
     }
     return axes;
 }
@@ -169,9 +172,9 @@ void run_rotate(const ModuleContext& c, Nodes& out) {
         if (!axis_good) {
             axis = glm::dvec3(0, 0, 1);
         }
-        const double length = std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
-        if (length > 0 && std::isfinite(length)) {
-            axes = about(axis / length, a.number());
+        const double square = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
+        if (square > 0 && std::isfinite(square)) {
+            axes = about(axis, a.number());
         }
     }
     add_transform(c, axes, glm::dvec3(0.0), out);

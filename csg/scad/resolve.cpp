@@ -397,7 +397,7 @@ class Resolver {
         }
     }
 
-    /// Updates assign to the loop's own variables, or declare more.
+    /// Updates assign to the loop's own variables, or declare more, which later updates see.
     void bind_update(std::span<const Argument> update, std::size_t first) {
         Activation& act = *activation_;
         for (const Argument& a : update) {
@@ -409,9 +409,13 @@ class Resolver {
             for (std::size_t i = first; i < act.locals.size(); ++i) {
                 slot = act.locals[i].name == a.name ? act.locals[i].slot : slot;
             }
-            r_.argument_slots[index_of(a)] = dynamic_name(a.name) ? dynamic(a.name)
-                                             : slot != kNone      ? slot
-                                                                  : act.reserve();
+            if (dynamic_name(a.name)) {
+                slot = dynamic(a.name);
+            } else if (slot == kNone) {
+                slot = act.reserve();
+                act.locals.push_back({a.name, slot, false});
+            }
+            r_.argument_slots[index_of(a)] = slot;
         }
     }
 
