@@ -1,6 +1,7 @@
 // Lists the surfaces that do not go on in their own plane at the other end of the listed links: where edges may be.
 #include "npr/edge_point.glsl"
 #include "npr/edge_search.glsl"
+#include "npr/planes.glsl"
 
 layout(std430, binding = 2) readonly buffer Links {
     uint link_count;
@@ -13,43 +14,85 @@ layout(std430, binding = 3) buffer Candidates {
 };
 layout(r32ui, binding = 0) writeonly uniform uimage2DArray edge_points;
 
-// Returns how many surfaces `p` has.
-int search(ivec2 p, ivec2 q, uint link, uint end) {
-    int i = 0;
-    for (; i < layer_count; ++i) {
-        uvec2 a = surface_ids(p, i);
-        if (a.x == kNone)
+uniform float crease_cosine;
+
+uint bit_of(uvec2 ids) {
+    return 1u << (ids.y * 2654435769u >> 27);
+}
+
+// The surfaces of a pixel, one bit each; different ones may share a bit.
+uint surface_bits(ivec2 p) {
+    uint bits = 0u;
+    for (int i = 0; i < layer_count; ++i) {
+        uvec2 ids = surface_ids(p, i);
+        if (ids.x == kNone)
             break;
-        bool found = same_surface(a, surface_ids(q, i));
-        for (int j = 0; j < layer_count && !found; ++j) {
-            uvec2 b = surface_ids(q, j);
-            if (b.x == kNone)
-                break;
-            found = same_surface(a, b);
-        }
-        if (!found) {
-            uint at = atomicAdd(candidate_count, 1u);
-            if (at < candidate_room)
-                candidates[at] = uvec2(link, uint(i) << 1 | end);
-        }
+        bits |= bit_of(ids);
     }
-    return i;
+    return bits;
+}
+
+bool in_pixel(uvec2 a, ivec2 q, uint bits) {
+    if ((bits & bit_of(a)) == 0u)
+        return false;
+    for (int j = 0; j < layer_count; ++j) {
+        uvec2 b = surface_ids(q, j);
+        if (b.x == kNone)
+            return false;
+        if (same_surface(a, b))
+            return true;
+    }
+    return false;
+}
+
+void add(uint link, int layer, uint end) {
+    uint at = atomicAdd(candidate_count, 1u);
+    if (at < candidate_room)
+        candidates[at] = uvec2(link, uint(layer) << 1 | end);
+}
+
+// Two neighbouring facets of a curved surface, most often: no edge.
+bool smooth_joint(ivec2 p, ivec2 q, int layer) {
+    Surface s = layer_surface(p, layer, pixel_ray(p)), t = layer_surface(q, layer, pixel_ray(q));
+    float cosine = dot(s.normal, t.normal);
+    float here, there;
+    return s.leaving == t.leaving && cosine > crease_cosine && !(part_edges && s.part != t.part) &&
+           meet(s, depth_gradient(s.plane), t, depth_gradient(t.plane), q - p, cosine, here, there);
 }
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= link_count)
         return;
+    uint link = links[i];
     int width = textureSize(layer_depths, 0).x;
-    int pixel = int(links[i] >> 1);
-    int axis = int(links[i] & 1u);
-    ivec2 lower = ivec2(pixel % width, pixel / width);
-    ivec2 offset = ivec2(1 - axis, axis);
-    int layers = 0;
-    for (uint end = 0u; end < 2u; ++end) {
-        ivec2 p = end == 0u ? lower : lower + offset;
-        layers = max(layers, search(p, end == 0u ? lower + offset : lower, links[i], end));
+    int pixel = int(link >> 1);
+    int axis = int(link & 1u);
+    ivec2 p = ivec2(pixel % width, pixel / width);
+    ivec2 q = p + ivec2(1 - axis, axis);
+    uint p_bits = surface_bits(p), q_bits = surface_bits(q);
+    bool p_ahead = true, q_ahead = true;
+    int last = -1;  // of the candidates
+    for (int layer = 0; layer < layer_count; ++layer) {
+        uvec2 a = p_ahead ? surface_ids(p, layer) : uvec2(kNone);
+        uvec2 b = q_ahead ? surface_ids(q, layer) : uvec2(kNone);
+        p_ahead = a.x != kNone && !(visible_only && opaque(a));
+        q_ahead = b.x != kNone && !(visible_only && opaque(b));
+        if (a.x == kNone && b.x == kNone)
+            break;
+        if (a.x != kNone && b.x != kNone && same_surface(a, b))
+            continue;
+        bool a_ends = a.x != kNone && !in_pixel(a, q, q_bits);
+        bool b_ends = b.x != kNone && !in_pixel(b, p, p_bits);
+        if (a_ends && b_ends && smooth_joint(p, q, layer))
+            continue;
+        if (a_ends)
+            add(link, layer, 0u);
+        if (b_ends)
+            add(link, layer, 1u);
+        if (a_ends || b_ends)
+            last = layer;
     }
-    for (int layer = 0; layer < min(layers, kEdgeLayers); ++layer)
-        imageStore(edge_points, ivec3(lower, edge_slice(layer, axis)), uvec4(0u));
+    for (int i = 0; i <= min(last, kEdgeLayers - 1); ++i)
+        imageStore(edge_points, ivec3(p, edge_slice(i, axis)), uvec4(0u));
 }

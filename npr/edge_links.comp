@@ -21,7 +21,7 @@ void main() {
             a = surface_ids(p, i);
             b = surface_ids(q, i);
             ++i;
-        } while (a.x != kNone && same_surface(a, b));
+        } while (a.x != kNone && same_surface(a, b) && !(visible_only && opaque(a)));
         if (!same_surface(a, b))
             links[atomicAdd(link_count, 1u)] = link_id(p, axis);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace npr {
 namespace {
@@ -71,8 +72,11 @@ std::uint32_t EdgeMap::list_candidates(const Frame& frame, std::uint32_t links) 
 
 void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
     resize(frame.layers.size, frame.layers.layers);
-    find_links_.program().set("part_edges", settings.parts);
-    find_candidates_.program().set("part_edges", settings.parts);
+    for (const FrameProgram* search : {&find_links_, &find_candidates_}) {
+        search->program().set("part_edges", settings.parts);
+        search->program().set("visible_only", settings.visible_only);
+    }
+    find_candidates_.program().set("crease_cosine", std::cos(glm::radians(settings.crease_degrees)));
     link_count_ = list_links(frame);
     std::uint32_t count = link_count_ > 0 ? list_candidates(frame, link_count_) : 0;
     if (count > room_) {

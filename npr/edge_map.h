@@ -10,8 +10,9 @@ inline constexpr int kEdgeTile = 4;
 
 /// What counts as an edge.
 struct EdgeSettings {
-    float crease_degrees = 28;  ///< Between normals, from which a bend is an inner edge.
+    float crease_degrees = 33;  ///< Between normals, from which a bend is an inner edge.
     bool parts = false;         ///< Whether boundaries between parts within a plane are inner edges.
+    bool visible_only = false;  ///< Only edges that no opaque surface hides are asked for; there may be others.
 };
 
 /// Finds the edges of all layers, once per frame, from which lines of any width are drawn (npr/lines.glsl).

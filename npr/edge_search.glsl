@@ -4,6 +4,7 @@
 layout(local_size_x = 64) in;
 
 uniform bool part_edges;
+uniform bool visible_only;  // only edges of what is not hidden
 
 const uint kNone = 0xffffffffu;
 
@@ -15,6 +16,11 @@ uvec2 surface_ids(ivec2 p, int layer) {
 bool same_surface(uvec2 a, uvec2 b) {
     return (a.x == kNone) == (b.x == kNone) && (a.x == kNone || a.y == b.y) &&
            !(part_edges && a.x != kNone && leaf_rows[a.x >> 1].part.x != leaf_rows[b.x >> 1].part.x);
+}
+
+// Hides everything behind it.
+bool opaque(uvec2 ids) {
+    return leaf_rows[ids.x >> 1].part.y == kPartSolid && leaf_rows[ids.x >> 1].color.a >= 1.0;
 }
 
 // The link from a pixel to its right (axis 0) or upper neighbour.

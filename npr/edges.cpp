@@ -33,7 +33,7 @@ class Edges : public Style {
     void draw(const Frame& frame) override {
         const Parameters& p = frame.parameters;
         const gl::Program& program = pass_.program();
-        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts)});
+        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts), true});
         program.set("width", p.number(kWidth));
         program.set("inner_strength", p.number(kInner));
         program.set("edge_color", p.color(kColor));

@@ -16,16 +16,18 @@ bool in_picture(ivec2 pixel) {
     return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(layer_depths, 0).xy));
 }
 
-const float kSmooth = 0.9;  // cosine between the normals of neighbouring facets of a smooth surface, at least
+const float kSmooth = 0.83;  // cosine between the normals of neighbouring facets of a smooth surface, at least
 
-// How a surface goes on in a neighbouring pixel.
-struct Continuation {
-    bool found;    // false: it ends
-    int layer;     // there
-    float cosine;  // between the normals, 1 on the same plane
-    float at;      // where the planes meet, as a part of the way
-    vec2 across;   // direction in the picture across the line in which they meet
-};
+// Do the surfaces, `t` in the pixel at `offset` from that of `s`, meet where they are seen? `here` and `there`: how much
+// nearer the first one's plane is than the other's. Where the planes meet between the two pixels the signs differ.
+// Planes of a curved surface's facets may meet a little outside, or beside, where there are others between.
+bool meet(Surface s, vec2 gradient, Surface t, vec2 other, ivec2 offset, float cosine, out float here, out float there) {
+    here = s.depth - (t.depth - dot(other, vec2(offset)));
+    there = s.depth + dot(gradient, vec2(offset)) - t.depth;
+    float apart = min(abs(here), abs(there)) - 1e-6 * s.depth;
+    float slack = cosine > kSmooth ? 3.0 * length(gradient - other) : abs(there - here);
+    return here * there <= 0.0 || apart <= slack;
+}
 
 bool sees(ivec2 p, uint key) {
     for (int j = 0; j < layer_count; ++j) {
@@ -38,39 +40,45 @@ bool sees(ivec2 p, uint key) {
     return false;
 }
 
-// `offset`: of the neighbour. Both pixels must be in the picture.
-Continuation continuation(Surface s, ivec2 pixel, ivec2 offset) {
-    Continuation c = Continuation(false, 0, -2.0, 0.5, vec2(offset));
-    ivec2 p = pixel + offset;
+// How a surface goes on in a neighbouring pixel.
+struct Continuation {
+    bool found;    // false: it ends
+    int layer;     // there
+    float cosine;  // between the normals
+    float at;      // where the planes meet, as a part of the way
+    vec2 across;   // direction in the picture across the line in which they meet
+};
+
+// In its own plane. `offset`: of the neighbour. Both pixels must be in the picture.
+Continuation straight_on(Surface s, ivec2 pixel, ivec2 offset) {
     uint key = s.plane << 1 | uint(s.leaving);
     for (int j = 0; j < layer_count; ++j) {
-        uvec2 ids = texelFetch(layer_surfaces, ivec3(p, j), 0).xy;
+        uvec2 ids = texelFetch(layer_surfaces, ivec3(pixel + offset, j), 0).xy;
         if (ids.x == 0xffffffffu)
             break;
         if (ids.y == key)
             return Continuation(true, j, 1.0, 0.5, vec2(offset));
     }
+    return Continuation(false, 0, -2.0, 0.5, vec2(offset));
+}
+
+// In another plane.
+Continuation round_the_bend(Surface s, ivec2 pixel, ivec2 offset) {
+    Continuation c = Continuation(false, 0, -2.0, 0.5, vec2(offset));
+    ivec2 p = pixel + offset;
     vec2 gradient = depth_gradient(s.plane);
     vec3 ray = pixel_ray(p);
     for (int j = 0; j < layer_count; ++j) {
         Surface t = layer_surface(p, j, ray);
         if (!t.hit)
             break;
-        if (t.leaving != s.leaving)
-            continue;
-        // How much nearer this surface's plane is than the other's, here and there. Where the planes meet between the
-        // two pixels the signs differ. Planes of a curved surface's facets may meet a little outside, and about a
-        // corner of facets that the two pixels see across, a little beside.
-        vec2 other = depth_gradient(t.plane);
-        float here = s.depth - (t.depth - dot(other, vec2(offset)));
-        float there = s.depth + dot(gradient, vec2(offset)) - t.depth;
-        float apart = min(abs(here), abs(there)) - 1e-6 * s.depth;
         float cosine = dot(s.normal, t.normal);
-        float slack = cosine > kSmooth ? length(gradient - other) : abs(there - here);
-        if (here * there > 0.0 && apart > slack)
+        if (t.leaving != s.leaving || cosine <= c.cosine)
             continue;
+        vec2 other = depth_gradient(t.plane);
+        float here, there;
         // A plane that is seen on both sides goes on, and is no continuation of another.
-        if (cosine > c.cosine && !sees(pixel, t.plane << 1 | uint(t.leaving))) {
+        if (meet(s, gradient, t, other, offset, cosine, here, there) && !sees(pixel, t.plane << 1 | uint(t.leaving))) {
             float sum = abs(here) + abs(there);
             c.found = true;
             c.layer = j;
@@ -79,5 +87,12 @@ Continuation continuation(Surface s, ivec2 pixel, ivec2 offset) {
             c.across = gradient - other;
         }
     }
+    return c;
+}
+
+Continuation continuation(Surface s, ivec2 pixel, ivec2 offset) {
+    Continuation c = straight_on(s, pixel, offset);
+    if (!c.found)
+        c = round_the_bend(s, pixel, offset);
     return c;
 }

@@ -101,7 +101,7 @@ class Sketch : public Style {
         // Drawings of all sizes look the same, though with finer lines the larger they are.
         const float unit = static_cast<float>(frame.layers.size.y) / 512.0F;
         noise_.draw(frame, unit);
-        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts)});
+        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts), p.number(kHidden) == 0.0F});
         overshoot_.draw(frame, edges_, unit * p.number(kOvershoot));
         const gl::Program& program = pass_.program();
         program.set("unit", unit);
