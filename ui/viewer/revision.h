@@ -1,0 +1,40 @@
+// One evaluation of the source: from the file to a model that can be shown, or to the messages that say why not.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "csg/scad/scad.h"
+#include "ui/pipeline/model.h"
+#include "ui/viewer/file_watcher.h"
+#include "ui/viewer/message_log.h"
+
+namespace ui {
+
+/// What is shown: where the text comes from and how it is evaluated.
+struct Source {
+    std::string path;                      ///< Names the text; read from there unless `text` is given.
+    std::optional<std::string> text;       ///< Standard input.
+    std::vector<std::string> definitions;  ///< name=expression
+    bool preview = true;                   ///< $preview
+    bool hard_warnings = false;            ///< A warning is an error.
+};
+
+struct Revision {
+    std::shared_ptr<const Model> model;  ///< Null where there was an error.
+    csg::scad::ViewSettings view;
+    MessageLog messages;
+    std::map<std::string, FileStamp> files;  ///< All that were looked for, as they were before they were read.
+    double evaluate_ms = 0, build_ms = 0;    ///< Wall time.
+};
+
+/// Never throws; blocks until done or, with a revision of no worth, until `stop` has ended it. `camera` is what the
+/// $vp… variables hold.
+[[nodiscard]] Revision make_revision(const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
+                                     const std::stop_token& stop);
+
+}  // namespace ui
