@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "ui/pipeline/suggestion.h"
+
 namespace ui {
 
 namespace {

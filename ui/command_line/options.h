@@ -2,10 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -65,9 +63,5 @@ struct CommandLine {
 
 /// Reads the arguments (without the program's name). Throws UsageError.
 [[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments);
-
-/// ` Did you mean "x"?` where a candidate is near to `name`, else `fallback`.
-[[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates,
-                                     std::string_view fallback = "");
 
 }  // namespace ui

@@ -259,8 +259,8 @@ class Run {
 };
 
 std::string Run::syntax_tree() const {
-    const csg::scad::Program program = csg::scad::parse(request_.path, *request_.text);
-    return csg::scad::ast_text(program);
+    csg::scad::ParseRequest request{request_.path, *request_.text, request_.definitions};
+    return csg::scad::ast_text(csg::scad::parse(request).program);
 }
 
 /// The window is a library of its own, where it is built.

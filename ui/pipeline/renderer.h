@@ -1,6 +1,7 @@
 // Draws models: from a Model to a picture, in one OpenGL context.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -49,11 +50,16 @@ class Renderer {
 
   private:
     void hold(const Model& model);
+    npr::Style& style(const npr::StyleInfo& info);
+    void accumulate(const Model& model, const PictureRequest& request);
 
     const gl::Functions& gl_;
     peel::Peeler peeler_;
+    npr::Accumulator accumulator_;
+    std::map<std::string, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
     std::unique_ptr<peel::PeelModel> model_;
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
+    bool translucent_ = false;      ///< Whether something in that model is not opaque.
     PictureStatistics statistics_;
 };
 

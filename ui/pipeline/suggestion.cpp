@@ -1,10 +1,11 @@
+#include "ui/pipeline/suggestion.h"
+
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
-
-#include "ui/command_line/options.h"
 
 namespace ui {
 
