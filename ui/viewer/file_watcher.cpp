@@ -27,7 +27,9 @@ FileStamp stamp_of(const std::string& path) {
             static_cast<std::int64_t>(status.st_mtim.tv_nsec)};
 }
 
-FileWatcher::FileWatcher(std::string main_file) : main_file_(std::move(main_file)) { watch({}); }
+FileWatcher::FileWatcher(std::string main_file) : main_file_(std::move(main_file)) {
+    watch({});
+}
 
 void FileWatcher::watch(const std::map<std::string, FileStamp>& files) {
     std::map<std::string, Watched> watched;

@@ -58,8 +58,8 @@ void MessageLog::append(LineKind kind, const std::string& text) {
     }
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines_.push_back({begin == 0 ? kind : LineKind::Excerpt,
-                          shortened(std::string_view(text).substr(begin, end - begin))});
+        lines_.push_back(
+            {begin == 0 ? kind : LineKind::Excerpt, shortened(std::string_view(text).substr(begin, end - begin))});
         bytes_ += lines_.back().text.size();
         begin = end + 1;
     }

@@ -26,8 +26,8 @@ class NotingReader {
     std::map<std::string, FileStamp> files_;
 };
 
-void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera,
-                        ModelBuilder& builder, const std::stop_token& stop) {
+void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
+                        const std::stop_token& stop) {
     Stopwatch watch;
     NotingReader reader;
     std::stop_source ended;
