@@ -33,10 +33,10 @@ DocumentState Document::state() const {
 }
 
 std::string Document::trouble() const {
-    const char* const kept = model_ ? "the last good model is shown" : "there is nothing to show yet";
+    const char* const kept = model_ ? "The last good model is shown." : "There is nothing to show yet.";
     switch (state()) {
         case DocumentState::Gone:
-            return fmt::format("{} is gone; {}", file_name(), kept);
+            return fmt::format("{} is gone. {}", file_name(), kept);
         case DocumentState::Failed:
             return fmt::format("{}\n{}", first_error_.empty() ? "The file has errors" : first_error_, kept);
         case DocumentState::Evaluating:

@@ -102,10 +102,12 @@ void layers_section(const Session& session, const Fonts& fonts, Commands& comman
     const int all = session.layer_count() + 1;
     int position = layers <= 0 || layers >= all ? all : layers;
     ImGui::SetNextItemWidth(-1);
-    const char* format = position == all ? "all" : "first %d";
+    const char* format = layers < 0 ? "–" : position == all ? "all" : "the first %d";
+    ImGui::BeginDisabled(layers < 0);
     if (ImGui::SliderInt("##layers", &position, 1, all, format, ImGuiSliderFlags_AlwaysClamp)) {
         commands.emplace_back(SetLayers{position == all ? 0 : position});
     }
+    ImGui::EndDisabled();
 }
 
 void samples_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
@@ -118,13 +120,27 @@ void samples_section(const ViewState& view, const Fonts& fonts, Commands& comman
 }
 
 void camera_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
+    struct Entry {
+        const char* label;
+        Action action;
+    };
+    static constexpr std::array<Entry, 9> kEntries{{{"Top", Action::Top},
+                                                    {"Bottom", Action::Bottom},
+                                                    {"Diagonal", Action::Diagonal},
+                                                    {"Left", Action::Left},
+                                                    {"Right", Action::Right},
+                                                    {"View all", Action::ViewAll},
+                                                    {"Front", Action::Front},
+                                                    {"Back", Action::Back},
+                                                    {"Reset", Action::ResetView}}};
     heading("Camera", fonts);
-    const auto views = standard_views();
-    const auto action = [](std::size_t i) { return static_cast<Action>(static_cast<std::size_t>(Action::Top) + i); };
+    const auto chosen = [&](std::size_t i) {
+        const StandardView* from = standard_view(kEntries[i].action);
+        return from != nullptr && from->rotation == view.camera.rotation;
+    };
     button_grid(
-        views.size() + 1, 4, [&](std::size_t i) { return i < views.size() ? std::string(views[i].name) : "All"; },
-        [&](std::size_t i) { return i < views.size() && view.camera.rotation == views[i].rotation; },
-        [&](std::size_t i) { commands.emplace_back(i < views.size() ? action(i) : Action::ViewAll); });
+        kEntries.size(), 3, [](std::size_t i) { return std::string(kEntries[i].label); }, chosen,
+        [&](std::size_t i) { commands.emplace_back(kEntries[i].action); });
     const bool orthographic = view.camera.projection == gl::Projection::Orthographic;
     button_grid(
         2, 2, [](std::size_t i) { return std::string(i == 0 ? "Perspective" : "Orthographic"); },
@@ -154,7 +170,7 @@ void model_section(const Session& session, const PictureInfo& picture, const Fon
     figure("Leaves", fmt::format("{} in {} part{}", s.leaves, s.parts, s.parts == 1 ? "" : "s"));
     figure("Products", fmt::format("{} of {} literals", s.products, s.literals));
     figure("Triangles", fmt::format("{}", s.triangles));
-    figure("Layers", picture.layers > 0 ? fmt::format("{}", picture.layers) : std::string("–"));
+    figure("Layers", fmt::format("{} in this picture", picture.layers));
     figure("Size", fmt::format("{:.4g} × {:.4g} × {:.4g}", size.x, size.y, size.z));
     figure("Evaluated in", fmt::format("{:.0f} ms", session.document().milliseconds()));
 }

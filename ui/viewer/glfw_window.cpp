@@ -1,6 +1,5 @@
 #include "ui/viewer/glfw_window.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <cctype>

@@ -1,6 +1,6 @@
 #include <imgui.h>
 
-#include <array>
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -14,7 +14,7 @@ void row(const std::string& keys, const char* meaning) {
     ImGui::TableNextColumn();
     ImGui::TextColored(theme::kAccent, "%s", keys.c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(meaning);
+    ImGui::TextWrapped("%s", meaning);
 }
 
 void title(const char* text, const Fonts& fonts) {
@@ -28,7 +28,7 @@ bool begin_rows(const char* id) {
     if (!ImGui::BeginTable(id, 2)) {
         return false;
     }
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * ImGui::GetFontSize());
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 11 * ImGui::GetFontSize());
     ImGui::TableSetupColumn("meaning");
     return true;
 }
@@ -41,8 +41,8 @@ void mouse(const Fonts& fonts) {
     row("Left drag", "Turn");
     row("Right or middle drag", "Shift");
     row("Shift + left drag", "Shift");
-    row("Wheel", "Come nearer to what is under the pointer, or go away");
-    row("Double click", "Bring the point of the model to the centre");
+    row("Wheel", "Zoom about the pointer");
+    row("Double click", "Centre the point of the model");
     ImGui::EndTable();
 }
 
@@ -69,7 +69,7 @@ void menu(const char* name, const Fonts& fonts) {
 void draw_help(const Fonts& fonts, Commands& commands) {
     const ImGuiViewport& window = *ImGui::GetMainViewport();
     const float font = ImGui::GetFontSize();
-    const ImVec2 size{std::min(54 * font, window.Size.x - 2 * font), std::min(44 * font, window.Size.y - 4 * font)};
+    const ImVec2 size{std::min(56 * font, window.Size.x - 2 * font), std::min(37 * font, window.Size.y - 4 * font)};
     ImGui::SetNextWindowPos({0.5F * window.Size.x, 0.5F * window.Size.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
@@ -77,17 +77,14 @@ void draw_help(const Fonts& fonts, Commands& commands) {
     if (ImGui::Begin("Keys and mouse", &open,
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoMove)) {
-        ImGui::Columns(size.x > 45 * font ? 2 : 1, "halves", false);
+        ImGui::Columns(size.x > 48 * font ? 2 : 1, "halves", false);
         mouse(fonts);
-        const char* last = "";
-        for (const ActionInfo& each : actions()) {
-            if (std::strcmp(each.menu, last) != 0) {
-                last = each.menu;
-                if (std::strcmp(last, "View") == 0) {
-                    ImGui::NextColumn();
-                }
-                menu(last, fonts);
-            }
+        for (const char* name : {"File", "Camera", "Style"}) {
+            menu(name, fonts);
+        }
+        ImGui::NextColumn();
+        for (const char* name : {"View", "Window", "Help"}) {
+            menu(name, fonts);
         }
         ImGui::Columns();
     }

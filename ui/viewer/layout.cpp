@@ -11,7 +11,7 @@ Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown
     const float status_height = std::min(whole(26 * scale), whole(window.y - top));
     const float bottom = window.y - status_height;
     // The picture keeps at least a third of the window, however small that is.
-    const float panel_width = shown.panel ? whole(std::min(290 * scale, window.x * 2 / 3)) : 0;
+    const float panel_width = shown.panel ? whole(std::min(310 * scale, window.x * 2 / 3)) : 0;
     const float picture_width = window.x - panel_width;
     const float most = whole((bottom - top) * 2 / 3);
     const float least = std::min(60 * scale, most);

@@ -46,7 +46,8 @@ void draw_help(const Fonts& fonts, Commands& commands);
 /// The form for saving a picture; keeps what was typed.
 class SaveForm {
   public:
-    explicit SaveForm(std::string proposed_path) : path_(std::move(proposed_path)) {}
+    SaveForm(std::string proposed_path, bool transparent)
+        : path_(std::move(proposed_path)), transparent_(transparent) {}
 
     /// `picture`: proposed size.
     void draw(glm::ivec2 picture, int samples, Commands& commands);
@@ -57,7 +58,7 @@ class SaveForm {
     std::string path_;
     glm::ivec2 size_{0};
     int samples_ = 0;
-    bool transparent_ = false;
+    bool transparent_;  ///< No background.
     std::string error_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "ui/viewer/panels.h"
 
 namespace ui {
@@ -29,7 +31,7 @@ bool draw_choice(const char* id, const npr::Parameter& parameter, int& chosen) {
 
 bool draw_parameter(const npr::Parameter& parameter, npr::Value& value) {
     const std::string label(parameter.label);
-    const std::string id = "##" + std::string(parameter.name);
+    const std::string id = fmt::format("##{}", parameter.name);
     if (parameter.kind == npr::ParameterKind::Toggle) {
         return ImGui::Checkbox((label + id).c_str(), &std::get<bool>(value));
     }
@@ -39,7 +41,10 @@ bool draw_parameter(const npr::Parameter& parameter, npr::Value& value) {
         color = glm::clamp(color, 0.0F, 1.0F);
         return changed;
     }
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label.c_str());
+    ImGui::SameLine(ImGui::GetCursorPosX() + std::max(0.62F * width, ImGui::CalcTextSize(label.c_str()).x + 6));
     ImGui::SetNextItemWidth(-1);
     switch (parameter.kind) {
         case npr::ParameterKind::Number: {

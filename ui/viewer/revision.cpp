@@ -83,8 +83,6 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     revision.model = std::move(model);
 }
 
-}  // namespace
-
 Revision make_revision(const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
                        const std::stop_token& stop) {
     Revision revision;
@@ -96,6 +94,15 @@ Revision make_revision(const Source& source, const csg::scad::View& camera, Mode
         revision.messages.add(LineKind::Error, std::string("ERROR: ") + error.what());
     }
     return revision;
+}
+
+}  // namespace
+
+Evaluate make_evaluate() {
+    return [builder = std::make_shared<ModelBuilder>()](const Source& source, const csg::scad::View& camera,
+                                                        const std::stop_token& stop) {
+        return make_revision(source, camera, *builder, stop);
+    };
 }
 
 }  // namespace ui

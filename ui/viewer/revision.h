@@ -1,6 +1,7 @@
 // One evaluation of the source: from the file to a model that can be shown, or to the messages that say why not.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,9 +33,12 @@ struct Revision {
     double evaluate_ms = 0, build_ms = 0;    ///< Wall time.
 };
 
-/// Never throws; blocks until done or, with a revision of no worth, until `stop` has ended it. `camera` is what the
-/// $vp… variables hold.
-[[nodiscard]] Revision make_revision(const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
-                                     const std::stop_token& stop);
+/// Makes a revision; `camera` is what the $vp… variables hold. Never throws; blocks until done or, with a revision of
+/// no worth, until the token has ended it. Not to be called by two threads at a time.
+using Evaluate = std::function<Revision(const Source&, const csg::scad::View& camera, const std::stop_token&)>;
+
+/// Evaluates the source and builds its model; meshes are kept from one revision to the next, so that an edit builds
+/// only what it changed.
+[[nodiscard]] Evaluate make_evaluate();
 
 }  // namespace ui

@@ -1,8 +1,7 @@
 #include "ui/viewer/session.h"
 
 #include <algorithm>
-
-#include "ui/viewer/camera_control.h"
+#include <utility>
 
 namespace ui {
 
@@ -26,11 +25,11 @@ void turn(gl::Camera& camera, double about_x, double about_z) {
 
 }  // namespace
 
-Evaluate make_evaluate() {
-    return [builder = std::make_shared<ModelBuilder>()](const Source& source, const csg::scad::View& camera,
-                                                        const std::stop_token& stop) {
-        return make_revision(source, camera, *builder, stop);
-    };
+const StandardView* standard_view(Action action) {
+    // The actions are in the order of the views.
+    const int i = static_cast<int>(action) - static_cast<int>(Action::Top);
+    const auto views = standard_views();
+    return i >= 0 && i < static_cast<int>(views.size()) ? &views[static_cast<std::size_t>(i)] : nullptr;
 }
 
 Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<void()> wake)
@@ -108,7 +107,6 @@ bool Session::perform(const Command& command) {
 
 bool Session::act(Action action) {
     gl::Camera& camera = view_.camera;
-    const auto look_from = [&](std::size_t view) { camera.rotation = standard_views()[view].rotation; };
     switch (action) {
         case Action::Reload:
             evaluate();
@@ -134,7 +132,7 @@ bool Session::act(Action action) {
         case Action::Front:
         case Action::Back:
         case Action::Diagonal:
-            look_from(static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::Top));
+            camera.rotation = standard_view(action)->rotation;
             break;
         case Action::ToggleProjection:
             toggle_projection(camera);
@@ -192,6 +190,11 @@ bool Session::act(Action action) {
             return false;
     }
     return true;
+}
+
+void Session::see_layers(const Model& model, int layers) {
+    const int before = std::exchange(layers_of_, model.generation) == model.generation ? layer_count_ : 1;
+    layer_count_ = std::max(before, layers);
 }
 
 void Session::step_style(int by) {

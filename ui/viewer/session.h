@@ -5,6 +5,7 @@
 #include <memory>
 #include <stop_token>
 
+#include "ui/viewer/camera_control.h"
 #include "ui/viewer/commands.h"
 #include "ui/viewer/document.h"
 #include "ui/viewer/latest_job.h"
@@ -14,11 +15,8 @@
 
 namespace ui {
 
-/// Makes a revision of the source; called on the thread of the evaluation. See make_revision.
-using Evaluate = std::function<Revision(const Source&, const csg::scad::View&, const std::stop_token&)>;
-
-/// Evaluates and builds with one builder for all revisions, so that an edit builds only what it changed.
-[[nodiscard]] Evaluate make_evaluate();
+/// The view that the action looks from; null for other actions.
+[[nodiscard]] const StandardView* standard_view(Action action);
 
 /// Lives on the thread of the window; only the evaluation runs elsewhere.
 class Session {
@@ -34,15 +32,16 @@ class Session {
     bool perform(const Command& command);
     /// Shifts the camera until the point is in the middle, at the size that it has; the camera turns about it then.
     void look_at(const glm::dvec3& point);
-    /// How many layers the picture has, where all were drawn; what the slider offers.
-    void set_layer_count(int layers) { layer_count_ = layers; }
+    /// So many layers were seen in a picture of the model.
+    void see_layers(const Model& model, int layers);
 
     [[nodiscard]] const Document& document() const { return document_; }
     [[nodiscard]] const ViewState& view() const { return view_; }
     [[nodiscard]] gl::Camera& camera() { return view_.camera; }
     [[nodiscard]] const Shown& shown() const { return shown_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
-    [[nodiscard]] int layer_count() const { return layer_count_; }  ///< At least 1.
+    /// The most layers that were seen of the model, from wherever it was looked at; at least 1.
+    [[nodiscard]] int layer_count() const { return layer_count_; }
 
   private:
     void evaluate();
@@ -57,6 +56,7 @@ class Session {
     ViewState view_;
     Shown shown_;
     int layer_count_ = 1;
+    std::uint64_t layers_of_ = 0;  ///< Generation of the model that layer_count_ belongs to.
     Evaluate evaluate_;
     FileWatcher watcher_;
     LatestJob<Revision> job_;  ///< Last: its jobs use the above.

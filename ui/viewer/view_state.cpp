@@ -19,7 +19,6 @@ PictureRequest ViewState::request(glm::ivec2 size) const {
     request.scheme = color_scheme().name;
     request.layers = layers;
     request.samples = samples;
-    request.transparent_background = transparent_background;
     return request;
 }
 
@@ -37,7 +36,6 @@ ViewState view_state_of(const PictureRequest& request) {
     state.scheme = static_cast<std::size_t>(npr::find_color_scheme(request.scheme) - npr::color_schemes().data());
     state.layers = request.layers;
     state.samples = static_cast<int>(npr::sample_offsets(request.samples).size());
-    state.transparent_background = request.transparent_background;
     return state;
 }
 

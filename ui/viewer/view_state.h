@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// Style and scheme are indices into npr::styles() and npr::color_schemes().
+/// A window always has a background. Style and scheme are indices into npr::styles() and npr::color_schemes().
 struct ViewState {
     gl::Camera camera;
     std::size_t style = 0;
@@ -18,7 +18,6 @@ struct ViewState {
     std::size_t scheme = 0;
     int layers = -1;  ///< As PictureRequest::layers.
     int samples = 4;  ///< 1, 4, 8 or 16.
-    bool transparent_background = false;
 
     [[nodiscard]] const npr::StyleInfo& style_info() const { return npr::styles()[style]; }
     [[nodiscard]] npr::Parameters& style_parameters() { return parameters[style]; }
@@ -28,7 +27,7 @@ struct ViewState {
     [[nodiscard]] PictureRequest request(glm::ivec2 size) const;
 };
 
-/// The state that a request asks for; its size is left out. Throws as check_picture does.
+/// The state that a request asks for; its size and its background are left out. Throws as check_picture does.
 [[nodiscard]] ViewState view_state_of(const PictureRequest& request);
 
 /// Whether both ask for the same pixels.

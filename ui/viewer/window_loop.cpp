@@ -1,8 +1,5 @@
 #include "ui/viewer/window_loop.h"
 
-#include <GLFW/glfw3.h>
-#include <imgui.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -16,8 +13,8 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr double kPollSeconds = 0.2;
-/// ImGui needs some frames until its panels have followed what happened.
-constexpr int kFramesAfterInput = 3;
+/// ImGui needs a second frame until its panels have followed what happened.
+constexpr int kFramesAfterInput = 2;
 
 const char* state_name(DocumentState state) {
     switch (state) {
@@ -50,7 +47,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       interface_(window_),
       picture_(*context_),
       session_(options, make_evaluate(), GlfwWindow::wake),
-      save_form_(proposed_picture(options.source)) {
+      save_form_(proposed_picture(options.source), options.picture.transparent_background) {
     info_.renderer = context_->renderer();
     console_height_ = 150 * window_.interface_scale();
 }
@@ -228,7 +225,7 @@ double WindowLoop::draw_picture() {
     info_.size = wanted_.size;
     info_.ms = ms;
     info_.layers = picture_.statistics().walk.layers;
-    session_.set_layer_count(std::max(info_.layers, wanted_.layers));
+    session_.see_layers(*wanted_model_, info_.layers);
     if (plan_.finished()) {
         frames_to_draw_ = std::max(frames_to_draw_, 1);  // The status line tells what has just been drawn.
     }
