@@ -127,6 +127,11 @@ View::Ray View::ray(double x, double y) const {
 }
 
 View::PlaneDepth View::plane_depth(const glm::dvec3& normal, double offset) const {
+    const ExactPlaneDepth exact = exact_plane_depth(normal, offset);
+    return {static_cast<float>(exact.a), static_cast<float>(exact.b), static_cast<float>(exact.c), exact.edge_on};
+}
+
+View::ExactPlaneDepth View::exact_plane_depth(const glm::dvec3& normal, double offset) const {
     const glm::dvec3 n = glm::dmat3(eye_from_world_) * normal;
     const double w = offset + glm::dot(n, glm::dvec3(eye_from_world_[3]));  // dot(n, p_eye) = w
     const double scale = 2 * half_height_ / size_.y;
@@ -148,7 +153,7 @@ View::PlaneDepth View::plane_depth(const glm::dvec3& normal, double offset) cons
     constexpr double kSteepest = 1e6;  // depth range per pixel; beyond it the plane is edge-on for any picture
     if (!(std::abs(a) < kSteepest && std::abs(b) < kSteepest && std::abs(c) < 1e6 * kSteepest))
         return {0, 0, 0, true};
-    return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), false};
+    return {a, b, c, false};
 }
 
 double View::distance(double depth) const {

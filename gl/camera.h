@@ -71,6 +71,12 @@ class View {
         bool edge_on = false;
     };
     [[nodiscard]] PlaneDepth plane_depth(const glm::dvec3& normal, double offset) const;
+    /// The same before it is rounded.
+    struct ExactPlaneDepth {
+        double a = 0, b = 0, c = 0;
+        bool edge_on = false;
+    };
+    [[nodiscard]] ExactPlaneDepth exact_plane_depth(const glm::dvec3& normal, double offset) const;
 
     /// Depth to distance from the eye's plane along the axis of view, and back.
     [[nodiscard]] double distance(double depth) const;

@@ -17,8 +17,10 @@ gl::ShaderLibrary shaders() {
 }  // namespace
 
 PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg::solid::Geometry& geometry,
-                     std::vector<std::vector<goldfeather::Product>> part_products)
-    : tables(goldfeather::SurfaceTables::make(gl, scene, geometry)),
+                     std::vector<std::vector<goldfeather::Product>> part_products, EngineKind kind)
+    : engine(kind),
+      lists(scene, geometry),
+      tables(goldfeather::SurfaceTables::make(gl, scene, geometry)),
       leaves(gl, geometry, tables->local_centre),
       products(std::move(part_products)),
       box(geometry.box) {
@@ -37,6 +39,38 @@ Peeler::Peeler(const gl::Functions& gl)
       target_(gl) {}
 
 LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
+    return model.engine == EngineKind::Goldfeather ? peel_parts(view, model, max_layers, stats)
+                                                   : peel_lists(view, model, max_layers, stats);
+}
+
+LayerStack Peeler::peel_lists(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats) {
+    goldfeather::ListsStats lists;
+    goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists);
+    stats.passes += 1;
+    stats.bands += 1;
+    stats.fragments += lists.fragments;
+    stats.drawn_leaves += lists.drawn_leaves;
+    stats.layers = std::max(stats.layers, lists.layers);
+
+    LayerStack stack;
+    stack.size = view.size();
+    stack.layers = cpu_layers_.layers;
+    stack.complete = cpu_layers_.complete;
+    stack.tables = model.tables;
+    stack.depth = gl::Texture::make_2d_array(gl_, GL_R32F, stack.size, stack.layers);
+    stack.surface = gl::Texture::make_2d_array(gl_, GL_RG32UI, stack.size, stack.layers);
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    for (int layer = 0; layer < stack.layers; ++layer) {
+        const goldfeather::CpuLayer& plane = cpu_layers_.planes[static_cast<std::size_t>(layer)];
+        gl_.TextureSubImage3D(stack.depth.id(), 0, 0, 0, layer, stack.size.x, stack.size.y, 1, GL_RED, GL_FLOAT,
+                              plane.depth.data());
+        gl_.TextureSubImage3D(stack.surface.id(), 0, 0, 0, layer, stack.size.x, stack.size.y, 1, GL_RG_INTEGER,
+                              GL_UNSIGNED_INT, plane.surface.data());
+    }
+    return stack;
+}
+
+LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
     const auto walk = [&](std::size_t part) {
         return engine_.walk(view, model.leaves, {model.products[part], model.leaf_boxes}, model.tables, max_layers,
                             stats);

@@ -5,19 +5,25 @@
 #include <span>
 #include <vector>
 
+#include "goldfeather/choice.h"
 #include "goldfeather/engine.h"
+#include "goldfeather/lists_cpu.h"
 #include "peel/layer_stack.h"
 
 namespace peel {
 
+using goldfeather::EngineKind;
 using goldfeather::kAllLayers;
 using goldfeather::WalkStats;
 
 /// A scene on the GPU with the sum of products of each part, ready to be peeled from any view.
 struct PeelModel {
-    /// `products[i]` belongs to `scene.parts[i]`.
+    /// `products[i]` belongs to `scene.parts[i]`; only Goldfeather needs them. Scene and geometry must outlive this.
     PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg::solid::Geometry& geometry,
-              std::vector<std::vector<goldfeather::Product>> products);
+              std::vector<std::vector<goldfeather::Product>> products, EngineKind engine = EngineKind::Goldfeather);
+
+    EngineKind engine;
+    goldfeather::ListsModel lists;
 
     std::shared_ptr<const goldfeather::SurfaceTables> tables;
     goldfeather::LeafBuffers leaves;
@@ -27,7 +33,7 @@ struct PeelModel {
     csg::Box box;  ///< Of all leaves, world coordinates.
 };
 
-/// Peels parts by the Goldfeather engine and merges them by depth.
+/// Peels scenes: part by part with the Goldfeather engine, merged by depth, or all at once with per-pixel lists.
 class Peeler {
   public:
     /// Throws gl::Error. `gl` must outlive the peeler.
@@ -38,6 +44,8 @@ class Peeler {
     [[nodiscard]] LayerStack peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
 
   private:
+    [[nodiscard]] LayerStack peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
+    [[nodiscard]] LayerStack peel_lists(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats);
     [[nodiscard]] LayerStack merge(const LayerStack& front, const LayerStack& back, int max_layers);
 
     const gl::Functions& gl_;
@@ -46,6 +54,7 @@ class Peeler {
     gl::VertexArray empty_array_;
     gl::Framebuffer target_;
     gl::Texture target_color_;
+    goldfeather::CpuLayers cpu_layers_;  ///< Its memory is used again.
 };
 
 }  // namespace peel

@@ -1,6 +1,7 @@
 // The built-in modules of the language.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -22,10 +23,9 @@ struct ModuleContext {
     void warn(std::string text) const { evaluator.warn(instantiation.where, std::move(text)); }
     /// The nodes of the children.
     [[nodiscard]] Nodes children() const;
+    /// Warns where a module that makes a shape has children.
+    void expect_no_children() const;
 };
-
-/// Adds what the module makes to `out`: at most one node.
-using BuiltinModule = void (*)(const ModuleContext& context, Nodes& out);
 
 struct ModuleEntry {
     std::string_view name;
@@ -42,18 +42,25 @@ struct ModuleEntry {
 /// Arguments of a built-in module, matched to its parameters. `$` arguments are bound as long as it lives.
 class ModuleArguments {
   public:
-    /// `positional` parameters may stand without a name, in this order; `named` only with theirs.
+    /// `positional` parameters may stand without a name, in this order; `named` only with theirs. Both lists must
+    /// outlive it.
     ModuleArguments(const ModuleContext& context, std::span<const std::string_view> positional,
                     std::span<const std::string_view> named = {});
 
-    /// undef where it is not given.
-    [[nodiscard]] const Value& operator[](std::string_view parameter) const;
-    [[nodiscard]] bool given(std::string_view parameter) const;
+    /// undef where it is not given. `parameter` is one of those named above.
+    [[nodiscard]] const Value& operator[](std::string_view parameter) const { return values_[index_of(parameter)]; }
+    [[nodiscard]] bool given(std::string_view parameter) const { return (given_ >> index_of(parameter) & 1U) != 0; }
+    /// Nothing where it is not given, or no number.
+    [[nodiscard]] std::optional<double> number(std::string_view parameter) const;
 
   private:
+    static constexpr std::size_t kMost = 15;  ///< Parameters of a module.
+    [[nodiscard]] std::size_t index_of(std::string_view parameter) const;
+
     Evaluator::DynamicMark mark_;
-    std::vector<std::pair<std::string_view, Value>> values_;
-    Value undef_;
+    std::span<const std::string_view> positional_, named_;
+    std::array<Value, kMost + 1> values_;  ///< The last is for names that there are not.
+    std::uint32_t given_ = 0;
 };
 
 /// Three numbers. `[x, y]` stands for `[x, y, z_if_missing]` unless that is NaN.

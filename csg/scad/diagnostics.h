@@ -17,6 +17,7 @@ struct Message {
     Severity severity = Severity::Error;
     SourceRange where;  ///< Not known() where the message has no place.
     std::string text;
+    bool parsing = false;  ///< Arose before anything ran. OpenSCAD names the file as it was opened in such messages.
 };
 
 /// Takes messages in the order in which they arise. May be empty: use `report`.

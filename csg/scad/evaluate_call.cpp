@@ -103,8 +103,8 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
             }
             by_name |= bit(i);
             slots[i] = std::move(value);
-        } else if (is_dynamic(name(a.name))) {
-            const std::uint32_t slot = r_.argument_slots[static_cast<std::size_t>(&a - p_.arguments.data())];
+        } else if (dynamic_name(a.name)) {
+            const std::uint32_t slot = r_.argument_slots[index_of(a)];
             for (const auto& d : dynamics) {
                 if (d.first == slot) {
                     warn(where, fmt::format("argument \"{}\" supplied more than once", name(a.name)));
@@ -131,8 +131,8 @@ void Evaluator::bind_defaults(std::span<const Argument> parameters, Scope& defin
         }
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (is_dynamic(name(parameters[i].name))) {
-            bind_dynamic(r_.argument_slots[static_cast<std::size_t>(&parameters[i] - p_.arguments.data())], slots[i]);
+        if (dynamic_name(parameters[i].name)) {
+            bind_dynamic(r_.argument_slots[index_of(parameters[i])], slots[i]);
         }
     }
 }
@@ -140,10 +140,11 @@ void Evaluator::bind_defaults(std::span<const Argument> parameters, Scope& defin
 Value Evaluator::call_builtin(const Expr& e, BuiltinFunction function, Scope& scope) {
     const auto arguments = p_.arguments_of(e);
     const std::string& function_name = name(p_[e.operand(0)].name);
+    const bool silent = function == is_undef_;
     const ValueStack::Region values(stack_, arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const ExprId a = arguments[i].value;
-        if (function_name == "is_undef" && p_[a].kind == ExprKind::Identifier) {  // The one that may ask in silence.
+        if (silent && p_[a].kind == ExprKind::Identifier) {
             values.data()[i] = variable(r_.variables[r_.of_expression[a]], scope);
             if (values.data()[i].is_unset()) {
                 values.data()[i] = Value();
@@ -167,7 +168,8 @@ Value Evaluator::call(ExprId id, Scope& caller) {
     if (callee.builtin != nullptr) {
         return call_builtin(*e, callee.builtin, caller);
     }
-    check_stack(e->where, "calling function", callee.name);
+    check_stack(e->where, "calling function", callee.name, kCallReserve);
+    check_stop(e->where);
     DynamicMark mark(*this);
     ValueStack::Region slots(stack_, callee.locals);
     try {
@@ -204,6 +206,7 @@ Value Evaluator::call(ExprId id, Scope& caller) {
                 ValueStack::Region fresh(stack_, next.locals);
                 bind_arguments(p_.arguments_of(b), next.parameters, b.where, scope, fresh.data());
                 mark.unwind();
+                e = &b;
                 callee = std::move(next);
                 slots.replace(fresh);
                 scope = callee.scope(slots.data());
@@ -215,7 +218,7 @@ Value Evaluator::call(ExprId id, Scope& caller) {
         }
     } catch (EvaluationError& error) {
         if (callee.name != kNoSymbol) {
-            error.trace.push_back({Severity::Trace, e->where, fmt::format("called by '{}'", name(callee.name))});
+            error.trace.add({TraceStep::Kind::CalledBy, e->where, callee.name, {}});
         }
         throw;
     }

@@ -52,7 +52,7 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
         return {};
     }
     const Expr& e = p_[id];
-    check_stack(e.where, "evaluating an expression", kNoSymbol);
+    check_stack(e.where, "evaluating an expression", kNoSymbol, 0);
     switch (e.kind) {
         case ExprKind::Undef:
             return {};
@@ -204,9 +204,9 @@ Value Evaluator::make_closure(ExprId id, Scope& scope) {
 }
 
 void Evaluator::bind_local(const Argument& a, Value value, Scope& scope) {
-    const auto index = static_cast<std::size_t>(&a - p_.arguments.data());
+    const auto index = index_of(a);
     const std::uint32_t slot = r_.argument_slots[index];
-    if (is_dynamic(name(a.name))) {
+    if (dynamic_name(a.name)) {
         bind_dynamic(slot, std::move(value));
     } else {
         scope.locals[slot] = std::move(value);
@@ -231,8 +231,8 @@ void Evaluator::bind_let(std::span<const Argument> arguments, Scope& scope) {
     for (std::size_t i = late; i < late_.size(); ++i) {
         Late& l = late_[i];
         const bool ours = std::any_of(arguments.begin(), arguments.end(), [&](const Argument& a) {
-            return a.name != kNoSymbol && !is_dynamic(name(a.name)) &&
-                   l.slot == &scope.locals[r_.argument_slots[static_cast<std::size_t>(&a - p_.arguments.data())]];
+            return a.name != kNoSymbol && !dynamic_name(a.name) &&
+                   l.slot == &scope.locals[r_.argument_slots[index_of(a)]];
         });
         if (!ours) {
             std::swap(late_[kept++], l);

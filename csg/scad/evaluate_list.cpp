@@ -15,13 +15,13 @@ void Evaluator::collect(ExprId id, Scope& scope, std::vector<Value>& out) {
         const Expr& e = p_[id];
         switch (e.kind) {
             case ExprKind::ListFor: {
-                check_stack(e.where, "evaluating an expression", kNoSymbol);
+                check_stack(e.where, "evaluating an expression", kNoSymbol, 0);
                 const DynamicMark mark(*this);
                 collect_for(e, p_.arguments_of(e), scope, out);
                 return;
             }
             case ExprKind::ListForC: {
-                check_stack(e.where, "evaluating an expression", kNoSymbol);
+                check_stack(e.where, "evaluating an expression", kNoSymbol, 0);
                 const DynamicMark mark(*this);
                 collect_for_c(e, scope, out);
                 return;
@@ -30,7 +30,7 @@ void Evaluator::collect(ExprId id, Scope& scope, std::vector<Value>& out) {
                 id = evaluate(e.operand(0), scope) ? e.operand(1) : e.operand(2);
                 continue;
             case ExprKind::ListLet: {
-                check_stack(e.where, "evaluating an expression", kNoSymbol);
+                check_stack(e.where, "evaluating an expression", kNoSymbol, 0);
                 const DynamicMark mark(*this);
                 bind_let(p_.arguments_of(e), scope);
                 collect(e.operand(0), scope, out);

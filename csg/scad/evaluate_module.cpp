@@ -13,9 +13,21 @@ Value Evaluator::statement_value(ExprId e, const Frame* frame) {
     return evaluate(e, scope);
 }
 
+void Evaluator::echo_statement(const Instantiation& i, const Frame* frame) {
+    const ValueStack::Region locals(stack_, r_.statement_locals);
+    Scope scope{locals.data(), frame, nullptr};
+    echo(p_.arguments_of(i), scope);
+}
+
+void Evaluator::assert_statement(const Instantiation& i, const Frame* frame) {
+    const ValueStack::Region locals(stack_, r_.statement_locals);
+    Scope scope{locals.data(), frame, nullptr};
+    check_assertion(p_.arguments_of(i), i.where, scope);
+}
+
 void Evaluator::assign(const Argument& a, Value value, const Frame& frame) {
-    const auto index = static_cast<std::size_t>(&a - p_.arguments.data());
-    if (is_dynamic(name(a.name))) {
+    const auto index = index_of(a);
+    if (dynamic_name(a.name)) {
         bind_dynamic(r_.argument_slots[index], std::move(value));
     } else {
         frame.slots[r_.argument_slots[index]] = std::move(value);
@@ -27,13 +39,15 @@ void Evaluator::run_assignments(const Block& block, const Frame& frame) {
         const std::uint32_t slot = r_.assignment_slots[static_cast<std::size_t>(&a - p_.assignments.data())];
         try {
             Value value = statement_value(a.value, &frame);
-            if (is_dynamic(name(a.name))) {
+            if (dynamic_name(a.name)) {
                 bind_dynamic(slot, std::move(value));
             } else {
                 frame.slots[slot] = std::move(value);
             }
+        } catch (const ValueLimit& limit) {
+            fail_limit(a.where, limit);
         } catch (EvaluationError& error) {
-            error.trace.push_back({Severity::Trace, a.where, fmt::format("assignment to \"{}\"", name(a.name))});
+            error.trace.add({TraceStep::Kind::Assignment, a.where, a.name, {}});
             throw;
         }
     }
@@ -47,20 +61,10 @@ void Evaluator::run_block(BlockId id, const Frame* frame, Nodes& out) {
     }
 }
 
-void Evaluator::with_frame(BlockId block, const Frame* outer, const std::function<void(const Frame*)>& body) {
-    const DynamicMark mark(*this);
-    if (r_.frame_slots[block] == kNone) {
-        body(outer);
-        return;
-    }
-    const ValueStack::Region slots(stack_, r_.frame_slots[block]);
-    const Frame frame{outer, slots.data(), outer->module};
-    body(&frame);
-}
-
 void Evaluator::children_of(const Instantiation& i, const Frame* frame, Nodes& out) {
     if (i.children != kNone) {
-        with_frame(i.children, frame, [&](const Frame* inner) { run_block(i.children, inner, out); });
+        const BlockFrame inner(*this, i.children, frame);
+        run_block(i.children, inner.get(), out);
     }
 }
 
@@ -71,11 +75,10 @@ std::size_t Evaluator::child_count(const ModuleCall& call) const {
 
 void Evaluator::run_child(const ModuleCall& call, std::size_t index, Nodes& out) {
     const BlockId children = call.instantiation->children;
-    with_frame(children, call.caller, [&](const Frame* inner) {
-        const Block& block = p_.blocks[children];
-        run_assignments(block, *inner);
-        instantiate(p_.instantiations_of(block)[index], inner, out);
-    });
+    const BlockFrame inner(*this, children, call.caller);
+    const Block& block = p_.blocks[children];
+    run_assignments(block, *inner.get());
+    instantiate(p_.instantiations_of(block)[index], inner.get(), out);
 }
 
 void Evaluator::instantiate_if(const Instantiation& first, const Frame* frame, Nodes& out) {
@@ -86,7 +89,10 @@ void Evaluator::instantiate_if(const Instantiation& first, const Frame* frame, N
         return;
     }
     Nodes nodes;
-    with_frame(branch, frame, [&](const Frame* inner) { run_block(branch, inner, nodes); });
+    {
+        const BlockFrame inner(*this, branch, frame);
+        run_block(branch, inner.get(), nodes);
+    }
     out.push_back(builder_.combine(Operation::Group, nodes, location(first.where), modifiers(first)));
 }
 
@@ -102,28 +108,28 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
     const std::size_t before = out.size();
     const auto index = static_cast<std::size_t>(&i - p_.instantiations.data());
     try {
+        const ModuleTarget& target = r_.module_of_instantiation[index];
         if (i.is_if) {
-            check_stack(i.where, "calling module", i.name);
+            check_stack(i.where, "calling module", i.name, kCallReserve);
             instantiate_if(i, frame, out);
-        } else if (const DefinitionRef& user = r_.module_of_instantiation[index].user; user.id != kNone) {
-            check_stack(i.where, "calling module", i.name);
-            instantiate_user(i, user, frame, out);
-        } else if (const BuiltinModule builtin = find_builtin_module(name(i.name))) {
-            check_stack(i.where, "calling module", i.name);
+        } else if (target.user.id != kNone) {
+            instantiate_user(i, target.user, frame, out);
+        } else if (target.builtin != nullptr) {
+            check_stack(i.where, "calling module", i.name, kCallReserve);
             const DynamicMark mark(*this);
-            builtin({*this, i, frame, modifiers(i)}, out);
+            target.builtin({*this, i, frame, modifiers(i)}, out);
         } else {
             warn(i.where, fmt::format("Ignoring unknown module '{}'", name(i.name)));
         }
+    } catch (const ValueLimit& limit) {
+        fail_limit(i.where, limit);
     } catch (EvaluationError& error) {
         if (!i.is_if) {
-            error.trace.push_back({Severity::Trace, i.where, fmt::format("called by '{}'", name(i.name))});
+            error.trace.add({TraceStep::Kind::CalledBy, i.where, i.name, {}});
         }
         throw;
     }
-    if (i.modifiers.root && out.size() > before) {
-        mark_root(out.back());
-    }
+    has_root_modifier_ |= i.modifiers.root;
     if ((nodes_ += out.size() - before) > request_.limits.nodes) {
         fail(i.where, fmt::format("The model has more than {} nodes", request_.limits.nodes));
     }
@@ -132,6 +138,7 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
 void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& definition, const Frame* frame,
                                  Nodes& out) {
     const ModuleDefinition& m = p_.modules[definition.id];
+    check_stack(m.where, "calling module", m.name, kCallReserve);
     const auto parameters = p_.parameters_of(m);
     const Frame* const defining =
         definition.hops == kUsedUnit ? unit_frame(definition.unit) : outward(frame, definition.hops);
@@ -159,19 +166,19 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
             body = {defining->outer, defining->slots, &call};
         }
         for (std::size_t k = 0; k < parameters.size(); ++k) {
-            if (!is_dynamic(name(parameters[k].name))) {
-                body.slots[r_.argument_slots[static_cast<std::size_t>(&parameters[k] - p_.arguments.data())]] =
-                    values.data()[k];
+            if (!dynamic_name(parameters[k].name)) {
+                body.slots[r_.argument_slots[index_of(parameters[k])]] = values.data()[k];
             }
         }
         run_block(m.body, &body, nodes);
     } catch (EvaluationError& error) {
-        std::string text;
+        TraceStep step{TraceStep::Kind::CallOf, m.where, m.name, {}};
         for (std::size_t k = 0; k < parameters.size(); ++k) {
-            text +=
-                fmt::format("{}{} = {}", k == 0 ? "" : ", ", name(parameters[k].name), values.data()[k].echo_text());
+            step.parameters.emplace_back(parameters[k].name, values.data()[k]);
         }
-        error.trace.push_back({Severity::Trace, m.where, fmt::format("call of '{}({})'", name(m.name), text)});
+        if (request_.trace_parameters) {
+            error.trace.add(std::move(step));
+        }
         host_.module_names.pop_back();
         throw;
     }

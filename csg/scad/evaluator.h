@@ -12,17 +12,17 @@
 #include "csg/scad/builtin_functions.h"
 #include "csg/scad/resolve.h"
 #include "csg/scad/scad.h"
+#include "csg/scad/trace.h"
 #include "csg/scad/value.h"
 #include "csg/tree/tree.h"
 
 namespace csg::scad {
 
-/// Ends an evaluation: a failed assertion, recursion without end, a limit, a stop. `trace` is what was under way, the
-/// innermost first.
+/// Ends an evaluation: a failed assertion, recursion without end, a limit, a stop.
 struct EvaluationError {
     Message message;
-    std::vector<Message> trace;
     bool stopped = false;
+    Trace trace;  ///< What was under way.
 };
 
 /// A user-defined module that runs.
@@ -107,14 +107,15 @@ class Evaluator {
     // For built-in modules (builtin_modules.h).
 
     [[nodiscard]] const Program& program() const { return p_; }
+    [[nodiscard]] const Request& request() const { return request_; }
     [[nodiscard]] TreeBuilder& builder() { return builder_; }
     [[nodiscard]] const std::string& name(Symbol symbol) const { return p_.symbols.text(symbol); }
     void warn(const SourceRange& where, std::string text);
     void emit(Severity severity, const SourceRange& where, std::string text);
     [[noreturn]] void fail(const SourceRange& where, std::string text);
     [[nodiscard]] SourceLocation location(const SourceRange& where);
-    /// A `$` variable's value; undef where it has none.
-    [[nodiscard]] Value dynamic(std::string_view name) const;
+    /// What `$fn`, `$fa` and `$fs` say now; warns at `where` of values that are too small.
+    [[nodiscard]] Fineness fineness(const SourceRange& where);
     /// Restores `$` variables to what they were.
     class DynamicMark {
       public:
@@ -129,6 +130,11 @@ class Evaluator {
         std::size_t mark_;
     };
     void bind_dynamic(std::uint32_t index, Value value);
+    [[nodiscard]] bool dynamic_name(Symbol name) const { return dynamic_symbols_[name]; }
+    /// Binds an argument whose name begins with `$`.
+    void bind_dynamic(const Argument& a, Value value) {
+        bind_dynamic(r_.argument_slots[index_of(a)], std::move(value));
+    }
     [[nodiscard]] Value statement_value(ExprId e, const Frame* frame);
     /// The children of an instantiation, in a frame of their own.
     void children_of(const Instantiation& i, const Frame* frame, Nodes& out);
@@ -137,17 +143,51 @@ class Evaluator {
     void run_child(const ModuleCall& call, std::size_t index, Nodes& out);
     [[nodiscard]] std::size_t child_count(const ModuleCall& call) const;
     void assign(const Argument& a, Value value, const Frame& frame);
-    /// Calls `body` with a frame for `block` inside `outer`; `$` variables are as before afterwards.
-    void with_frame(BlockId block, const Frame* outer, const std::function<void(const Frame*)>& body);
+    /// A frame for `block` inside `outer`, as long as it lives; `$` variables are as before afterwards.
+    class BlockFrame {
+      public:
+        BlockFrame(Evaluator& e, BlockId block, const Frame* outer)
+            : mark_(e),
+              slots_(e.stack_, e.r_.frame_slots[block] == kNone ? 0 : e.r_.frame_slots[block]),
+              own_{outer, slots_.data(), outer->module},
+              used_(e.r_.frame_slots[block] == kNone ? outer : &own_) {}
+        BlockFrame(const BlockFrame&) = delete;
+        BlockFrame& operator=(const BlockFrame&) = delete;
+        [[nodiscard]] const Frame* get() const { return used_; }
+
+      private:
+        DynamicMark mark_;
+        ValueStack::Region slots_;
+        Frame own_;
+        const Frame* used_;
+    };
     [[nodiscard]] csg::Modifiers modifiers(const Instantiation& i) const;
-    void echo(std::span<const Argument> arguments, Scope& scope);
-    void check_assertion(std::span<const Argument> arguments, const SourceRange& where, Scope& scope);
-    void check_stop(const SourceRange& where);
+    void echo_statement(const Instantiation& i, const Frame* frame);
+    void assert_statement(const Instantiation& i, const Frame* frame);
+    void check_stop(const SourceRange& where) {
+        if ((++steps_ & 1023U) == 0 && request_.stop.stop_requested()) {
+            fail_stopped(where);
+        }
+    }
     [[nodiscard]] ValueStack& stack() { return stack_; }
     [[nodiscard]] const Resolution& resolution() const { return r_; }
 
   private:
     friend class DynamicMark;
+
+    [[nodiscard]] std::size_t index_of(const Argument& a) const {
+        return static_cast<std::size_t>(&a - p_.arguments.data());
+    }
+    [[noreturn]] void fail_stopped(const SourceRange& where);
+    [[noreturn]] void fail_limit(const SourceRange& where, const ValueLimit& limit);
+    [[noreturn]] void fail_recursion(const SourceRange& where, std::string_view what, Symbol name);
+    /// Value of a `$` variable that the program may not mention.
+    [[nodiscard]] const Value* special(std::uint32_t index) const {
+        return index == kNone ? nullptr : &dynamic_[index];
+    }
+    void set_special(std::string_view name, Value value);
+    void take_view(ViewSettings& view);
+    NodeId find_root(NodeId top);
 
     // evaluate_expression.cpp
     Value evaluate(ExprId id, Scope& scope);
@@ -160,6 +200,9 @@ class Evaluator {
     Value variable(const VariableRef& ref, const Scope& scope) const;
     Value variable_or_warn(ExprId id, const Scope& scope);
     const Frame* outward(const Frame* frame, std::uint32_t hops) const;
+
+    void echo(std::span<const Argument> arguments, Scope& scope);
+    void check_assertion(std::span<const Argument> arguments, const SourceRange& where, Scope& scope);
 
     // evaluate_list.cpp
     void collect(ExprId element, Scope& scope, std::vector<Value>& out);
@@ -185,7 +228,15 @@ class Evaluator {
     const Frame* unit_frame(UnitId unit);
 
     void unwind(std::size_t mark);
-    void check_stack(const SourceRange& where, std::string_view what, Symbol name);
+    /// Fails where the stack is nearly used up. `reserve` is what must be left: calls ask for more than expressions, so
+    /// that endless recursion is found, and named, at a call.
+    void check_stack(const SourceRange& where, std::string_view what, Symbol name, std::size_t reserve) {
+        const char here = 0;
+        if (&here < stack_limit_ + reserve) {
+            fail_recursion(where, what, name);
+        }
+    }
+    static constexpr std::size_t kCallReserve = std::size_t{2} << 20;
 
     const Program& p_;
     const Request& request_;
@@ -215,17 +266,17 @@ class Evaluator {
         bool ready = false;
     };
     std::vector<UnitFrame> units_;
+    std::vector<bool> dynamic_symbols_;  ///< By symbol: whether it begins with `$`.
     TreeBuilder builder_;
     std::vector<std::uint32_t> tree_files_;  ///< By file of the SourceSet.
-    NodeId root_ = kNoNode;                  ///< Of the first `!`.
-    std::uint32_t children_index_ = kNone;
-    std::uint32_t parent_modules_index_ = kNone;
+    std::vector<std::uint32_t> source_of_;   ///< The other way round.
+    bool has_root_modifier_ = false;
+    BuiltinFunction is_undef_;      ///< The one that may ask for a variable in silence.
+    std::uint32_t children_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
+    std::uint32_t parent_modules_index_;
+    std::uint32_t fn_index_, fa_index_, fs_index_;
     std::uint32_t steps_ = 0;
     std::size_t nodes_ = 0;
-
-  public:
-    /// Notes the node of a `!`; the first counts.
-    void mark_root(NodeId node) { root_ = root_ == kNoNode ? node : root_; }
 };
 
 }  // namespace csg::scad

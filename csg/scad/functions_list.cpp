@@ -54,7 +54,8 @@ Value str(std::string_view, std::span<const Value> a, FunctionHost&) {
     return result;
 }
 
-void append_characters(std::string& out, const Value& value, std::size_t limit, int depth = 0) {
+/// `left` bounds how much of all lists together is looked at.
+void append_characters(std::string& out, const Value& value, std::size_t limit, std::size_t& left, int depth = 0) {
     const auto append = [&out](double c) {
         if (c >= 1 && c < 0x110000 && !(c >= 0xd800 && c < 0xe000)) {
             append_utf8(out, static_cast<char32_t>(c));
@@ -65,7 +66,10 @@ void append_characters(std::string& out, const Value& value, std::size_t limit, 
         append(value.number());
     } else if (value.is_vector() && depth < kMaxDepth) {
         for (const Value& e : value.elements()) {
-            append_characters(out, e, limit, depth + 1);
+            if (left-- == 0) {
+                throw ValueLimit("A list is too long to be converted to text");
+            }
+            append_characters(out, e, limit, left, depth + 1);
         }
     } else if (value.is_range()) {
         const std::uint32_t count = value.range().count();
@@ -77,6 +81,7 @@ void append_characters(std::string& out, const Value& value, std::size_t limit, 
 
 Value chr(std::string_view, std::span<const Value> a, FunctionHost& host) {
     constexpr std::uint32_t kMaxRange = 1'000'000;
+    std::size_t left = 50'000'000;
     std::string result;
     for (const Value& value : a) {
         if (value.is_range() && value.range().count() >= kMaxRange) {
@@ -84,7 +89,7 @@ Value chr(std::string_view, std::span<const Value> a, FunctionHost& host) {
                                   kMaxRange));
             return {};
         }
-        append_characters(result, value, kMaxRange);
+        append_characters(result, value, kMaxRange, left);
     }
     return result;
 }

@@ -20,12 +20,17 @@ bool all_numbers(std::span<const Value> v) {
     return std::all_of(v.begin(), v.end(), [](const Value& e) { return e.is_number(); });
 }
 
-/// Less, equal or greater as -1, 0, 1; 2 for unordered numbers; nothing where the types do not compare.
-std::optional<int> order(const Value& a, const Value& b, int depth = 0) {
+/// Less, equal or greater as -1, 0, 1; 2 for unordered numbers; nothing where the types do not compare. `steps` counts
+/// the elements that were looked at.
+std::optional<int> order(const Value& a, const Value& b, std::size_t& steps, int depth = 0) {
     constexpr int kMaxDepth = 1000;  // Deeper lists do not compare.
     constexpr auto three_way = [](const auto& x, const auto& y) { return x < y ? -1 : x > y ? 1 : x == y ? 0 : 2; };
+    constexpr std::size_t kMostSteps = 50'000'000;
     if (a.type() != b.type() || depth > kMaxDepth) {
         return std::nullopt;
+    }
+    if (++steps > kMostSteps) {
+        throw ValueLimit("The lists are too large to compare");
     }
     switch (a.type()) {
         case ValueType::Bool:
@@ -45,7 +50,7 @@ std::optional<int> order(const Value& a, const Value& b, int depth = 0) {
         case ValueType::Vector: {
             const auto x = a.elements(), y = b.elements();
             for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-                const auto o = order(x[i], y[i], depth + 1);
+                const auto o = order(x[i], y[i], steps, depth + 1);
                 if (o != 0) {
                     return o;
                 }
@@ -58,7 +63,8 @@ std::optional<int> order(const Value& a, const Value& b, int depth = 0) {
 }
 
 Value compare(Operator op, const Value& a, const Value& b, std::string& problem) {
-    const auto o = order(a, b);
+    std::size_t steps = 0;
+    const auto o = order(a, b, steps);
     if (!o) {
         return undefined(op, a, b, problem);
     }
@@ -191,7 +197,7 @@ Value bits(Operator op, const Value& a, const Value& b, std::string& problem) {
     return static_cast<double>(shifted);
 }
 
-constexpr int kMaxListDepth = 10000;
+constexpr int kMaxListDepth = 1000;
 
 Value arithmetic(Operator op, const Value& a, const Value& b, std::string& problem, int depth = 0) {
     if (a.is_number() && b.is_number()) {

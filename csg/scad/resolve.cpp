@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "csg/scad/builtin_modules.h"
+
 namespace csg::scad {
 
 std::uint32_t Resolution::dynamic_index(Symbol name) const {
@@ -145,7 +147,9 @@ class Resolver {
 
     void resolve_instantiation(const Instantiation& first, const BlockScope& scope) {
         const Instantiation* i = &first;
-        r_.module_of_instantiation[static_cast<std::size_t>(i - p_.instantiations.data())].user = find_module(i->name);
+        ModuleTarget& target = r_.module_of_instantiation[static_cast<std::size_t>(i - p_.instantiations.data())];
+        target.user = find_module(i->name);
+        target.builtin = target.user.id == kNone ? find_builtin_module(p_.symbols.text(i->name)) : nullptr;
         const bool declares = !i->is_if && declares_for_children(p_.symbols.text(i->name));
         BlockScope children;
         if (i->children != kNone) {

@@ -13,8 +13,13 @@
 
 #include "csg/scad/ast.h"
 #include "csg/scad/builtin_functions.h"
+#include "csg/tree/tree.h"
 
 namespace csg::scad {
+
+struct ModuleContext;
+/// Adds what the module makes to `out`: at most one node. See builtin_modules.h.
+using BuiltinModule = void (*)(const ModuleContext& context, std::vector<NodeId>& out);
 
 enum class Place : std::uint8_t { Unknown, Local, Capture, Block, Dynamic };
 
@@ -45,7 +50,8 @@ struct CallTarget {
 };
 
 struct ModuleTarget {
-    DefinitionRef user;  ///< id is kNone for a built-in or unknown module.
+    DefinitionRef user;               ///< id is kNone for a built-in or unknown module.
+    BuiltinModule builtin = nullptr;  ///< Null for an unknown one.
 };
 
 /// Where a function literal takes a captured value from, when it is made.

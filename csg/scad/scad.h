@@ -37,10 +37,12 @@ struct Request {
     SourceReader reader = read_source_file;
     std::vector<std::string> search_path = search_path_from_environment();
     Limits limits;
-    std::stop_token stop;  ///< Asked often; a stopped evaluation ends with an error soon.
-    double time = 0;       ///< $t
-    bool preview = true;   ///< $preview
-    View view;             ///< What the $vp… variables hold before the file sets them.
+    std::stop_token stop;          ///< Asked often; a stopped evaluation ends with an error soon.
+    double time = 0;               ///< $t
+    bool preview = true;           ///< $preview
+    bool trace_parameters = true;  ///< Traces show the parameters of user modules (--trace-usermodule-parameters).
+    bool check_ranges = false;     ///< Warn of dimensions that make nothing (--check-parameter-ranges).
+    View view;                     ///< What the $vp… variables hold before the file sets them.
 };
 
 /// The $vp… variables that the main file sets at top level.

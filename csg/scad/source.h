@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -55,7 +56,7 @@ class SourceSet {
     [[nodiscard]] std::size_t size() const { return files_.size(); }
 
   private:
-    std::vector<SourceFile> files_;
+    std::deque<SourceFile> files_;  // A deque, so that texts stay where they are while others come.
 };
 
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{64} << 20;

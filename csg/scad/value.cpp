@@ -8,10 +8,22 @@ namespace csg::scad {
 namespace {
 
 thread_local std::size_t g_live_elements = 0;
+thread_local std::size_t g_most_elements = std::numeric_limits<std::size_t>::max();
+
+/// Counts `size` more elements in.
+void count_in(std::size_t size) {
+    if (size > g_most_elements || g_live_elements > g_most_elements - size) {
+        throw ValueLimit("Lists hold more than " + std::to_string(g_most_elements) + " elements");
+    }
+    g_live_elements += size;
+}
 
 struct StringObject : ValueObject {
     explicit StringObject(std::string t)
-        : ValueObject(ValueType::String), text(std::move(t)), length(code_point_count(text)) {}
+        : ValueObject(ValueType::String), text(std::move(t)), length(code_point_count(text)) {
+        count_in(text.size() / sizeof(Value));
+    }
+    ~StringObject() { g_live_elements -= text.size() / sizeof(Value); }
     const std::string text;
     const std::size_t length;
 };
@@ -19,12 +31,13 @@ struct StringObject : ValueObject {
 struct VectorObject : ValueObject {
     explicit VectorObject(std::vector<Value> e)
         : ValueObject(ValueType::Vector), elements(std::move(e)), counted(elements.size()) {
-        g_live_elements += counted;
+        count_in(counted);
     }
     ~VectorObject() { g_live_elements -= counted; }
-    void recount() {
-        g_live_elements += elements.size() - counted;
-        counted = elements.size();
+    void append(Value element) {
+        count_in(1);
+        ++counted;
+        elements.push_back(std::move(element));
     }
     std::vector<Value> elements;
     std::size_t counted;  // What live_elements() knows of.
@@ -39,6 +52,10 @@ struct RangeObject : ValueObject {
 
 std::size_t live_elements() {
     return g_live_elements;
+}
+
+void limit_elements(std::size_t most) {
+    g_most_elements = most;
 }
 
 std::string_view type_name(ValueType type) {
@@ -123,9 +140,7 @@ void Value::append(Value element) {
         const auto old = elements();
         *this = Value(std::vector<Value>(old.begin(), old.end()));
     }
-    auto* vector = static_cast<VectorObject*>(object_);
-    vector->elements.push_back(std::move(element));
-    vector->recount();
+    static_cast<VectorObject*>(object_)->append(std::move(element));
 }
 
 void Value::destroy(ValueType type, ValueObject* object) {
@@ -192,8 +207,13 @@ bool equal(const Value& a, const Value& b) {
             break;
     }
     // Pairs of lists still to compare, so that deep nesting needs no deep stack.
+    constexpr std::size_t kMostPairs = 50'000'000;
+    std::size_t pairs = 0;
     std::vector<std::pair<std::span<const Value>, std::span<const Value>>> pending{{a.elements(), b.elements()}};
     while (!pending.empty()) {
+        if (++pairs > kMostPairs) {
+            throw ValueLimit("The lists are too large to compare");
+        }
         const auto [x, y] = pending.back();
         pending.pop_back();
         if (x.size() != y.size()) {

@@ -1,8 +1,10 @@
 // Values of the language: small, shared, immutable once shared.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <span>
 #include <string>
 #include <string_view>
@@ -116,6 +118,8 @@ class Value {
     /// Vectors only: in place where nobody else holds the list, else to a copy of it.
     void append(Value element);
 
+    // Texts throw ValueLimit where they would be too long or lists nest too deep.
+
     /// As str() and nested in vectors: strings without quotes at top level, with quotes inside.
     [[nodiscard]] std::string text() const;
     /// As echo() prints it: strings in quotes.
@@ -134,14 +138,24 @@ class Value {
 };
 static_assert(sizeof(Value) == 16);
 
-/// == of the language: different types are never equal; undef equals undef.
+/// == of the language: different types are never equal; undef equals undef. Throws ValueLimit where shared parts make
+/// the lists too large to compare.
 [[nodiscard]] bool equal(const Value& a, const Value& b);
 
 /// A number as OpenSCAD prints it: six significant digits, ("0.1", "1e+6", "inf", "nan", "0" for -0).
 [[nodiscard]] std::string number_text(double number);
 
-/// How many list elements are alive on this thread; evaluators bound it.
+/// A value would grow beyond what is allowed, or is too deep or too long for what was asked of it.
+class ValueLimit : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// How many list elements are alive on this thread; every 16 bytes of a string count as one.
 [[nodiscard]] std::size_t live_elements();
+
+/// How many may be alive on this thread: making one more list or string throws ValueLimit.
+void limit_elements(std::size_t most);
 
 // UTF-8. Bytes that are no valid sequence count as one code point each.
 [[nodiscard]] std::size_t code_point_bytes(std::string_view text, std::size_t at);

@@ -54,6 +54,9 @@ std::string number_text(double number) {
 
 namespace {
 
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostNested = 20'000;
+
 std::string scalar_text(const Value& value, bool quoted) {
     switch (value.type()) {
         case ValueType::Bool:
@@ -94,7 +97,13 @@ std::string text_of(const Value& value, bool quoted) {
             result += ", ";
         }
         const Value& element = top.elements[top.next++];
+        if (result.size() > kMostBytes) {
+            throw ValueLimit("A list is too long to be converted to text");
+        }
         if (element.is_vector()) {
+            if (open.size() == kMostNested) {
+                throw ValueLimit("Stack exhausted while trying to convert a vector to EchoString");
+            }
             result += '[';
             open.push_back({element.elements(), 0});
         } else {

@@ -136,6 +136,31 @@ class SceneMaker {
 
 }  // namespace
 
+Box bounds(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes) {
+    std::vector<Box> boxes(part.root - part.first_expression + 1);
+    for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {
+        const Expression& e = scene.expressions[i];
+        const auto children = scene.children(e);
+        Box& box = boxes[i - part.first_expression];
+        if (e.kind == ExpressionKind::Leaf) {
+            box = leaf_boxes[e.leaf];
+            continue;
+        }
+        for (std::size_t k = 0; k < children.size(); ++k) {
+            const Box& child = boxes[children[k] - part.first_expression];
+            if (k == 0)
+                box = child;
+            else if (e.kind == ExpressionKind::Union)
+                box = enclose(box, child);
+            else if (e.kind == ExpressionKind::Intersection)
+                box = intersect(box, child);
+        }
+        if (box.empty())
+            box = {};
+    }
+    return boxes.back();
+}
+
 Scene make_scene(const Tree& tree) {
     return SceneMaker(tree).make();
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/tree/box.h"
 #include "csg/tree/tree.h"
 
 namespace csg {
@@ -65,6 +66,9 @@ struct Scene {
 /// translucent subtrees of the top-level union parts of their own. Groups that hold one child are that child.
 /// The first part, if any, is the Solid one. A tree without geometry gives no parts.
 [[nodiscard]] Scene make_scene(const Tree& tree);
+
+/// A box that encloses the part: boxes of leaves (by LeafId) united and intersected, a difference's that of its first.
+[[nodiscard]] Box bounds(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes);
 
 /// The value of a part's expression where `inside(leaf)` tells whether the point is in a leaf. Each leaf of the part
 /// is asked once. `values` is scratch, kept by the caller to spare allocations; afterwards `values[i]` holds the value

@@ -95,6 +95,7 @@ class TreeBuilder {
     NodeId color(const Rgba& color, std::span<const NodeId> children, SourceLocation where, Modifiers modifiers = {});
 
     [[nodiscard]] const Node& node(NodeId id) const { return tree_.nodes_[id]; }
+    [[nodiscard]] std::span<const NodeId> children(NodeId id) const { return tree_.children(id); }
 
     /// Hands the tree over; the builder is empty afterwards.
     [[nodiscard]] Tree finish(NodeId root);

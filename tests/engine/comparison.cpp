@@ -31,12 +31,14 @@ bool same(const truth::Surface& expected, const goldfeather::Surface& actual) {
 
 }  // namespace
 
-Subject::Subject(const csg::Tree& tree) : scene(csg::make_scene(tree)) {
+Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_scene(tree)) {
     csg::solid::SolidCache cache;
     geometry = csg::solid::place(tree, scene, cache);
     std::vector<csg::Box> boxes;
     for (const auto& leaf : geometry.leaves)
         boxes.push_back(leaf.box);
+    if (!with_products)
+        return;
     for (const csg::Part& part : scene.parts) {
         goldfeather::NormalizationStats stats;
         auto normalized = goldfeather::normalize(scene, part, boxes, {}, stats);

@@ -12,7 +12,8 @@ namespace comparison {
 
 /// A model made ready for peeling.
 struct Subject {
-    explicit Subject(const csg::Tree& tree);
+    /// Without `with_products`, there are none and no part is over budget.
+    explicit Subject(const csg::Tree& tree, bool with_products = true);
 
     csg::Scene scene;
     csg::solid::Geometry geometry;

@@ -3,8 +3,7 @@
 
 #include <memory>
 
-#include "tests/engine/comparison.h"
-#include "tests/support/gl_test.h"
+#include "tests/engine/engine_test.h"
 
 namespace {
 
@@ -42,24 +41,17 @@ gl::Camera from(const glm::dvec3& eye, const glm::dvec3& center, double fov = 30
     return camera;
 }
 
-class HardCases : public test_support::GlTest {
+class HardCases : public comparison::EngineTest {
   protected:
     /// Peels all layers, from which the truth must not differ.
     goldfeather::HostLayers peel(const Model& model, const gl::Camera& camera, double most_undecided = 0.1) {
-        if (!peeler_)
-            peeler_ = std::make_unique<peel::Peeler>(gl());
-        const Subject subject(random_tree::make_tree(model));
+        const Subject subject = this->subject(model);
         const gl::View view = subject.view(camera, {65, 65});
-        auto stack = comparison::peel_all(gl(), *peeler_, subject, view);
+        auto stack = engine().peel(subject, view);
         comparison::Count count;
         EXPECT_EQ(comparison::difference(subject, view, stack, count), "") << random_tree::scad_text(model);
         EXPECT_LE(static_cast<double>(count.undecided), most_undecided * static_cast<double>(count.pixels));
         return stack;
-    }
-
-    void TearDown() override {
-        peeler_.reset();
-        GlTest::TearDown();
     }
 
     /// Leaves of the surfaces in a pixel, nearest first; "-" before those that are cuts.
@@ -77,8 +69,6 @@ class HardCases : public test_support::GlTest {
         return static_cast<std::size_t>(std::count_if(stack.surfaces.begin(), stack.surfaces.end(),
                                                       [](const goldfeather::Surface& s) { return s.depth > 0; }));
     }
-
-    std::unique_ptr<peel::Peeler> peeler_;
 };
 
 TEST_P(HardCases, SharedFacesOfADifferenceHaveNoSkin) {
@@ -217,7 +207,7 @@ TEST_P(HardCases, HighlightedPartsComeFirstThenById) {
     EXPECT_EQ(parts, (std::vector<csg::PartId>{1, 2, 0}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, HardCases, testing::Values(gl::ContextKind::Egl, gl::ContextKind::Osmesa),
-                         test_support::context_name);
+INSTANTIATE_TEST_SUITE_P(Engines, HardCases, testing::Values("goldfeather_egl", "goldfeather_osmesa", "lists_cpu"),
+                         comparison::engine_name);
 
 }  // namespace

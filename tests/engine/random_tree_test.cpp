@@ -3,8 +3,7 @@
 
 #include <cstdlib>
 
-#include "tests/engine/comparison.h"
-#include "tests/support/gl_test.h"
+#include "tests/engine/engine_test.h"
 
 namespace {
 
@@ -46,13 +45,13 @@ int environment(const char* name, int otherwise) {
 /// What is wrong with the picture of a sample; empty if nothing is.
 class Check {
   public:
-    explicit Check(const gl::Functions& gl) : gl_(gl), peeler_(gl) {}
+    explicit Check(comparison::Engine& engine) : engine_(engine) {}
 
     std::string run(const Sample& sample, comparison::Count& count, std::size_t& over_budget) {
-        const Subject subject(random_tree::make_tree(sample.model));
+        const Subject subject(random_tree::make_tree(sample.model), engine_.needs_products());
         over_budget += subject.over_budget;
         const gl::View view = subject.view(sample.camera, kSize);
-        return comparison::difference(subject, view, comparison::peel_all(gl_, peeler_, subject, view), count);
+        return comparison::difference(subject, view, engine_.peel(subject, view), count);
     }
 
     /// The smallest model found for which something is still wrong.
@@ -74,14 +73,13 @@ class Check {
     }
 
   private:
-    const gl::Functions& gl_;
-    peel::Peeler peeler_;
+    comparison::Engine& engine_;
 };
 
-class RandomTrees : public test_support::GlTest {};
+class RandomTrees : public comparison::EngineTest {};
 
 TEST_P(RandomTrees, AgreeWithTheRayCaster) {
-    Check check(gl());
+    Check check(engine());
     comparison::Count count;
     std::size_t over_budget = 0;
     const int first = environment("CSGSCOPE_TEST_SEED", 1);
@@ -109,14 +107,13 @@ TEST_P(RandomTrees, AgreeWithTheRayCaster) {
 
 /// The first k layers are the first k of all.
 TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
-    peel::Peeler peeler(gl());
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
         const Sample sample = make_sample(seed);
-        const Subject subject(random_tree::make_tree(sample.model));
+        const Subject subject = this->subject(sample.model);
         const gl::View view = subject.view(sample.camera, kSize);
-        const auto all = comparison::peel_all(gl(), peeler, subject, view);
+        const auto all = engine().peel(subject, view);
         for (const int k : {1, 2}) {
-            const auto few = comparison::peel_all(gl(), peeler, subject, view, k);
+            const auto few = engine().peel(subject, view, k);
             ASSERT_LE(few.layers, k);
             ASSERT_TRUE(few.surfaces == comparison::padded(all, few.layers))
                 << "seed " << seed << ", " << k << " layers\n"
@@ -125,8 +122,13 @@ TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
     }
 }
 
+INSTANTIATE_TEST_SUITE_P(Engines, RandomTrees, testing::Values("goldfeather_egl", "lists_cpu"),
+                         comparison::engine_name);
+
+class Bands : public test_support::GlTest {};
+
 /// Walking the picture in bands is only a matter of memory.
-TEST_P(RandomTrees, BandsDoNotShow) {
+TEST_P(Bands, DoNotShow) {
     goldfeather::Goldfeather whole(gl()), split(gl(), 48 * 24 * 5);
     int most_bands = 0;
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -147,24 +149,22 @@ TEST_P(RandomTrees, BandsDoNotShow) {
     EXPECT_GE(most_bands, 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, RandomTrees, testing::Values(gl::ContextKind::Egl), test_support::context_name);
+INSTANTIATE_TEST_SUITE_P(Contexts, Bands, testing::Values(gl::ContextKind::Egl), test_support::context_name);
 
 /// Both software renderers give the same stacks to the last bit.
 TEST(RandomTreesOnTwoContexts, AreTheSame) {
     std::vector<std::vector<goldfeather::Surface>> stacks[2];
-    const gl::ContextKind kinds[2]{gl::ContextKind::Egl, gl::ContextKind::Osmesa};
+    const char* const names[2]{"goldfeather_egl", "goldfeather_osmesa"};
     for (int i = 0; i < 2; ++i) {
-        const auto made = test_support::try_context(kinds[i]);
-        if (!made.context) {
+        const auto made = comparison::make_engine(names[i]);
+        if (!made.engine) {
             ASSERT_EQ(environment("CSGSCOPE_REQUIRE_GL", 0), 0) << "no OpenGL: " << made.reason;
             GTEST_SKIP() << "no OpenGL: " << made.reason;
         }
-        const gl::Functions& gl = made.context->functions();
-        peel::Peeler peeler(gl);
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
             const Sample sample = make_sample(seed);
             const Subject subject(random_tree::make_tree(sample.model));
-            stacks[i].push_back(comparison::peel_all(gl, peeler, subject, subject.view(sample.camera, kSize)).surfaces);
+            stacks[i].push_back(made.engine->peel(subject, subject.view(sample.camera, kSize)).surfaces);
         }
     }
     for (std::size_t i = 0; i < stacks[0].size(); ++i)

@@ -201,7 +201,7 @@ TEST_F(Cli, WhatCannotBeDoneSaysSoAndLeavesNoFile) {
         {"m.scad -o m.stl", "png, csg, ast and echo"},
         {"m.scad -o m.png --style bluprint", "Did you mean \"blueprint\"?"},
         {"m.scad -o m.png --set nonsense=1", "nonsense"},
-        {"m.scad -o m.png --style blueprint --set line_width=thick", "thick"},
+        {"m.scad -o m.png --style blueprint --set width=thick", "thick"},
         {"m.scad -o m.png --colorscheme Cornfeld", "Did you mean \"Cornfield\"?"},
         {"m.scad -o m.png --context nvidia", "egl"},
         {"m.scad -o m.png --imgsize 99999,1", "1 to 16384"},

@@ -2,6 +2,7 @@
 
 #include "ui/command_line/files.h"
 #include "ui/command_line/options.h"
+#include "ui/pipeline/suggestion.h"
 
 namespace ui {
 namespace {

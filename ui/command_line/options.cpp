@@ -174,7 +174,7 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
 
     const char* const engine = "Engine";
-    text("--engine", raw.engine, "auto or goldfeather (auto)", "NAME", engine);
+    text("--engine", raw.engine, "auto, goldfeather or lists-cpu (auto)", "NAME", engine);
     text("--context", raw.context, "OpenGL from: auto, egl or osmesa (auto)", "NAME", engine);
     text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
 
@@ -246,8 +246,10 @@ void interpret(Options& o, const Raw& raw) {
     if (!raw.samples.empty()) {
         o.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
-    o.engine =
-        read_name<Engine>("--engine", raw.engine, {{"auto", Engine::Auto}, {"goldfeather", Engine::Goldfeather}});
+    using goldfeather::EngineKind;
+    o.engine = read_name<std::optional<EngineKind>>(
+        "--engine", raw.engine,
+        {{"auto", std::nullopt}, {"goldfeather", EngineKind::Goldfeather}, {"lists-cpu", EngineKind::ListsCpu}});
     o.context = read_name<gl::ContextKind>(
         "--context", raw.context,
         {{"auto", gl::ContextKind::Auto}, {"egl", gl::ContextKind::Egl}, {"osmesa", gl::ContextKind::Osmesa}});

@@ -9,6 +9,7 @@
 
 #include "gl/camera.h"
 #include "gl/context.h"
+#include "goldfeather/choice.h"
 
 namespace ui {
 
@@ -25,8 +26,6 @@ struct Output {
     Format format = Format::Png;
 };
 
-enum class Engine { Auto, Goldfeather };
-
 struct Options {
     std::string input;  ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
@@ -41,7 +40,7 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters.
     std::optional<int> layers;                                  ///< 0: all. Absent: what the style needs.
     int samples = 4;
-    Engine engine = Engine::Auto;
+    std::optional<goldfeather::EngineKind> engine;  ///< Absent: auto.
     gl::ContextKind context = gl::ContextKind::Auto;
     std::optional<std::string> statistics;  ///< File for JSON; "-": standard output.
     std::optional<std::string> summary_file;

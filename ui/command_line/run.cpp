@@ -179,7 +179,7 @@ class Run {
         progress_.say("Drawing…");
         Stopwatch watch;
         const auto context = gl::create_context(options_.context);
-        Renderer renderer(*context);
+        Renderer renderer(*context, options_.engine);
         const double context_ms = watch.lap();
         const gl::Image image = renderer.render(*model_, picture_request(camera_));
         (void)watch.lap();

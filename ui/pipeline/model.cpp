@@ -22,18 +22,19 @@ std::uint64_t next_generation() {
     return ++count;
 }
 
-/// The part's products; none for an empty part.
-std::vector<goldfeather::Product> products_of(const Model& model, const csg::Part& part,
-                                              std::span<const csg::Box> boxes, const goldfeather::Budget& budget,
-                                              ModelStatistics& sum) {
+/// The part's products; none for an empty part, nor for one over the budget.
+std::vector<goldfeather::Product> products_of(Model& model, const csg::Part& part, std::span<const csg::Box> boxes,
+                                              const goldfeather::Budget& budget, ModelStatistics& sum) {
     goldfeather::NormalizationStats stats;
     auto normalized = goldfeather::normalize(model.scene, part, boxes, budget, stats);
     if (const auto* over = std::get_if<goldfeather::OverBudget>(&normalized)) {
         const auto& where = model.scene.leaves[part.first_leaf].where;
-        throw ModelError(
-            fmt::format("{}the part that begins here needs more than {} products ({} were made); "
-                        "differences and intersections of large unions multiply",
-                        place_of(*model.tree, where), budget.products, over->products));
+        model.over_budget = fmt::format(
+            "{}the part that begins here needs more than {} products ({} were made); "
+            "differences and intersections of large unions multiply",
+            place_of(*model.tree, where), budget.products, over->products);
+        model.box = csg::enclose(model.box, csg::bounds(model.scene, part, boxes));
+        return {};
     }
     sum.products_unpruned = std::min(1e18, sum.products_unpruned + stats.products_unpruned);
     sum.products += stats.products;

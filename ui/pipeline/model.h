@@ -13,7 +13,7 @@
 
 namespace ui {
 
-/// The model cannot be drawn; the text begins with file:line:column where the place is known.
+/// The model cannot be drawn as asked; the text begins with file:line:column where the place is known.
 class ModelError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -32,7 +32,8 @@ struct Model {
     csg::Scene scene;
     csg::solid::Geometry geometry;
     std::vector<std::vector<goldfeather::Product>> products;  ///< By part; an empty part has none.
-    csg::Box box;                       ///< Encloses all products, so the solid too; empty where nothing is to be seen.
+    std::string over_budget;                                  ///< Why a part has no products; empty where all have.
+    csg::Box box;                       ///< Encloses the solid; empty where nothing is to be seen.
     std::vector<std::string> warnings;  ///< With file:line:column where known.
     ModelStatistics statistics;
     std::uint64_t generation = 0;  ///< Counts the models of the process: which one a renderer holds.
@@ -45,7 +46,8 @@ class ModelBuilder {
   public:
     explicit ModelBuilder(goldfeather::Budget budget = {}) : budget_(budget) {}
 
-    /// Throws ModelError where a part has more products than the budget allows. Gives null where `stop` ended it.
+    /// A part with more products than the budget allows is left to the engines that need none. Gives null where `stop`
+    /// ended it.
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree, std::stop_token stop = {});
 
   private:

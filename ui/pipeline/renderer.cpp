@@ -65,14 +65,19 @@ void check_picture(const PictureRequest& request) {
     (void)parameters_of(request);
 }
 
-Renderer::Renderer(const gl::Context& context) : gl_(context.functions()), peeler_(gl_), accumulator_(gl_) {}
+Renderer::Renderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine)
+    : gl_(context.functions()), software_(context.software()), wanted_(engine), peeler_(gl_), accumulator_(gl_) {}
 
 void Renderer::hold(const Model& model) {
     if (model_ && generation_ == model.generation) {
         return;
     }
+    choice_ = goldfeather::choose_engine(wanted_, {software_, !model.over_budget.empty()});
+    if (choice_.engine == goldfeather::EngineKind::Goldfeather && !model.over_budget.empty()) {
+        throw ModelError(model.over_budget);
+    }
     model_.reset();  // Before the next is made: the two need not fit together.
-    model_ = std::make_unique<peel::PeelModel>(gl_, model.scene, model.geometry, model.products);
+    model_ = std::make_unique<peel::PeelModel>(gl_, model.scene, model.geometry, model.products, choice_.engine);
     generation_ = model.generation;
     translucent_ = translucent(model.scene);
 }
@@ -112,6 +117,7 @@ void Renderer::draw_sample(const Model& model, const PictureRequest& request, in
     });
     gl_.Finish();
     statistics_.style_ms += watch.lap();
+    statistics_.engine = choice_;
 }
 
 void Renderer::accumulate(const Model& model, const PictureRequest& request) {

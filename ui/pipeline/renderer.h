@@ -35,10 +35,12 @@ struct PictureRequest {
 void check_picture(const PictureRequest& request);
 
 /// Holds one model on the GPU and the programs of all styles. Its context must be current whenever it is used, and
-/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs.
+/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs, and ModelError where the engine asked
+/// for cannot draw the model.
 class Renderer {
   public:
-    explicit Renderer(const gl::Context& context);
+    /// `engine`: absent to let the renderer choose.
+    explicit Renderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine = {});
 
     /// The picture in main memory.
     [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request);
@@ -64,6 +66,9 @@ class Renderer {
     void accumulate(const Model& model, const PictureRequest& request);
 
     const gl::Functions& gl_;
+    bool software_;
+    std::optional<goldfeather::EngineKind> wanted_;
+    goldfeather::EngineChoice choice_;  ///< For the model held.
     peel::Peeler peeler_;
     npr::Accumulator accumulator_;
     std::map<std::string, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.

@@ -16,7 +16,8 @@ nlohmann::ordered_json to_json(const ModelStatistics& s) {
 }
 
 nlohmann::ordered_json to_json(const PictureStatistics& s) {
-    return {{"engine", "goldfeather"},
+    return {{"engine", goldfeather::name(s.engine.engine)},
+            {"engine_reason", s.engine.reason},
             {"samples", s.samples},
             {"layers", s.walk.layers},
             {"passes", s.walk.passes},

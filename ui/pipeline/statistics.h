@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "goldfeather/choice.h"
 #include "goldfeather/engine.h"
 #include "ui/pipeline/model.h"
 
@@ -10,6 +11,7 @@ namespace ui {
 
 /// The cost of one picture. Times are wall time in milliseconds, over all samples.
 struct PictureStatistics {
+    goldfeather::EngineChoice engine;
     goldfeather::WalkStats walk;  ///< Passes, bands and fragments summed over samples, the rest at its largest.
     int samples = 0;
     double upload_ms = 0;  ///< 0 where the renderer held the model already.

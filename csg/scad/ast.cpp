@@ -1,0 +1,57 @@
+#include "csg/scad/ast.h"
+
+namespace csg::scad {
+
+std::string_view operator_text(Operator op) {
+    switch (op) {
+        case Operator::None:
+            return "";
+        case Operator::Not:
+            return "!";
+        case Operator::Negate:
+            return "-";
+        case Operator::Plus:
+            return "+";
+        case Operator::BitNot:
+            return "~";
+        case Operator::Or:
+            return "||";
+        case Operator::And:
+            return "&&";
+        case Operator::Equal:
+            return "==";
+        case Operator::NotEqual:
+            return "!=";
+        case Operator::Less:
+            return "<";
+        case Operator::LessEqual:
+            return "<=";
+        case Operator::Greater:
+            return ">";
+        case Operator::GreaterEqual:
+            return ">=";
+        case Operator::BitOr:
+            return "|";
+        case Operator::BitAnd:
+            return "&";
+        case Operator::ShiftLeft:
+            return "<<";
+        case Operator::ShiftRight:
+            return ">>";
+        case Operator::Add:
+            return "+";
+        case Operator::Subtract:
+            return "-";
+        case Operator::Multiply:
+            return "*";
+        case Operator::Divide:
+            return "/";
+        case Operator::Modulo:
+            return "%";
+        case Operator::Power:
+            return "^";
+    }
+    return "";
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,267 @@
+// Built-in modules that combine, move and colour their children.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "csg/scad/builtin_modules.h"
+#include "csg/scad/color_names.h"
+#include "csg/tree/degrees.h"
+
+namespace csg::scad {
+
+namespace {
+
+using Names = std::string_view;
+using Axes = std::array<glm::dvec3, 3>;  ///< Columns of a linear map.
+
+template <Operation kOperation>
+void run_combination(const ModuleContext& c, Nodes& out) {
+    const ModuleArguments arguments(c, {});
+    out.push_back(c.evaluator.builder().combine(kOperation, c.children(), c.location(), c.modifiers));
+}
+
+/// The result is known to be needed as a mesh only later; until then it is what its children are.
+void run_render(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 1> kParameters{"convexity"};
+    const ModuleArguments arguments(c, kParameters);
+    out.push_back(c.evaluator.builder().combine(Operation::Group, c.children(), c.location(), c.modifiers));
+}
+
+void add_transform(const ModuleContext& c, const Axes& axes, const glm::dvec3& offset, Nodes& out) {
+    glm::dmat4 matrix(1.0);
+    for (int column = 0; column < 3; ++column) {
+        matrix[column] = glm::dvec4(axes[static_cast<std::size_t>(column)], 0.0);
+    }
+    matrix[3] = glm::dvec4(offset, 1.0);
+    out.push_back(c.evaluator.builder().transform(matrix, c.children(), c.location(), c.modifiers));
+}
+
+constexpr Axes identity() {
+    return {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+}
+
+bool is_finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void run_translate(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 1> kParameters{"v"};
+    const ModuleArguments arguments(c, kParameters);
+    glm::dvec3 offset(0.0);
+    if (!to_vec3(arguments["v"], offset, 0) || !is_finite(offset)) {
+        c.warn(fmt::format("Unable to convert translate({}) parameter to a vec3 or vec2 of numbers",
+                           arguments["v"].echo_text()));
+        offset = glm::dvec3(0.0);
+    }
+    add_transform(c, identity(), offset, out);
+}
+
+void run_scale(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 1> kParameters{"v"};
+    const ModuleArguments arguments(c, kParameters);
+    const Value& v = arguments["v"];
+    glm::dvec3 factor(1.0);
+    if (v.is_number()) {
+        factor = glm::dvec3(v.number());
+    } else if (!to_vec3(v, factor, 1)) {
+        c.warn(fmt::format("Unable to convert scale({}) parameter to a number, a vec3 or vec2 of numbers or a number",
+                           v.echo_text()));
+    }
+    const bool flat = factor.x * factor.y * factor.z == 0 || !is_finite(factor);
+    if (flat && c.evaluator.request().check_ranges) {
+        c.warn(fmt::format("scale({})", v.echo_text()));
+    }
+    add_transform(c, {glm::dvec3(factor.x, 0, 0), glm::dvec3(0, factor.y, 0), glm::dvec3(0, 0, factor.z)},
+                  glm::dvec3(0.0), out);
+}
+
+void run_mirror(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 1> kParameters{"v"};
+    const ModuleArguments arguments(c, kParameters);
+    glm::dvec3 n(1, 0, 0);
+    if (!to_vec3(arguments["v"], n, 0)) {
+        c.warn(fmt::format("Unable to convert mirror({}) parameter to a vec3 or vec2 of numbers",
+                           arguments["v"].echo_text()));
+    }
+    Axes axes = identity();
+    // I - 2 n nᵀ. Divided by the square of the length, so that whole numbers stay exact.
+    const double square = n.x * n.x + n.y * n.y + n.z * n.z;
+    if (square > 0) {
+        for (std::size_t column = 0; column < 3; ++column) {
+            for (std::size_t row = 0; row < 3; ++row) {
+                const auto i = static_cast<int>(row), j = static_cast<int>(column);
+                const double product = -2 * n[i] * n[j] / square;
+                axes[column][i] = row == column ? 1 + product : product;
+            }
+        }
+    }
+    add_transform(c, axes, glm::dvec3(0.0), out);
+}
+
+struct SineCosine {
+    double sine, cosine;
+};
+
+/// With the sign that a zero has just before the angle is reached from below, as OpenSCAD prints it.
+SineCosine sine_cosine(double degrees) {
+    SineCosine result{sin_degrees(degrees), cos_degrees(degrees)};
+    double turn = std::fmod(degrees, 360.0);
+    turn = turn < 0 ? turn + 360 : turn;
+    if (result.sine == 0) {
+        result.sine = turn == 180 ? -0.0 : 0.0;
+    }
+    if (result.cosine == 0) {
+        result.cosine = turn == 270 ? -0.0 : 0.0;
+    }
+    return result;
+}
+
+/// Turns the plane of two axes: `a` towards `b`.
+void turn(glm::dvec3& a, glm::dvec3& b, double degrees) {
+    const auto [sine, cosine] = sine_cosine(degrees);
+    const glm::dvec3 from = a;
+    a = cosine * a + sine * b;
+    b = cosine * b - sine * from;
+}
+
+/// By `degrees` about a unit vector (Rodrigues).
+Axes about(const glm::dvec3& u, double degrees) {
+    const auto [sine, cosine] = sine_cosine(degrees);
+    const glm::dvec3 s = sine * u;
+    const glm::dvec3 k = (1 - cosine) * u;
+    return {glm::dvec3(k.x * u.x + cosine, k.x * u.y + s.z, k.x * u.z - s.y),
+            glm::dvec3(k.x * u.y - s.z, k.y * u.y + cosine, k.y * u.z + s.x),
+            glm::dvec3(k.x * u.z + s.y, k.y * u.z - s.x, k.z * u.z + cosine)};
+}
+
+/// Angles about x, then y, then z. False where something is no finite number, or there are more than three.
+bool rotate_about_axes(std::span<const Value> angles, Axes& axes) {
+    bool good = angles.size() <= 3;
+    std::array<double, 3> degrees{};
+    for (std::size_t i = 0; i < std::min<std::size_t>(angles.size(), 3); ++i) {
+        const bool usable = angles[i].is_number() && std::isfinite(angles[i].number());
+        good = good && usable;
+        degrees[i] = usable ? angles[i].number() : 0;
+    }
+    if (degrees[2] != 0) {
+        turn(axes[0], axes[1], degrees[2]);
+    }
+    if (degrees[1] != 0) {
+        turn(axes[2], axes[0], degrees[1]);
+    }
+    if (degrees[0] != 0) {
+        turn(axes[1], axes[2], degrees[0]);
+    }
+    return good;
+}
+
+void run_rotate(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 2> kParameters{"a", "v"};
+    const ModuleArguments arguments(c, kParameters);
+    const Value &a = arguments["a"], &v = arguments["v"];
+    Axes axes = identity();
+    if (a.is_vector()) {
+        if (!rotate_about_axes(a.elements(), axes)) {
+            c.warn(fmt::format("Problem converting rotate(a={}) parameter", a.echo_text()));
+        }
+        add_transform(c, axes, glm::dvec3(0.0), out);
+        return;
+    }
+    const bool angle = a.is_number() && std::isfinite(a.number());
+    glm::dvec3 axis(0, 0, 1);
+    const bool axis_given = !v.is_undef();
+    const bool axis_good = !axis_given || to_vec3(v, axis, 0);
+    if (!angle || !axis_good) {
+        c.warn(axis_given && !axis_good
+                   ? fmt::format("Problem converting rotate(a={}, v={}) parameter", a.echo_text(), v.echo_text())
+                   : fmt::format("Problem converting rotate(a={}) parameter", a.echo_text()));
+    }
+    if (angle) {
+        if (!axis_good) {
+            axis = glm::dvec3(0, 0, 1);
+        }
+        const double length = std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
+        if (length > 0 && std::isfinite(length)) {
+            axes = about(axis / length, a.number());
+        }
+    }
+    add_transform(c, axes, glm::dvec3(0.0), out);
+}
+
+void run_multmatrix(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 1> kParameters{"m"};
+    const ModuleArguments arguments(c, kParameters);
+    glm::dmat4 matrix(1.0);
+    const Value& m = arguments["m"];
+    if (m.is_vector()) {
+        const auto rows = m.elements();
+        for (std::size_t row = 0; row < std::min<std::size_t>(rows.size(), 4); ++row) {
+            const auto cells = rows[row].is_vector() ? rows[row].elements() : std::span<const Value>();
+            for (std::size_t column = 0; column < std::min<std::size_t>(cells.size(), 4); ++column) {
+                if (cells[column].is_number()) {
+                    matrix[static_cast<int>(column)][static_cast<int>(row)] = cells[column].number();
+                }
+            }
+        }
+        const double w = matrix[3][3];
+        if (w != 1.0 && w != 0.0) {
+            matrix /= w;
+            matrix[3][3] = 1.0;
+        }
+    }
+    out.push_back(c.evaluator.builder().transform(matrix, c.children(), c.location(), c.modifiers));
+}
+
+/// From a list of three or four numbers. Components that are not given stay as they are.
+void read_components(const ModuleContext& c, std::span<const Value> components, Rgba& color) {
+    std::array<float*, 4> parts{&color.r, &color.g, &color.b, &color.a};
+    color = {1, 1, 1, 1};
+    for (std::size_t i = 0; i < std::min<std::size_t>(components.size(), 4); ++i) {
+        const double part = components[i].is_number() ? components[i].number() : 0;
+        *parts[i] = static_cast<float>(part);
+        if (part < 0 || part > 1) {
+            c.warn(fmt::format("color() expects numbers between 0.0 and 1.0. Value of {:.1f} is out of range", part));
+        }
+    }
+}
+
+void run_color(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 2> kParameters{"c", "alpha"};
+    const ModuleArguments arguments(c, kParameters);
+    Rgba color{-1, -1, -1, -1};
+    const Value& given = arguments["c"];
+    if (given.is_vector()) {
+        read_components(c, given.elements(), color);
+    } else if (given.is_string()) {
+        if (const auto found = find_color(given.string())) {
+            color = *found;
+        } else {
+            c.warn(fmt::format("Unable to parse color \"{}\"", given.string()));
+        }
+    }
+    if (const auto alpha = arguments.number("alpha")) {
+        color.a = static_cast<float>(*alpha);
+    }
+    out.push_back(c.evaluator.builder().color(color, c.children(), c.location(), c.modifiers));
+}
+
+constexpr std::array kTransforms{
+    ModuleEntry{"union", run_combination<Operation::Union>},
+    ModuleEntry{"difference", run_combination<Operation::Difference>},
+    ModuleEntry{"intersection", run_combination<Operation::Intersection>},
+    ModuleEntry{"render", run_render},
+    ModuleEntry{"translate", run_translate},
+    ModuleEntry{"rotate", run_rotate},
+    ModuleEntry{"scale", run_scale},
+    ModuleEntry{"mirror", run_mirror},
+    ModuleEntry{"multmatrix", run_multmatrix},
+    ModuleEntry{"color", run_color},
+};
+
+}  // namespace
+
+std::span<const ModuleEntry> transform_modules() {
+    return kTransforms;
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,106 @@
+#include "csg/scad/parser_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace csg::scad {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool is_font(std::string_view name) {
+    if (name.size() < 4) {
+        return false;
+    }
+    std::string end(name.substr(name.size() - 4));
+    std::transform(end.begin(), end.end(), end.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return end == ".ttf" || end == ".otf";
+}
+
+}  // namespace
+
+Files::Files(const ParseRequest& request, Program& program, const MessageSink& sink)
+    : request_(request), program_(program), sink_(sink) {
+    const std::uint32_t main = add(request.path, request.text);
+    const std::filesystem::path path = std::filesystem::path(request.path).lexically_normal();
+    by_path_.emplace(path.string(), main);
+    base_directory_ = path.has_parent_path() ? path.parent_path().string() : "";
+    base_directory_ += base_directory_.empty() || base_directory_.ends_with('/') ? "" : "/";
+    unit_of_file_.emplace(main, 0);
+    program.units.push_back({main, kNone, {}});
+}
+
+std::uint32_t Files::add(std::string name, std::string text) {
+    if (text.starts_with(kByteOrderMark)) {
+        text.erase(0, kByteOrderMark.size());
+    }
+    return program_.sources.add(SourceFile(std::move(name), std::move(text)));
+}
+
+Files::Found Files::find(const std::string& name, std::uint32_t from, std::span<const std::uint32_t> open) {
+    Found found;
+    if (name.empty() || name.ends_with('/')) {  // Names a directory at best.
+        return found;
+    }
+    for (std::string& path : source_candidates(name, program_.sources[from].name(), request_.search_path)) {
+        if (const auto known = by_path_.find(path); known != by_path_.end()) {
+            if (std::find(open.begin(), open.end(), known->second) != open.end()) {
+                continue;
+            }
+            return {known->second, std::move(path), {}};
+        }
+        ReadResult result = request_.reader(path);
+        if (auto* const text = std::get_if<std::string>(&result)) {
+            const std::uint32_t file = add(path, std::move(*text));
+            by_path_.emplace(path, file);
+            return {file, std::move(path), {}};
+        }
+        const ReadError& error = std::get<ReadError>(result);
+        if (!error.missing && found.problem.empty()) {
+            found.problem = error.text;
+        }
+    }
+    return found;
+}
+
+std::optional<std::uint32_t> Files::include(const std::string& name, std::uint32_t from,
+                                            std::span<const std::uint32_t> open, const SourceRange& where) {
+    const Found found = find(name, from, open);
+    if (!found.file) {
+        report(sink_, {Severity::Warning, where,
+                       found.problem.empty() ? fmt::format("Can't find include file '{}'.", name)
+                                             : fmt::format("Can't open include file '{}': {}", name, found.problem)});
+    }
+    return found.file;
+}
+
+void Files::use(const std::string& name, std::uint32_t from, UnitId unit, const SourceRange& where) {
+    Found found = find(name, from, {});
+    Use use{found.file ? std::move(found.path) : name, kNone, is_font(name), where};
+    if (!found.file) {
+        report(sink_, {Severity::Warning, where,
+                       found.problem.empty() ? fmt::format("Can't open library '{}'.", name)
+                                             : fmt::format("Can't open library '{}': {}", name, found.problem)});
+    } else if (!use.font) {
+        const auto [at, is_new] = unit_of_file_.emplace(*found.file, static_cast<UnitId>(program_.units.size()));
+        use.unit = at->second;
+        if (is_new) {
+            program_.units.push_back({*found.file, kNone, {}});
+        }
+    }
+    std::vector<Use>& uses = program_.units[unit].uses;
+    if (std::none_of(uses.begin(), uses.end(), [&](const Use& u) { return u.path == use.path; })) {
+        uses.push_back(std::move(use));
+    }
+}
+
+bool Files::account(std::uint32_t file) {
+    bytes_ += program_.sources[file].text().size();
+    return ++inclusions_ <= kMaxInclusions && bytes_ <= kMaxSourceBytes;
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,55 @@
+#include "csg/scad/token.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace csg::scad {
+namespace {
+
+using Row = std::pair<TokenKind, std::string_view>;
+
+constexpr std::array<Row, 12> kWords{{{TokenKind::Module, "module"},
+                                      {TokenKind::Function, "function"},
+                                      {TokenKind::If, "if"},
+                                      {TokenKind::Else, "else"},
+                                      {TokenKind::For, "for"},
+                                      {TokenKind::Let, "let"},
+                                      {TokenKind::Assert, "assert"},
+                                      {TokenKind::Echo, "echo"},
+                                      {TokenKind::Each, "each"},
+                                      {TokenKind::True, "true"},
+                                      {TokenKind::False, "false"},
+                                      {TokenKind::Undef, "undef"}}};
+
+constexpr std::array<Row, 33> kSigns{
+    {{TokenKind::ParenOpen, "("},     {TokenKind::ParenClose, ")"}, {TokenKind::BracketOpen, "["},
+     {TokenKind::BracketClose, "]"},  {TokenKind::BraceOpen, "{"},  {TokenKind::BraceClose, "}"},
+     {TokenKind::Comma, ","},         {TokenKind::Semicolon, ";"},  {TokenKind::Colon, ":"},
+     {TokenKind::Question, "?"},      {TokenKind::Dot, "."},        {TokenKind::Assign, "="},
+     {TokenKind::Not, "!"},           {TokenKind::Hash, "#"},       {TokenKind::Percent, "%"},
+     {TokenKind::Star, "*"},          {TokenKind::Plus, "+"},       {TokenKind::Minus, "-"},
+     {TokenKind::Slash, "/"},         {TokenKind::Caret, "^"},      {TokenKind::Tilde, "~"},
+     {TokenKind::Less, "<"},          {TokenKind::LessEqual, "<="}, {TokenKind::Greater, ">"},
+     {TokenKind::GreaterEqual, ">="}, {TokenKind::Equal, "=="},     {TokenKind::NotEqual, "!="},
+     {TokenKind::And, "&&"},          {TokenKind::Or, "||"},        {TokenKind::BitAnd, "&"},
+     {TokenKind::BitOr, "|"},         {TokenKind::ShiftLeft, "<<"}, {TokenKind::ShiftRight, ">>"}}};
+
+}  // namespace
+
+std::string_view token_text(TokenKind kind) {
+    const auto is_kind = [&](const Row& row) { return row.first == kind; };
+    if (const auto* const sign = std::find_if(kSigns.begin(), kSigns.end(), is_kind); sign != kSigns.end()) {
+        return sign->second;
+    }
+    const auto* const word = std::find_if(kWords.begin(), kWords.end(), is_kind);
+    return word == kWords.end() ? std::string_view() : word->second;
+}
+
+TokenKind word_kind(std::string_view word) {
+    const auto* const found =
+        std::find_if(kWords.begin(), kWords.end(), [&](const Row& row) { return row.second == word; });
+    return found == kWords.end() ? TokenKind::Identifier : found->first;
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,83 @@
+// Tokens: the words of the language.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "csg/scad/source.h"
+#include "csg/scad/symbols.h"
+
+namespace csg::scad {
+
+enum class TokenKind : std::uint8_t {
+    End,
+    Error,       ///< name: what is wrong
+    Number,      ///< number
+    String,      ///< name: the text, escapes resolved
+    Identifier,  ///< name
+    Include,     ///< name: the file, as written
+    Use,         ///< name: the file, as written
+    // Words:
+    Module,
+    Function,
+    If,
+    Else,
+    For,
+    Let,
+    Assert,
+    Echo,
+    Each,
+    True,
+    False,
+    Undef,
+    // Signs:
+    ParenOpen,
+    ParenClose,
+    BracketOpen,
+    BracketClose,
+    BraceOpen,
+    BraceClose,
+    Comma,
+    Semicolon,
+    Colon,
+    Question,
+    Dot,
+    Assign,
+    Not,
+    Hash,
+    Percent,
+    Star,
+    Plus,
+    Minus,
+    Slash,
+    Caret,
+    Tilde,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    And,
+    Or,
+    BitAnd,
+    BitOr,
+    ShiftLeft,
+    ShiftRight
+};
+
+struct Token {
+    TokenKind kind = TokenKind::End;
+    Symbol name = kNoSymbol;  ///< Of words too, as `for` and `let` may name modules.
+    double number = 0;
+    SourceRange where;
+};
+
+/// A sign or word as it is written ("<=", "module"); empty for kinds that have many forms.
+[[nodiscard]] std::string_view token_text(TokenKind kind);
+
+/// The kind of a word; Identifier where it is none of the language's own.
+[[nodiscard]] TokenKind word_kind(std::string_view word);
+
+}  // namespace csg::scad

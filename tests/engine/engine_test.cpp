@@ -1,0 +1,69 @@
+#include "tests/engine/engine_test.h"
+
+#include <cstdlib>
+
+namespace comparison {
+
+namespace {
+
+class Goldfeather : public Engine {
+  public:
+    explicit Goldfeather(std::unique_ptr<gl::Context> context)
+        : context_(std::move(context)), peeler_(context_->functions()) {}
+    goldfeather::HostLayers peel(const Subject& subject, const gl::View& view, int max_layers) override {
+        auto layers = peel_all(context_->functions(), peeler_, subject, view, max_layers);
+        EXPECT_EQ(context_->functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+        return layers;
+    }
+    bool needs_products() const override { return true; }
+
+  private:
+    std::unique_ptr<gl::Context> context_;
+    peel::Peeler peeler_;
+};
+
+class ListsCpu : public Engine {
+  public:
+    goldfeather::HostLayers peel(const Subject& subject, const gl::View& view, int max_layers) override {
+        const goldfeather::ListsModel model(subject.scene, subject.geometry);
+        goldfeather::ListsStats stats;
+        goldfeather::peel_lists(model, view, max_layers, 2, layers_, stats);
+        return goldfeather::to_host(layers_);
+    }
+    bool needs_products() const override { return false; }
+
+  private:
+    goldfeather::CpuLayers layers_;  ///< From the picture before, as in the program.
+};
+
+}  // namespace
+
+MaybeEngine make_engine(const std::string& name) {
+    if (name == "lists_cpu") {
+        return {std::make_unique<ListsCpu>(), {}};
+    }
+    auto made = test_support::try_context(name == "goldfeather_egl" ? gl::ContextKind::Egl : gl::ContextKind::Osmesa);
+    if (!made.context) {
+        return {nullptr, made.reason};
+    }
+    return {std::make_unique<Goldfeather>(std::move(made.context)), {}};
+}
+
+void EngineTest::SetUp() {
+    MaybeEngine made = make_engine(GetParam());
+    engine_ = std::move(made.engine);
+    if (engine_) {
+        return;
+    }
+    const char* required = std::getenv("CSGSCOPE_REQUIRE_GL");
+    if (required != nullptr && *required == '1') {
+        FAIL() << "no OpenGL: " << made.reason;
+    }
+    GTEST_SKIP() << "no OpenGL: " << made.reason;
+}
+
+std::string engine_name(const testing::TestParamInfo<std::string>& info) {
+    return info.param;
+}
+
+}  // namespace comparison

@@ -1,0 +1,128 @@
+#include "tests/scad/conformance.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "csg/scad/csg_text.h"
+#include "csg/scad/scad.h"
+
+namespace conformance {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace csg::scad;
+
+std::string read(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Without what depends on the machine, and without the lines that the suite leaves out.
+std::vector<std::string> lines(const std::string& text) {
+    static const std::regex kTimestamp(", timestamp = -?[0-9]+");
+    static const std::string kExcluded = "TRACE:   *** Excluding ";
+    std::istringstream in(std::regex_replace(text, kTimestamp, ""));
+    std::vector<std::string> result;
+    for (std::string line; std::getline(in, line);) {
+        if (!line.empty() && line.back() == '\r') {
+            line.pop_back();
+        }
+        if (!line.starts_with(kExcluded)) {
+            result.push_back(line);
+        }
+    }
+    const auto blank = [](const std::string& line) { return line.empty(); };
+    result.erase(result.begin(), std::find_if_not(result.begin(), result.end(), blank));
+    result.erase(std::find_if_not(result.rbegin(), result.rend(), blank).base(), result.end());
+    return result;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+Request request_for(const Case& c) {
+    Request request;
+    request.path = c.input.string();
+    request.search_path = {(folder() / "openscad/libraries").string()};
+    for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+        if (c.arguments[i] == "-D" && i + 1 < c.arguments.size()) {
+            request.definitions.push_back(c.arguments[i + 1]);
+        } else if (c.arguments[i] == "--trace-usermodule-parameters=false") {
+            request.trace_parameters = false;
+        } else if (c.arguments[i] == "--check-parameter-ranges=on") {
+            request.check_ranges = true;
+        } else if (c.arguments[i] == "--camera" && i + 1 < c.arguments.size()) {
+            std::istringstream in(c.arguments[i + 1]);
+            std::vector<double> numbers;
+            for (std::string number; std::getline(in, number, ',');) {
+                numbers.push_back(std::stod(number));
+            }
+            if (numbers.size() == 7) {
+                request.view.translation = {numbers[0], numbers[1], numbers[2]};
+                request.view.rotation = {numbers[3], numbers[4], numbers[5]};
+                request.view.distance = numbers[6];
+            }
+        }
+    }
+    return request;
+}
+
+}  // namespace
+
+fs::path folder() {
+    return fs::path(CSGSCOPE_SOURCE_DIR).parent_path() / "shared/conformance";
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> result;
+    std::ifstream in(folder() / "manifest.json");
+    if (!in) {
+        return result;
+    }
+    for (const auto& row : nlohmann::json::parse(in)) {
+        const std::string kind = row["kind"];
+        if (kind == "echo" || kind == "csg") {
+            result.push_back({row["name"], kind, folder() / "openscad" / row["input"].get<std::string>(),
+                              folder() / "openscad/expected" / row["expected"].get<std::string>(), row["args"]});
+        }
+    }
+    return result;
+}
+
+std::string difference(const Case& c) {
+    std::string got;
+    const Evaluation evaluation = evaluate(request_for(c), [&](const Message& message, const SourceSet& sources) {
+        if (c.kind == "echo") {
+            // What is found while parsing names files as the command line does, the rest from the main file's folder.
+            got += render_openscad(message, sources, message.parsing ? std::string() : c.input.parent_path().string()) +
+                   '\n';
+        }
+    });
+    if (c.kind == "csg") {
+        if (!evaluation.ok) {
+            return "no tree";
+        }
+        got = csg_text(*evaluation.tree);
+    }
+    std::string expected = read(c.expected);
+    replace_all(expected, "../../tests", (folder() / "openscad/tests").string());
+    const auto want = lines(expected), have = lines(got);
+    for (std::size_t i = 0; i < std::max(want.size(), have.size()); ++i) {
+        const std::string w = i < want.size() ? want[i] : "(end)", h = i < have.size() ? have[i] : "(end)";
+        if (w != h) {
+            return fmt::format("line {}: expected {:.200}\n{:>24} {:.200}", i + 1, w, "got", h);
+        }
+    }
+    return {};
+}
+
+}  // namespace conformance

@@ -1,0 +1,27 @@
+// OpenSCAD's own suite as data, where this machine has it (see CONTRIBUTING): programs with what must come out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace conformance {
+
+struct Case {
+    std::string name;
+    std::string kind;  ///< "echo" or "csg"
+    std::filesystem::path input;
+    std::filesystem::path expected;
+    std::vector<std::string> arguments;  ///< Of the command line.
+};
+
+/// Where the suite lies; whether it is there is another question.
+[[nodiscard]] std::filesystem::path folder();
+
+/// Empty where the suite is absent.
+[[nodiscard]] std::vector<Case> cases();
+
+/// Runs a case; empty where it passes, else the first difference.
+[[nodiscard]] std::string difference(const Case& c);
+
+}  // namespace conformance
