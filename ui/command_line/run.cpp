@@ -283,6 +283,7 @@ int open_window(const Options& options) {
     window.picture.layers = options.layers.value_or(-1);
     window.picture.samples = options.samples;
     window.picture.transparent_background = options.transparent_background;
+    window.engine = options.engine;
     window.frames_log = options.frames_log;
     return run_window(window);
 }

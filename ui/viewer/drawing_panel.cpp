@@ -98,16 +98,17 @@ void layers_section(const Session& session, const Fonts& fonts, Commands& comman
     if (ImGui::Checkbox("As the style needs", &automatic)) {
         commands.emplace_back(SetLayers{automatic ? -1 : 0});
     }
+    if (layers < 0) {
+        return;
+    }
     // 1 … n, and beyond its end all.
     const int all = session.layer_count() + 1;
-    int position = layers <= 0 || layers >= all ? all : layers;
+    int position = layers == 0 || layers >= all ? all : layers;
     ImGui::SetNextItemWidth(-1);
-    const char* format = layers < 0 ? "–" : position == all ? "all" : "the first %d";
-    ImGui::BeginDisabled(layers < 0);
+    const char* format = position == all ? "all" : "the first %d";
     if (ImGui::SliderInt("##layers", &position, 1, all, format, ImGuiSliderFlags_AlwaysClamp)) {
         commands.emplace_back(SetLayers{position == all ? 0 : position});
     }
-    ImGui::EndDisabled();
 }
 
 void samples_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
@@ -171,6 +172,7 @@ void model_section(const Session& session, const PictureInfo& picture, const Fon
     figure("Products", fmt::format("{} of {} literals", s.products, s.literals));
     figure("Triangles", fmt::format("{}", s.triangles));
     figure("Layers", fmt::format("{} in this picture", picture.layers));
+    figure("Engine", picture.engine);
     figure("Size", fmt::format("{:.4g} × {:.4g} × {:.4g}", size.x, size.y, size.z));
     figure("Evaluated in", fmt::format("{:.0f} ms", session.document().milliseconds()));
 }

@@ -29,7 +29,8 @@ Input& input_of(GLFWwindow* window) {
 PointerEvent pointer_event(GLFWwindow* window, PointerKind kind) {
     PointerEvent event;
     event.kind = kind;
-    glfwGetCursorPos(window, &event.position.x, &event.position.y);
+    // Not where the pointer is by now, as glfwGetCursorPos has it: it may have gone on since.
+    event.position = input_of(window).cursor;
     event.time = glfwGetTime();
     return event;
 }
@@ -61,8 +62,8 @@ int printed_key(int key, int scancode) {
 void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     Input& input = input_of(window);
     if (action != GLFW_RELEASE) {
-        input.keys.push_back({printed_key(key, scancode),
-                              modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER)});
+        const int counted = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+        input.keys.push_back({{printed_key(key, scancode), counted}, key});
     }
 }
 
@@ -79,7 +80,9 @@ void on_button(GLFWwindow* window, int button, int action, int modifiers) {
 void on_cursor(GLFWwindow* window, double x, double y) {
     PointerEvent event = pointer_event(window, PointerKind::Move);
     event.position = {x, y};
-    input_of(window).pointer.push_back(event);
+    Input& input = input_of(window);
+    input.cursor = event.position;
+    input.pointer.push_back(event);
 }
 
 void on_scroll(GLFWwindow* window, double /*x*/, double y) {
@@ -123,6 +126,7 @@ GlfwWindow::~GlfwWindow() {
 
 void GlfwWindow::install_callbacks() {
     input_.any = true;  // Nothing is drawn yet.
+    glfwGetCursorPos(window_, &input_.cursor.x, &input_.cursor.y);
     glfwSetWindowUserPointer(window_, &input_);
     glfwSetKeyCallback(window_, on_key);
     glfwSetMouseButtonCallback(window_, on_button);
@@ -169,7 +173,9 @@ Input GlfwWindow::wait(double seconds) {
     } else {
         glfwPollEvents();
     }
-    return std::exchange(input_, {});
+    Input next;
+    next.cursor = input_.cursor;
+    return std::exchange(input_, next);
 }
 
 void GlfwWindow::wake() {

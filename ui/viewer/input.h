@@ -21,10 +21,16 @@ struct PointerEvent {
     double time = 0;    ///< Seconds.
 };
 
+struct KeyEvent {
+    Chord chord;
+    int key = 0;  ///< By its place, as GLFW numbers it.
+};
+
 struct Input {
     std::vector<PointerEvent> pointer;
-    std::vector<Chord> keys;
-    bool any = false;  ///< Something happened that the interface may show, if only that it was uncovered.
+    std::vector<KeyEvent> keys;  ///< Pressed, or repeated.
+    glm::dvec2 cursor{0};        ///< Where the pointer was last.
+    bool any = false;            ///< Something happened that the interface may show, if only that it was uncovered.
 };
 
 }  // namespace ui

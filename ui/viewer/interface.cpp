@@ -1,10 +1,12 @@
 #include "ui/viewer/interface.h"
 
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace ui {
 
@@ -35,10 +37,35 @@ void Interface::set_scale(float scale) {
     ImGui_ImplOpenGL3_DestroyDeviceObjects();
 }
 
-void Interface::begin() {
+void Interface::press(const Input& input) {
+    // ImGui 1.86 looks at which keys are held when a frame begins. A key that was pressed and released since the last
+    // one would go unseen, so it is held for this frame, with the modifiers that it came with.
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : std::exchange(pressed_, {})) {
+        if (glfwGetKey(window_.handle(), key) == GLFW_RELEASE) {
+            io.KeysDown[key] = false;
+        }
+    }
+    const auto held = [&](int left, int right) {
+        return glfwGetKey(window_.handle(), left) == GLFW_PRESS || glfwGetKey(window_.handle(), right) == GLFW_PRESS;
+    };
+    io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    for (const KeyEvent& event : input.keys) {
+        if (event.key >= 0 && event.key < IM_ARRAYSIZE(io.KeysDown)) {
+            io.KeysDown[event.key] = true;
+            pressed_.push_back(event.key);
+        }
+        io.KeyCtrl |= (event.chord.modifiers & GLFW_MOD_CONTROL) != 0;
+        io.KeyShift |= (event.chord.modifiers & GLFW_MOD_SHIFT) != 0;
+    }
+}
+
+void Interface::begin(const Input& input) {
     set_scale(window_.interface_scale());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    press(input);
     ImGui::NewFrame();
 }
 

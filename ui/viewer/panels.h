@@ -16,6 +16,7 @@ struct PictureInfo {
     glm::ivec2 size{0};  ///< Pixels.
     double ms = 0;       ///< Of the last step.
     int layers = 0;
+    std::string engine;
     std::string renderer;  ///< The driver's name.
     std::string error;     ///< Why it could not be drawn; empty where it was.
 };

@@ -4,7 +4,8 @@
 
 namespace ui {
 
-PictureView::PictureView(const gl::Context& context) : gl_(context.functions()), renderer_(context), target_(gl_) {}
+PictureView::PictureView(const gl::Context& context, std::optional<goldfeather::EngineKind> engine)
+    : gl_(context.functions()), renderer_(context, engine), target_(gl_) {}
 
 void PictureView::draw(const Model& model, const PictureRequest& request, const PictureStep& step) {
     PictureRequest scaled = request;

@@ -11,7 +11,7 @@ namespace ui {
 /// The context must be current whenever this is used, and outlive it.
 class PictureView {
   public:
-    explicit PictureView(const gl::Context& context);
+    PictureView(const gl::Context& context, std::optional<goldfeather::EngineKind> engine);
 
     /// Draws one step of the picture that `request` asks for. Throws gl::Error.
     void draw(const Model& model, const PictureRequest& request, const PictureStep& step);

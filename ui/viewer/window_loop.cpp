@@ -45,7 +45,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       window_(title_of(options), kWindowSize),
       context_(gl::adopt_context(window_symbol, [this] { window_.make_current(); })),
       interface_(window_),
-      picture_(*context_),
+      picture_(*context_, options.engine),
       session_(options, make_evaluate(), GlfwWindow::wake),
       save_form_(proposed_picture(options.source), options.picture.transparent_background) {
     info_.renderer = context_->renderer();
@@ -80,12 +80,12 @@ void WindowLoop::frame(const Input& input) {
         return;
     }
     Stopwatch watch;
-    interface_.begin();
+    interface_.begin(input);
     Commands commands;
     const Layout layout = draw_interface(commands);
     navigate(input, layout.picture);
-    for (const Chord& chord : input.keys) {
-        const auto action = action_of(chord);
+    for (const KeyEvent& event : input.keys) {
+        const auto action = action_of(event.chord);
         if (action && (!ImGui::GetIO().WantTextInput || *action == Action::Close)) {
             commands.emplace_back(*action);
         }
@@ -224,6 +224,7 @@ double WindowLoop::draw_picture() {
     info_.divisor = step->divisor;
     info_.size = wanted_.size;
     info_.ms = ms;
+    info_.engine = goldfeather::name(picture_.statistics().engine.engine);
     info_.layers = picture_.statistics().walk.layers;
     session_.see_layers(*wanted_model_, info_.layers);
     if (plan_.finished()) {
