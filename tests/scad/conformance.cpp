@@ -102,13 +102,7 @@ std::string difference(const Case& c) {
     std::string got;
     const Evaluation evaluation = evaluate(request_for(c), [&](const Message& message, const SourceSet& sources) {
         if (c.kind == "echo") {
-<<<<<<< HEAD
-            // What is found while reading names files as the command line does, the rest from the main file's folder.
-            got += render_openscad(message, sources, message.parsing ? std::string() : c.input.parent_path().string()) +
-                   '\n';
-=======
             got += render_openscad(message, sources, c.input.parent_path().string()) + '\n';
->>>>>>> eval
         }
     });
     if (c.kind == "csg") {
