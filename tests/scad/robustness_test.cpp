@@ -152,9 +152,9 @@ class DeepNesting : public testing::TestWithParam<std::pair<const char*, std::ar
 
 /// The most that is allowed parses and prints; one million levels are an error, at once.
 TEST_P(DeepNesting, IsBounded) {
-    const auto& [before, open, middle, close] = GetParam().second;
+    const std::array<std::string, 4>& parts = GetParam().second;  // Before, opening, middle, closing.
     const auto text = [&](std::size_t levels) {
-        return before + repeated(open, levels) + middle + repeated(close, levels) + ";";
+        return parts[0] + repeated(parts[1], levels) + parts[2] + repeated(parts[3], levels) + ";";
     };
     constexpr std::size_t kAllowed = csg::scad::kMaxNesting - 5;
     const Parsed deep = test::parse(text(kAllowed));
