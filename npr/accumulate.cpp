@@ -62,27 +62,31 @@ void Accumulator::resize(glm::ivec2 size) {
 }
 
 void Accumulator::draw(Style& style, const Picture& picture, const PeelView& peel) {
-    resize(picture.size);
-    const auto offsets = sample_offsets(picture.samples);
-    samples_ = static_cast<int>(offsets.size());
-    const std::array<float, 4> zero{};
-    gl_.ClearNamedFramebufferfv(sum_target_.id(), GL_COLOR, 0, zero.data());
-    for (const glm::dvec2& offset : offsets) {
-        const gl::View view(picture.camera, picture.size, picture.lo, picture.hi, offset);
-        const peel::LayerStack layers = peel(view);
-        style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_});
-        sum_target_.bind();
-        gl_.Viewport(0, 0, picture.size.x, picture.size.y);
-        gl_.Disable(GL_DEPTH_TEST);
-        gl_.Enable(GL_BLEND);
-        gl_.BlendEquation(GL_FUNC_ADD);
-        gl_.BlendFunc(GL_ONE, GL_ONE);
-        sample_.bind(0);
-        add_.use();
-        empty_array_.bind();
-        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-        gl_.Disable(GL_BLEND);
+    for (std::size_t sample = 0; sample < sample_offsets(picture.samples).size(); ++sample)
+        draw_sample(style, picture, sample, peel);
+}
+
+void Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel) {
+    if (sample == 0) {
+        resize(picture.size);
+        const std::array<float, 4> zero{};
+        gl_.ClearNamedFramebufferfv(sum_target_.id(), GL_COLOR, 0, zero.data());
     }
+    samples_ = static_cast<int>(sample) + 1;
+    const gl::View view(picture.camera, picture.size, picture.lo, picture.hi, sample_offsets(picture.samples)[sample]);
+    const peel::LayerStack layers = peel(view);
+    style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_});
+    sum_target_.bind();
+    gl_.Viewport(0, 0, picture.size.x, picture.size.y);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendEquation(GL_FUNC_ADD);
+    gl_.BlendFunc(GL_ONE, GL_ONE);
+    sample_.bind(0);
+    add_.use();
+    empty_array_.bind();
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl_.Disable(GL_BLEND);
 }
 
 void Accumulator::resolve(GLuint target, glm::ivec2 corner) {

@@ -35,11 +35,15 @@ class Accumulator {
   public:
     explicit Accumulator(const gl::Functions& gl);
 
+    /// All samples.
     void draw(Style& style, const Picture& picture, const PeelView& peel);
+    /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is
+    /// the mean of those drawn so far.
+    void draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel);
 
-    /// The last picture drawn.
+    /// The picture drawn last.
     [[nodiscard]] gl::Image image();
-    /// Writes the last picture drawn into `target` (0: the window) as sRGB with straight alpha, its lower left corner
+    /// Writes the picture drawn last into `target` (0: the window) as sRGB with straight alpha, its lower left corner
     /// at `corner`. Replaces what was there.
     void resolve(GLuint target, glm::ivec2 corner);
 
@@ -52,7 +56,7 @@ class Accumulator {
     gl::VertexArray empty_array_;
     gl::Texture sample_, sum_, resolved_;
     gl::Framebuffer sample_target_, sum_target_, resolved_target_;
-    int samples_ = 1;
+    int samples_ = 1;  ///< In the sum.
 };
 
 }  // namespace npr

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "csg/scad/source.h"
@@ -173,6 +174,7 @@ struct Program {
     std::vector<ExprId> elements;
     std::vector<Argument> arguments;
     std::vector<Argument> assignments;
+    std::unordered_map<std::uint32_t, SourceRange> first_places;  ///< By index of assignments written more than once.
     std::vector<FunctionDefinition> functions;
     std::vector<ModuleDefinition> modules;
     std::vector<Instantiation> instantiations;

@@ -1,5 +1,7 @@
 #include "csg/scad/block_builder.h"
 
+#include <algorithm>
+
 namespace csg::scad {
 
 std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
@@ -10,6 +12,11 @@ std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
     }
     Argument& known = assignments_[at->second];
     const SourceRange before = known.where;
+    const bool again = std::any_of(overwritten_.begin(), overwritten_.end(),
+                                   [&](const auto& place) { return place.first == at->second; });
+    if (!again) {
+        overwritten_.emplace_back(at->second, before);
+    }
     known = assignment;
     return before;
 }
@@ -17,6 +24,9 @@ std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
 BlockId BlockBuilder::finish(Program& program) {
     Block block;
     block.assignments = append_run(program.assignments, assignments_, 0);
+    for (const auto& [index, place] : overwritten_) {
+        program.first_places.emplace(block.assignments.first + static_cast<std::uint32_t>(index), place);
+    }
     block.functions = append_run(program.functions, functions_, 0);
     block.modules = append_run(program.modules, modules_, 0);
     block.instantiations = append_run(program.instantiations, instantiations_, 0);

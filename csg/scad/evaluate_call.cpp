@@ -78,8 +78,10 @@ bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& call
 }
 
 /// Values of the arguments go to the slots of the parameters they are for; parameters without one stay unset.
+/// Named arguments that are for no parameter go to `others`.
 void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
-                               const SourceRange& where, Scope& caller, Value* slots) {
+                               const SourceRange& where, Scope& caller, Value* slots,
+                               std::vector<std::pair<Symbol, Value>>* others) {
     std::uint64_t by_name = 0;  // Of the first 64 parameters.
     std::uint64_t by_position = 0;
     const auto bit = [](std::size_t i) { return i < 64 ? std::uint64_t{1} << i : 0; };
@@ -127,6 +129,9 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
             warn(where, again ? fmt::format("argument \"{}\" supplied more than once", name(a.name))
                               : fmt::format("variable \"{}\" not specified as parameter", name(a.name)));
             unknown.push_back(a.name);
+            if (others != nullptr) {
+                others->emplace_back(a.name, std::move(value));
+            }
         }
     }
     for (auto& [slot, value] : dynamics) {
@@ -174,68 +179,62 @@ Value Evaluator::call_builtin(const Expr& e, BuiltinFunction function, Scope& sc
 }
 
 Value Evaluator::call(ExprId id, Scope& caller) {
-    const Expr* e = &p_[id];
+    const Expr& e = p_[id];
     Callee callee;
-    if (!find_callee(*e, id, caller, callee)) {
+    if (!find_callee(e, id, caller, callee)) {
         return {};
     }
     if (callee.builtin != nullptr) {
-        return call_builtin(*e, callee.builtin, caller);
+        return call_builtin(e, callee.builtin, caller);
     }
-    check_stack(e->where, "calling function", callee.name, kCallReserve);
-    check_stop(e->where);
+    check_stack(e.where, "calling function", callee.name, kCallReserve);
+    check_stop(e.where);
     const DynamicMark mark(*this);
     ValueStack::Region slots(stack_, callee.locals);
-    try {
-        bind_arguments(p_.arguments_of(*e), callee.parameters, e->where, caller, slots.data());
-        enter(callee);
-        Scope scope = callee.scope(slots.data());
-        bind_defaults(callee.parameters, scope, slots.data());
-        ExprId body = callee.body;
-        for (unsigned tail_calls = 0; body != kNone;) {
-            const Expr& b = p_[body];
-            if (b.kind == ExprKind::Conditional) {
-                body = evaluate(b.operand(0), scope) ? b.operand(1) : b.operand(2);
-            } else if (b.kind == ExprKind::Let) {
-                bind_let(p_.arguments_of(b), scope);
-                body = b.operand(0);
-            } else if (b.kind == ExprKind::Assert) {
-                check_assertion(p_.arguments_of(b), b.where, scope);
-                body = b.operand(0);
-            } else if (b.kind == ExprKind::Echo) {
-                echo(p_.arguments_of(b), scope);
-                body = b.operand(0);
-            } else if (b.kind == ExprKind::Call) {
-                Callee next;
-                if (!find_callee(b, body, scope, next)) {
-                    return {};
-                }
-                if (next.builtin != nullptr) {
-                    return call_builtin(b, next.builtin, scope);
-                }
-                if (++tail_calls >= request_.limits.tail_calls) {
-                    fail(b.where, fmt::format("Recursion detected calling function '{}'",
-                                              next.name == kNoSymbol ? "" : name(next.name)));
-                }
-                check_stop(b.where);
-                ValueStack::Region fresh(stack_, next.locals);
-                bind_arguments(p_.arguments_of(b), next.parameters, b.where, scope, fresh.data());
-                e = &b;
-                callee = std::move(next);
-                slots.replace(fresh);
-                enter(callee);  // `$` variables of the caller stay, as in OpenSCAD.
-                scope = callee.scope(slots.data());
-                bind_defaults(callee.parameters, scope, slots.data());
-                body = callee.body;
-            } else {
-                return evaluate(body, scope);
+    Step step(*this, {ActiveStep::Kind::CalledBy, &e.where, callee.name, 0, {}, nullptr, nullptr});
+    bind_arguments(p_.arguments_of(e), callee.parameters, e.where, caller, slots.data());
+    enter(callee);
+    Scope scope = callee.scope(slots.data());
+    bind_defaults(callee.parameters, scope, slots.data());
+    ExprId body = callee.body;
+    for (unsigned tail_calls = 0; body != kNone;) {
+        const Expr& b = p_[body];
+        if (b.kind == ExprKind::Conditional) {
+            body = evaluate(b.operand(0), scope) ? b.operand(1) : b.operand(2);
+        } else if (b.kind == ExprKind::Let) {
+            bind_let(p_.arguments_of(b), scope);
+            body = b.operand(0);
+        } else if (b.kind == ExprKind::Assert) {
+            check_assertion(p_.arguments_of(b), b.where, scope);
+            body = b.operand(0);
+        } else if (b.kind == ExprKind::Echo) {
+            echo(p_.arguments_of(b), scope);
+            body = b.operand(0);
+        } else if (b.kind == ExprKind::Call) {
+            Callee next;
+            if (!find_callee(b, body, scope, next)) {
+                return {};
             }
+            if (next.builtin != nullptr) {
+                return call_builtin(b, next.builtin, scope);
+            }
+            if (++tail_calls >= request_.limits.tail_calls) {
+                fail(b.where, fmt::format("Recursion detected calling function '{}'",
+                                          next.name == kNoSymbol ? "" : name(next.name)));
+            }
+            check_stop(b.where);
+            ValueStack::Region fresh(stack_, next.locals);
+            bind_arguments(p_.arguments_of(b), next.parameters, b.where, scope, fresh.data());
+            callee = std::move(next);
+            step.change(b.where, callee.name);
+            slots.replace(fresh);
+            enter(callee);  // `$` variables of the caller stay, as in OpenSCAD.
+            scope = callee.scope(slots.data());
+            bind_defaults(callee.parameters, scope, slots.data());
+            body = callee.body;
+        } else {
+            return evaluate(body, scope);
         }
-    } catch (EvaluationError& error) {
-        if (callee.name != kNoSymbol) {
-            error.trace.add({TraceStep::Kind::CalledBy, e->where, callee.name, {}});
-        }
-        throw;
     }
     return {};
 }

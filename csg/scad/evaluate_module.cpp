@@ -7,6 +7,22 @@
 
 namespace csg::scad {
 
+namespace {
+
+/// Keeps the list of the modules that run.
+class ModuleName {
+  public:
+    ModuleName(FunctionHost& host, std::string_view name) : host_(host) { host.module_names.push_back(name); }
+    ~ModuleName() { host_.module_names.pop_back(); }
+    ModuleName(const ModuleName&) = delete;
+    ModuleName& operator=(const ModuleName&) = delete;
+
+  private:
+    FunctionHost& host_;
+};
+
+}  // namespace
+
 Value Evaluator::statement_value(ExprId e, const Frame* frame) {
     const ValueStack::Region locals(stack_, r_.statement_locals);
     Scope scope{locals.data(), frame, nullptr};
@@ -36,7 +52,9 @@ void Evaluator::assign(const Argument& a, Value value, const Frame& frame) {
 
 void Evaluator::run_assignments(const Block& block, const Frame& frame) {
     for (const Argument& a : p_.assignments_of(block)) {
-        const std::uint32_t slot = r_.assignment_slots[static_cast<std::size_t>(&a - p_.assignments.data())];
+        const auto index = static_cast<std::uint32_t>(&a - p_.assignments.data());
+        const std::uint32_t slot = r_.assignment_slots[index];
+        const Step step(*this, {ActiveStep::Kind::Assignment, &a.where, a.name, index, {}, nullptr, nullptr});
         try {
             Value value = statement_value(a.value, &frame);
             if (dynamic_name(a.name)) {
@@ -46,9 +64,6 @@ void Evaluator::run_assignments(const Block& block, const Frame& frame) {
             }
         } catch (const ValueLimit& limit) {
             fail_limit(a.where, limit);
-        } catch (EvaluationError& error) {
-            error.trace.add({TraceStep::Kind::Assignment, a.where, a.name, {}});
-            throw;
         }
     }
 }
@@ -107,6 +122,8 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
     check_stop(i.where);
     const std::size_t before = out.size();
     const auto index = static_cast<std::size_t>(&i - p_.instantiations.data());
+    const Step step(*this,
+                    {ActiveStep::Kind::CalledBy, &i.where, i.is_if ? kNoSymbol : i.name, 0, {}, nullptr, nullptr});
     try {
         const ModuleTarget& target = r_.module_of_instantiation[index];
         if (i.is_if) {
@@ -123,11 +140,6 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
         }
     } catch (const ValueLimit& limit) {
         fail_limit(i.where, limit);
-    } catch (EvaluationError& error) {
-        if (!i.is_if) {
-            error.trace.add({TraceStep::Kind::CalledBy, i.where, i.name, {}});
-        }
-        throw;
     }
     has_root_modifier_ |= i.modifiers.root;
     if ((nodes_ += out.size() - before) > request_.limits.nodes) {
@@ -145,49 +157,53 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
         definition.hops == kUsedUnit ? enter_unit(definition.unit) : outward(frame, definition.hops);
     const ModuleCall call{&i, frame};
     const ValueStack::Region values(stack_, parameters.size());
+    const ModuleInfo& info = r_.module_info[definition.id];
+    std::vector<std::pair<Symbol, Value>> others;
     {
         const ValueStack::Region locals(stack_, r_.statement_locals);
         Scope caller{locals.data(), frame, nullptr};
-        bind_arguments(p_.arguments_of(i), parameters, i.where, caller, values.data());
+        bind_arguments(p_.arguments_of(i), parameters, i.where, caller, values.data(), &others);
     }
-    Nodes nodes;
-    host_.module_names.push_back(name(m.name));
-    bool in_body = false;  // Traces show the call only from there on.
-    try {
+    const ModuleName module_name(host_, name(m.name));
+    {
         const ValueStack::Region locals(stack_, r_.statement_locals);
         Scope scope{locals.data(), defining, nullptr};
         bind_defaults(parameters, scope, values.data());
-        bind_dynamic(parent_modules_index_, static_cast<double>(host_.module_names.size()));
-        const std::uint32_t count = r_.frame_slots[m.body];
-        const ValueStack::Region slots(stack_, count == kNone ? 0 : count);
-        Frame body{defining, slots.data(), &call};
-        // A body without a frame of its own still needs one that says whose children are meant.
-        if (count == kNone) {
-            body = {defining->outer, defining->slots, &call};
+    }
+    bind_dynamic(parent_modules_index_, static_cast<double>(host_.module_names.size()));
+    const std::uint32_t count = r_.frame_slots[m.body];
+    const ValueStack::Region slots(stack_, count == kNone ? 0 : count);
+    Frame body{defining, slots.data(), &call};
+    // A body without a frame of its own still needs one that says whose children are meant.
+    if (count == kNone) {
+        body = {defining->outer, defining->slots, &call};
+    }
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        if (!dynamic_name(parameters[k].name)) {
+            body.slots[r_.argument_slots[index_of(parameters[k])]] = values.data()[k];
         }
-        for (std::size_t k = 0; k < parameters.size(); ++k) {
-            if (!dynamic_name(parameters[k].name)) {
-                body.slots[r_.argument_slots[index_of(parameters[k])]] = values.data()[k];
+    }
+    for (auto& [other, value] : others) {
+        for (const auto& [known, slot] : info.other_arguments) {
+            if (known == other) {
+                body.slots[slot] = std::move(value);
             }
         }
-        const Block& block = p_.blocks[m.body];
-        run_assignments(block, body);
-        in_body = true;
+    }
+    for (const std::uint32_t assignment : info.literal_parameters) {
+        const Argument& a = p_.assignments[assignment];
+        warn(a.where, fmt::format("Parameter \"{}\" is overwritten with a literal", name(a.name)));
+    }
+    const Block& block = p_.blocks[m.body];
+    run_assignments(block, body);
+    Nodes nodes;
+    {
+        const Step step(*this, {ActiveStep::Kind::CallOf, &m.where, request_.trace_parameters ? m.name : kNoSymbol, 0,
+                                parameters, values.data(), nullptr});
         for (const Instantiation& statement : p_.instantiations_of(block)) {
             instantiate(statement, &body, nodes);
         }
-    } catch (EvaluationError& error) {
-        TraceStep step{TraceStep::Kind::CallOf, m.where, m.name, {}};
-        for (std::size_t k = 0; k < parameters.size(); ++k) {
-            step.parameters.emplace_back(parameters[k].name, values.data()[k]);
-        }
-        if (in_body && request_.trace_parameters) {
-            error.trace.add(std::move(step));
-        }
-        host_.module_names.pop_back();
-        throw;
     }
-    host_.module_names.pop_back();
     out.push_back(builder_.combine(Operation::Group, nodes, location(i.where), modifiers(i)));
 }
 

@@ -117,7 +117,7 @@ void Evaluator::emit(Severity severity, const SourceRange& where, std::string te
 }
 
 void Evaluator::fail(const SourceRange& where, std::string text) {
-    throw EvaluationError{{Severity::Error, where, std::move(text)}, false, {}};
+    throw EvaluationError{{Severity::Error, where, std::move(text)}, false, trace_messages(p_, innermost_)};
 }
 
 void Evaluator::fail_stopped(const SourceRange& where) {

@@ -22,7 +22,7 @@ namespace csg::scad {
 struct EvaluationError {
     Message message;
     bool stopped = false;
-    Trace trace;  ///< What was under way.
+    std::vector<Message> trace;  ///< What was under way, the innermost first.
 };
 
 /// A user-defined module that runs.
@@ -177,6 +177,26 @@ class Evaluator {
   private:
     friend class DynamicMark;
 
+    /// Notes that something is under way, as long as it lives.
+    class Step {
+      public:
+        Step(Evaluator& e, ActiveStep step) : e_(e), step_(step) {
+            step_.outer = e.innermost_;
+            e.innermost_ = &step_;
+        }
+        ~Step() { e_.innermost_ = step_.outer; }
+        Step(const Step&) = delete;
+        Step& operator=(const Step&) = delete;
+        /// A tail call takes the place of the call it ends.
+        void change(const SourceRange& where, Symbol name) {
+            step_.where = &where;
+            step_.name = name;
+        }
+
+      private:
+        Evaluator& e_;
+        ActiveStep step_;
+    };
     [[nodiscard]] std::size_t index_of(const Argument& a) const {
         return static_cast<std::size_t>(&a - p_.arguments.data());
     }
@@ -220,7 +240,8 @@ class Evaluator {
     bool find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee);
     Value call_builtin(const Expr& e, BuiltinFunction function, Scope& scope);
     void bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
-                        const SourceRange& where, Scope& caller, Value* slots);
+                        const SourceRange& where, Scope& caller, Value* slots,
+                        std::vector<std::pair<Symbol, Value>>* others = nullptr);
     void bind_defaults(std::span<const Argument> parameters, Scope& defining, Value* slots);
 
     // evaluate_module.cpp
@@ -248,6 +269,7 @@ class Evaluator {
     const char* stack_limit_;
     Resolution r_;
     FunctionHost host_;
+    const ActiveStep* innermost_ = nullptr;
     SourceRange call_where_;
     ValueStack stack_;
     std::vector<Value> dynamic_;

@@ -227,7 +227,7 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
                 fmt::format("Invalid entry in search vector at index {}, required number of values in the entry: "
                             "{}. Invalid entry: {}",
                             row, column + 1, rows[row].echo_text()));
-            return {};
+            return std::vector<Value>();
         }
     }
     for (const std::string_view c : characters(sought.string())) {

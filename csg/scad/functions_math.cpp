@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "csg/scad/builtin_functions.h"
-#include "csg/tree/degrees.h"
+#include "csg/scad/sine.h"
 
 namespace csg::scad {
 
@@ -205,8 +205,8 @@ Value rands(std::string_view name, std::span<const Value> a, FunctionHost& host)
 constexpr std::array kMath{
     FunctionEntry{"abs", unary<absolute>},
     FunctionEntry{"sign", unary<sign>},
-    FunctionEntry{"sin", unary<sin_degrees>},
-    FunctionEntry{"cos", unary<cos_degrees>},
+    FunctionEntry{"sin", unary<sine>},
+    FunctionEntry{"cos", unary<cosine>},
     FunctionEntry{"tan", unary<tan_degrees>},
     FunctionEntry{"asin", unary<asin_degrees>},
     FunctionEntry{"acos", unary<acos_degrees>},

@@ -15,8 +15,9 @@ void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out) {
     out.push_back(c.evaluator.builder().leaf(std::move(shape), c.location(), c.modifiers));
 }
 
+/// Only `true` itself: other values that count as true elsewhere do not here.
 bool is_true(const Value& value) {
-    return static_cast<bool>(value);
+    return value.is_bool() && value.boolean();
 }
 
 /// A radius given as such or as a diameter, which counts first.
@@ -163,7 +164,7 @@ void run_polyhedron(const ModuleContext& c, Nodes& out) {
                 continue;
             }
             auto loop = face_of(c, i, given[i].elements(), polyhedron->points.size());
-            if (!loop.empty()) {
+            if (loop.size() >= 3) {
                 polyhedron->faces.push_back(std::move(loop));
             }
         }

@@ -5,7 +5,7 @@
 
 #include "csg/scad/builtin_modules.h"
 #include "csg/scad/color_names.h"
-#include "csg/tree/degrees.h"
+#include "csg/scad/sine.h"
 
 namespace csg::scad {
 
@@ -101,42 +101,27 @@ void run_mirror(const ModuleContext& c, Nodes& out) {
     add_transform(c, axes, glm::dvec3(0.0), out);
 }
 
-struct SineCosine {
-    double sine, cosine;
-};
-
-/// With the sign that a zero has just before the angle is reached from below, as OpenSCAD prints it.
-SineCosine sine_cosine(double degrees) {
-    SineCosine result{sin_degrees(degrees), cos_degrees(degrees)};
-    double turn = std::fmod(degrees, 360.0);
-    turn = turn < 0 ? turn + 360 : turn;
-    if (result.sine == 0) {
-        result.sine = turn == 180 ? -0.0 : 0.0;
-    }
-    if (result.cosine == 0) {
-        result.cosine = turn == 270 ? -0.0 : 0.0;
-    }
-    return result;
-}
-
 /// Turns the plane of two axes: `a` towards `b`.
 void turn(glm::dvec3& a, glm::dvec3& b, double degrees) {
-    const auto [sine, cosine] = sine_cosine(degrees);
+    const double s = sine(degrees), c = cosine(degrees);
     const glm::dvec3 from = a;
-    a = cosine * a + sine * b;
-    b = cosine * b - sine * from;
+    a = c * a + s * b;
+    b = c * b - s * from;
 }
 
-/// By `degrees` about a unit vector (Rodrigues).
-Axes about(const glm::dvec3& u, double degrees) {
-    const auto [sine, cosine] = sine_cosine(degrees);
-    const glm::dvec3 s = sine * u;
-    const glm::dvec3 k = (1 - cosine) * u;
-    Axes axes{glm::dvec3(k.x * u.x + cosine, k.x * u.y + s.z, k.x * u.z - s.y),
-              glm::dvec3(k.x * u.y - s.z, k.y * u.y + cosine, k.y * u.z + s.x),
-              glm::dvec3(k.x * u.z + s.y, k.y * u.z - s.x, k.z * u.z + cosine)};
-    for (glm::dvec3& axis : axes) {
-        axis += 0.0;  // No zero with a sign.
+/// By `degrees` about an axis of any length but 0 (Rodrigues). Products come before the division, so that axes of whole
+/// numbers give exact results where there are any.
+Axes about(const glm::dvec3& axis, double degrees) {
+    const double square = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
+    const double c = cosine(degrees);
+    const glm::dvec3 s = sine(degrees) * axis / std::sqrt(square);
+    const auto part = [&](double a, double b) { return (1 - c) * a * b / square; };
+    const auto [x, y, z] = std::array{axis.x, axis.y, axis.z};
+    Axes axes{glm::dvec3(part(x, x) + c, part(x, y) + s.z, part(x, z) - s.y),
+              glm::dvec3(part(x, y) - s.z, part(y, y) + c, part(y, z) + s.x),
+              glm::dvec3(part(x, z) + s.y, part(y, z) - s.x, part(z, z) + c)};
+    for (glm::dvec3& column : axes) {
+        column += 0.0;  // No zero with a sign.
     }
     return axes;
 }
@@ -187,9 +172,9 @@ void run_rotate(const ModuleContext& c, Nodes& out) {
         if (!axis_good) {
             axis = glm::dvec3(0, 0, 1);
         }
-        const double length = std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
-        if (length > 0 && std::isfinite(length)) {
-            axes = about(axis / length, a.number());
+        const double square = axis.x * axis.x + axis.y * axis.y + axis.z * axis.z;
+        if (square > 0 && std::isfinite(square)) {
+            axes = about(axis, a.number());
         }
     }
     add_transform(c, axes, glm::dvec3(0.0), out);

@@ -1,6 +1,7 @@
 #include "csg/scad/resolve.h"
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "csg/scad/builtin_modules.h"
@@ -57,6 +58,14 @@ class Resolver {
         r_.locals_of_function.assign(p_.functions.size(), 0);
         r_.module_of_instantiation.resize(p_.instantiations.size());
         r_.frame_slots.assign(p_.blocks.size(), kNone);
+        r_.module_info.resize(p_.modules.size());
+        for (const Instantiation& i : p_.instantiations) {
+            for (const Argument& a : p_.arguments_of(i)) {
+                if (a.name != kNoSymbol && !dynamic_name(a.name)) {
+                    passed_[i.name].insert(a.name);
+                }
+            }
+        }
         for (const Symbol name : always_dynamic) {
             dynamic(name);
         }
@@ -137,11 +146,54 @@ class Resolver {
             }
             BlockScope body;
             declare(m.body, body, &scope, p_.parameters_of(m), false);
+            look_into(m, body);
             resolve_block(m.body, body);
             block_ = &scope;
         }
         for (const Instantiation& i : p_.instantiations_of(block)) {
             resolve_instantiation(i, scope);
+        }
+    }
+
+    /// What calls of a module need to know besides its parameters.
+    void look_into(const ModuleDefinition& m, BlockScope& body) {
+        ModuleInfo& info = r_.module_info[static_cast<std::size_t>(&m - p_.modules.data())];
+        const auto parameters = p_.parameters_of(m);
+        const auto is_parameter = [&](Symbol name) {
+            return std::any_of(parameters.begin(), parameters.end(), [&](const Argument& p) { return p.name == name; });
+        };
+        if (const auto passed = passed_.find(m.name); passed != passed_.end()) {
+            for (const Symbol name : passed->second) {
+                if (!is_parameter(name)) {
+                    const auto slot =
+                        body.variables.try_emplace(name, static_cast<std::uint32_t>(body.variables.size()));
+                    info.other_arguments.emplace_back(name, slot.first->second);
+                }
+            }
+            body.framed |= !body.variables.empty();
+            if (body.framed) {
+                r_.frame_slots[m.body] = static_cast<std::uint32_t>(body.variables.size());
+            }
+        }
+        for (const Argument& a : p_.assignments_of(p_.blocks[m.body])) {
+            if (is_parameter(a.name) && is_literal(a.value)) {
+                info.literal_parameters.push_back(static_cast<std::uint32_t>(&a - p_.assignments.data()));
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_literal(ExprId id) const {
+        const Expr& e = p_[id];
+        switch (e.kind) {
+            case ExprKind::Undef:
+            case ExprKind::Boolean:
+            case ExprKind::Number:
+            case ExprKind::String:
+                return true;
+            case ExprKind::Unary:
+                return p_[e.operand(0)].kind == ExprKind::Number;
+            default:
+                return false;
         }
     }
 
@@ -345,7 +397,7 @@ class Resolver {
         }
     }
 
-    /// Updates assign to the loop's own variables, or declare more.
+    /// Updates assign to the loop's own variables, or declare more, which later updates see.
     void bind_update(std::span<const Argument> update, std::size_t first) {
         Activation& act = *activation_;
         for (const Argument& a : update) {
@@ -357,9 +409,13 @@ class Resolver {
             for (std::size_t i = first; i < act.locals.size(); ++i) {
                 slot = act.locals[i].name == a.name ? act.locals[i].slot : slot;
             }
-            r_.argument_slots[index_of(a)] = dynamic_name(a.name) ? dynamic(a.name)
-                                             : slot != kNone      ? slot
-                                                                  : act.reserve();
+            if (dynamic_name(a.name)) {
+                slot = dynamic(a.name);
+            } else if (slot == kNone) {
+                slot = act.reserve();
+                act.locals.push_back({a.name, slot, false});
+            }
+            r_.argument_slots[index_of(a)] = slot;
         }
     }
 
@@ -467,6 +523,7 @@ class Resolver {
 
     const Program& p_;
     Resolution r_;
+    std::unordered_map<Symbol, std::set<Symbol>> passed_;  ///< Names of arguments, by name of the module called.
     std::vector<BlockScope> roots_;
     std::unordered_map<Symbol, std::uint32_t> dynamic_;
     const BlockScope* block_ = nullptr;

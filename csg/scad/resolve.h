@@ -67,6 +67,14 @@ struct LiteralInfo {
     std::uint32_t locals = 0;
 };
 
+struct ModuleInfo {
+    /// Named arguments that calls pass although they are no parameters, with their slots in the body's frame: the body
+    /// sees them nevertheless.
+    std::vector<std::pair<Symbol, std::uint32_t>> other_arguments;
+    /// Assignments of the body (Program::assignments) that set a parameter to a literal.
+    std::vector<std::uint32_t> literal_parameters;
+};
+
 /// Side tables of a Program; indexed as its arrays are.
 struct Resolution {
     std::vector<std::uint32_t> of_expression;  ///< Identifier: into variables. Call of a name: into calls. Function:
@@ -78,6 +86,7 @@ struct Resolution {
     std::vector<std::uint32_t> assignment_slots;  ///< Frame slot, or dynamic index.
     std::vector<std::uint32_t> locals_of_function;
     std::vector<ModuleTarget> module_of_instantiation;
+    std::vector<ModuleInfo> module_info;
     std::vector<std::uint32_t> frame_slots;  ///< Of blocks; kNone for a block without a frame.
     std::uint32_t statement_locals = 0;      ///< The most that an expression of a statement needs.
     std::vector<Symbol> dynamic_names;       ///< By dynamic index.

@@ -82,7 +82,7 @@ class Job {
         } catch (const EvaluationError& error) {
             result.stopped = error.stopped;
             gate(error.message);
-            for (const Message& message : error.trace.messages(program->symbols)) {
+            for (const Message& message : error.trace) {
                 gate(message);
             }
         } catch (const ValueLimit& limit) {

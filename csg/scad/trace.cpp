@@ -2,62 +2,86 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace csg::scad {
 
 namespace {
 
-std::string text_of(const TraceStep& step, const SymbolTable& symbols) {
-    const std::string& name = symbols.text(step.name);
+constexpr std::size_t kEnd = 12;  // Steps shown at either end.
+
+std::string parameters_text(const Program& program, const ActiveStep& step) {
+    std::string result;
+    for (std::size_t i = 0; i < step.parameters.size(); ++i) {
+        std::string value;
+        try {
+            value = step.values[i].echo_text();
+        } catch (const ValueLimit&) {
+            value = "...";
+        }
+        result += fmt::format("{}{} = {}", i == 0 ? "" : ", ", program.symbols.text(step.parameters[i].name), value);
+    }
+    return result;
+}
+
+void append(std::vector<Message>& messages, const Program& program, const ActiveStep& step) {
+    const std::string& name = program.symbols.text(step.name);
+    const auto add = [&](const SourceRange& where, std::string text) {
+        messages.push_back({Severity::Trace, where, std::move(text)});
+    };
     switch (step.kind) {
-        case TraceStep::Kind::CalledBy:
-            return fmt::format("called by '{}'", name);
-        case TraceStep::Kind::Assignment:
-            return fmt::format("assignment to \"{}\"", name);
-        case TraceStep::Kind::CallOf:
+        case ActiveStep::Kind::CalledBy:
+            add(*step.where, fmt::format("called by '{}'", name));
+            break;
+        case ActiveStep::Kind::CallOf:
+            add(*step.where, fmt::format("call of '{}({})'", name, parameters_text(program, step)));
+            break;
+        case ActiveStep::Kind::Assignment:
+            if (const auto first = program.first_places.find(step.assignment); first != program.first_places.end()) {
+                add(first->second, fmt::format("overwritten assignment to \"{}\" (this is where the assignment is "
+                                               "evaluated)",
+                                               name));
+                add(*step.where, fmt::format("overwriting assignment to \"{}\"", name));
+            } else {
+                add(*step.where, fmt::format("assignment to \"{}\"", name));
+            }
             break;
     }
-    std::string parameters;
-    for (const auto& [parameter, value] : step.parameters) {
-        std::string text;
-        try {
-            text = value.echo_text();
-        } catch (const ValueLimit&) {
-            text = "...";
-        }
-        parameters += fmt::format("{}{} = {}", parameters.empty() ? "" : ", ", symbols.text(parameter), text);
-    }
-    return fmt::format("call of '{}({})'", name, parameters);
 }
 
 }  // namespace
 
-void Trace::add(TraceStep step) {
-    if (count_ < kEnd) {
-        first_.push_back(std::move(step));
-    } else if (count_ < 2 * kEnd) {
-        last_.push_back(std::move(step));
-    } else {
-        last_[count_ % kEnd] = std::move(step);
+std::vector<Message> trace_messages(const Program& program, const ActiveStep* innermost) {
+    std::vector<const ActiveStep*> first, last;  // `last` is a ring once it is full.
+    std::size_t count = 0;
+    for (const ActiveStep* step = innermost; step != nullptr; step = step->outer) {
+        if (step->name == kNoSymbol) {
+            continue;
+        }
+        if (count < kEnd) {
+            first.push_back(step);
+        } else if (last.size() < kEnd) {
+            last.push_back(step);
+        } else {
+            last[count % kEnd] = step;
+        }
+        ++count;
     }
-    ++count_;
-}
-
-std::vector<Message> Trace::messages(const SymbolTable& symbols) const {
-    std::vector<Message> result;
-    const auto show = [&](const TraceStep& step) {
-        result.push_back({Severity::Trace, step.where, text_of(step, symbols)});
-    };
-    for (const TraceStep& step : first_) {
-        show(step);
-    }
-    const std::size_t left_out = count_ - first_.size() - last_.size();
+    const std::size_t left_out = count - first.size() - last.size();
     if (left_out != 0) {
-        result.push_back({Severity::Trace, {}, fmt::format("  *** Excluding {} frames ***", left_out)});
+        std::rotate(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(count % kEnd), last.end());
     }
-    for (std::size_t i = 0; i < last_.size(); ++i) {
-        show(last_[left_out == 0 ? i : (count_ + i) % kEnd]);
+    std::vector<Message> messages;
+    for (const ActiveStep* step : first) {
+        append(messages, program, *step);
     }
-    return result;
+    if (left_out != 0) {
+        messages.push_back({Severity::Trace, {}, fmt::format("  *** Excluding {} frames ***", left_out)});
+    }
+    for (const ActiveStep* step : last) {
+        append(messages, program, *step);
+    }
+    return messages;
 }
 
 }  // namespace csg::scad

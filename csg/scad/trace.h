@@ -1,39 +1,35 @@
-// What was under way when an evaluation ended.
+// What is under way while a program runs: the steps that a message about its end shows.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <utility>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "csg/scad/ast.h"
 #include "csg/scad/diagnostics.h"
-#include "csg/scad/symbols.h"
 #include "csg/scad/value.h"
 
 namespace csg::scad {
 
-/// One step outwards: where a call, a definition or an assignment stands. Its text is made only when it is shown,
-/// because values may be long and recursion deep.
-struct TraceStep {
-    enum class Kind : std::uint8_t { CalledBy, CallOf, Assignment } kind = Kind::CalledBy;
-    SourceRange where;
+/// One step, on the native stack; they are linked from the inside out. Their texts are made only when an evaluation
+/// fails: nobody pays for them otherwise.
+struct ActiveStep {
+    enum class Kind : std::uint8_t {
+        CalledBy,   ///< A call; `name` is kNoSymbol for one that is not shown.
+        CallOf,     ///< A user module whose body runs; with parameters.
+        Assignment  ///< `assignment` indexes Program::assignments.
+    };
+    Kind kind = Kind::CalledBy;
+    const SourceRange* where = nullptr;
     Symbol name = kNoSymbol;
-    std::vector<std::pair<Symbol, Value>> parameters;  ///< Of CallOf.
+    std::uint32_t assignment = 0;
+    std::span<const Argument> parameters;
+    const Value* values = nullptr;  ///< Of the parameters.
+    const ActiveStep* outer = nullptr;
 };
 
-/// The steps, the innermost first; of a long way only the first and the last few.
-class Trace {
-  public:
-    void add(TraceStep step);
-    /// As OpenSCAD shows it; a line stands for what was left out.
-    [[nodiscard]] std::vector<Message> messages(const SymbolTable& symbols) const;
-
-  private:
-    static constexpr std::size_t kEnd = 12;
-    std::vector<TraceStep> first_;
-    std::vector<TraceStep> last_;  ///< A ring once it is full.
-    std::size_t count_ = 0;
-};
+/// As OpenSCAD shows them, the innermost first; of a long way only the first and the last few, with a line for what
+/// is left out.
+[[nodiscard]] std::vector<Message> trace_messages(const Program& program, const ActiveStep* innermost);
 
 }  // namespace csg::scad

@@ -1,6 +1,7 @@
 #include "csg/scad/value.h"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace csg::scad {
@@ -254,9 +255,21 @@ std::size_t code_point_bytes(std::string_view text, std::size_t at) {
 }
 
 std::size_t code_point_count(std::string_view text) {
+    // Eight bytes of ASCII at a time: strings that grow are counted again and again.
+    constexpr std::uint64_t kHighBits = 0x8080808080808080U;
     std::size_t count = 0;
-    for (std::size_t at = 0; at < text.size(); at += code_point_bytes(text, at)) {
-        ++count;
+    for (std::size_t at = 0; at < text.size();) {
+        std::uint64_t word = kHighBits;
+        if (text.size() - at >= sizeof word) {
+            std::memcpy(&word, text.data() + at, sizeof word);
+        }
+        if ((word & kHighBits) == 0) {
+            at += sizeof word;
+            count += sizeof word;
+        } else {
+            at += code_point_bytes(text, at);
+            ++count;
+        }
     }
     return count;
 }

@@ -24,9 +24,10 @@ double sin_first_quadrant(double x) {
 }
 
 double round_if_near(double degrees) {
-    // Arcs of rational sines are multiples of 15 degrees; the library is off by an ulp there.
+    // Whole degrees are what people start from. Near its ends an arc magnifies the rounding of its argument: acos is
+    // off by 3e-13 at one degree.
     const double rounded = std::round(degrees);
-    return std::abs(degrees - rounded) < 4e-14 * std::abs(rounded) ? rounded : degrees;
+    return rounded != 0.0 && std::abs(degrees - rounded) < 4e-13 ? rounded : degrees;
 }
 
 }  // namespace

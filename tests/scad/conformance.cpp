@@ -102,9 +102,7 @@ std::string difference(const Case& c) {
     std::string got;
     const Evaluation evaluation = evaluate(request_for(c), [&](const Message& message, const SourceSet& sources) {
         if (c.kind == "echo") {
-            // What is found while reading names files as the command line does, the rest from the main file's folder.
-            got += render_openscad(message, sources, message.reading ? std::string() : c.input.parent_path().string()) +
-                   '\n';
+            got += render_openscad(message, sources, c.input.parent_path().string()) + '\n';
         }
     });
     if (c.kind == "csg") {
@@ -114,7 +112,7 @@ std::string difference(const Case& c) {
         got = csg_text(*evaluation.tree);
     }
     std::string expected = read(c.expected);
-    replace_all(expected, "../../tests", (folder() / "openscad/tests").string());
+    replace_all(expected, "../../tests", fs::proximate(folder() / "openscad/tests").string());
     const auto want = lines(expected), have = lines(got);
     for (std::size_t i = 0; i < std::max(want.size(), have.size()); ++i) {
         const std::string w = i < want.size() ? want[i] : "(end)", h = i < have.size() ? have[i] : "(end)";

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+namespace ui {
 namespace {
 
 constexpr glm::ivec2 kSize{640, 480};
@@ -37,7 +38,7 @@ TEST_P(CameraControl, ThePointOfTheTargetPlaneIsUnderTheCursor) {
 
 TEST_P(CameraControl, PanMovesTheTargetPlaneWithTheCursor) {
     const glm::dvec3 point = point_on_target_plane(camera, kSize, {200, 150});
-    ui::pan(camera, {33, -21}, kSize.y);
+    pan(camera, {33, -21}, kSize.y);
     expect_near(pixel_of(camera, point), {233, 129});
 }
 
@@ -45,20 +46,20 @@ TEST_P(CameraControl, ZoomKeepsThePointUnderTheCursor) {
     const glm::dvec3 point{10, 12, -7};  // Well off the target plane.
     const glm::dvec2 before = pixel_of(camera, point);
     const double distance = camera.distance;
-    ui::zoom(camera, 0.8, point);
+    zoom(camera, 0.8, point);
     expect_near(pixel_of(camera, point), before);
     EXPECT_NEAR(camera.distance, 0.8 * distance, 1e-9);
-    ui::zoom(camera, 1 / 0.8, point);
+    zoom(camera, 1 / 0.8, point);
     EXPECT_NEAR(glm::distance(camera.target, glm::dvec3(3, -4, 5)), 0, 1e-9);
 }
 
 TEST_P(CameraControl, ZoomEndsAtItsLimits) {
     for (int i = 0; i < 500; ++i) {
-        ui::zoom(camera, 0.5, {1, 2, 3});
+        zoom(camera, 0.5, {1, 2, 3});
     }
     EXPECT_GT(camera.distance, 0);
     for (int i = 0; i < 500; ++i) {
-        ui::zoom(camera, 2, {1, 2, 3});
+        zoom(camera, 2, {1, 2, 3});
     }
     EXPECT_LT(camera.distance, 1e12);
 }
@@ -67,7 +68,7 @@ TEST_P(CameraControl, OrbitTurnsAboutTheTargetAndKeepsZUpright) {
     const glm::dvec3 target = camera.target;
     const double distance = camera.distance;
     for (int i = 0; i < 100; ++i) {
-        ui::orbit(camera, {7, 5});
+        orbit(camera, {7, 5});
         EXPECT_EQ(camera.rotation.y, 0);
         const glm::dvec3 up = glm::dmat3(camera.eye_from_world()) * glm::dvec3(0, 0, 1);
         EXPECT_NEAR(up.x, 0, 1e-12);
@@ -81,7 +82,7 @@ TEST_P(CameraControl, OrbitTurnsAboutTheTargetAndKeepsZUpright) {
 TEST_P(CameraControl, OrbitMovesTheNearSideWithTheCursor) {
     const glm::dvec3 near_side = camera.target + 0.05 * (camera.eye() - camera.target);
     const glm::dvec2 before = pixel_of(camera, near_side);
-    ui::orbit(camera, {20, 10});
+    orbit(camera, {20, 10});
     const glm::dvec2 after = pixel_of(camera, near_side);
     EXPECT_GT(after.x, before.x);
     EXPECT_GT(after.y, before.y);
@@ -90,7 +91,7 @@ TEST_P(CameraControl, OrbitMovesTheNearSideWithTheCursor) {
 TEST_P(CameraControl, ProjectionKeepsTheSizeAtTheTarget) {
     const glm::dvec3 point = point_on_target_plane(camera, kSize, {500, 100});
     const gl::Projection before = camera.projection;
-    ui::toggle_projection(camera);
+    toggle_projection(camera);
     EXPECT_NE(camera.projection, before);
     expect_near(pixel_of(camera, point), {500, 100});
 }
@@ -113,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Both, CameraControl,
 TEST(StandardViews, LookAlongTheAxes) {
     const auto direction = [](int i) {
         gl::Camera camera;
-        camera.rotation = ui::standard_views()[static_cast<std::size_t>(i)].rotation;
+        camera.rotation = standard_views()[static_cast<std::size_t>(i)].rotation;
         return glm::transpose(glm::dmat3(camera.eye_from_world())) * glm::dvec3(0, 0, 1);  // Towards the eye.
     };
     EXPECT_EQ(direction(0), glm::dvec3(0, 0, 1));
@@ -127,8 +128,9 @@ TEST(StandardViews, LookAlongTheAxes) {
 TEST(Orbit, ACameraUpsideDownTurnsFreely) {
     gl::Camera camera;
     camera.rotation = {200, 0, 0};
-    ui::orbit(camera, {0, -10});
+    orbit(camera, {0, -10});
     EXPECT_NEAR(camera.rotation.x, 207, 1e-9);
 }
 
 }  // namespace
+}  // namespace ui

@@ -18,6 +18,7 @@
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
+#include "ui/viewer/window.h"
 
 namespace ui {
 
@@ -263,9 +264,28 @@ std::string Run::syntax_tree() const {
     return csg::scad::ast_text(csg::scad::parse(request).program);
 }
 
-/// The window is a library of its own, where it is built.
-int open_window(const Options&) {
-    throw UsageError("no window in this build; write a picture with -o picture.png");
+int open_window(const Options& options) {
+    WindowOptions window;
+    window.source.path = options.input;
+    if (options.input == "-") {
+        window.source.text = read_standard_input();
+    } else if (auto text = csg::scad::read_source_file(options.input);
+               std::holds_alternative<csg::scad::ReadError>(text)) {
+        throw UsageError(std::get<csg::scad::ReadError>(text).text);
+    }
+    window.source.definitions = options.definitions;
+    window.source.preview = options.preview;
+    window.source.hard_warnings = options.hard_warnings;
+    window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
+    window.picture.style = options.style;
+    window.picture.settings = options.settings;
+    window.picture.scheme = options.scheme;
+    window.picture.layers = options.layers.value_or(-1);
+    window.picture.samples = options.samples;
+    window.picture.transparent_background = options.transparent_background;
+    window.engine = options.engine;
+    window.frames_log = options.frames_log;
+    return run_window(window);
 }
 
 std::string information(gl::ContextKind kind) {

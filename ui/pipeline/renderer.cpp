@@ -90,24 +90,25 @@ npr::Style& Renderer::style(const npr::StyleInfo& info) {
     return *made;
 }
 
-void Renderer::accumulate(const Model& model, const PictureRequest& request) {
+void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
     const npr::Parameters parameters = parameters_of(request);
     const npr::ColorScheme& scheme = scheme_of(request);
-    statistics_ = {};
+    if (sample == 0) {
+        statistics_ = {};
+    }
     Stopwatch watch;
     const bool held = model_ && generation_ == model.generation;
     hold(model);
     npr::Style& style = this->style(style_of(request));
     gl_.Finish();
     const double upload = watch.lap();
-    statistics_.upload_ms = held ? 0 : upload;
+    statistics_.upload_ms += held ? 0 : upload;
 
     const int layers = request.layers >= 0 ? request.layers : style.layers_needed(parameters, translucent_);
     const npr::Picture picture{request.camera, request.size, model.geometry.box.lo,          model.geometry.box.hi,
                                parameters,     scheme,       request.transparent_background, request.samples};
-    accumulator_.draw(style, picture, [&](const gl::View& view) {
-        gl_.Finish();
-        statistics_.style_ms += watch.lap();
+    accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const gl::View& view) {
+        (void)watch.lap();
         peel::LayerStack stack = peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk);
         gl_.Finish();
         statistics_.peel_ms += watch.lap();
@@ -117,6 +118,25 @@ void Renderer::accumulate(const Model& model, const PictureRequest& request) {
     gl_.Finish();
     statistics_.style_ms += watch.lap();
     statistics_.engine = choice_;
+}
+
+void Renderer::accumulate(const Model& model, const PictureRequest& request) {
+    for (std::size_t sample = 0; sample < npr::sample_offsets(request.samples).size(); ++sample) {
+        draw_sample(model, request, static_cast<int>(sample));
+    }
+}
+
+std::optional<glm::dvec3> Renderer::pick(const Model& model, const gl::Camera& camera) {
+    hold(model);
+    const gl::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
+    peel::WalkStats ignored;
+    const peel::LayerStack stack = peeler_.peel(view, *model_, 1, ignored);
+    const float depth = peel::read_back(gl_, stack).at(0, 0, 0).depth;
+    if (!(depth > 0)) {
+        return std::nullopt;
+    }
+    const gl::View::Ray ray = view.ray(0, 0);
+    return ray.origin + view.distance(depth) * ray.direction;
 }
 
 gl::Image Renderer::render(const Model& model, const PictureRequest& request) {

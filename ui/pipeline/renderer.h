@@ -48,6 +48,15 @@ class Renderer {
     /// Draws the picture into `target` (0: the window), its lower left corner at `corner`.
     void draw(const Model& model, const PictureRequest& request, GLuint target, glm::ivec2 corner);
 
+    /// The same step by step, so that the caller may look after other things in between: draws one of the picture's
+    /// `samples`, the first (0) of a new picture; then `resolve` writes the mean of those drawn so far into `target`.
+    void draw_sample(const Model& model, const PictureRequest& request, int sample);
+    void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
+
+    /// The nearest point of the solid (world coordinates) in the middle of the camera's picture of one pixel; none
+    /// where there is nothing.
+    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera);
+
     /// Of the last picture.
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 

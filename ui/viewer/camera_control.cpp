@@ -16,7 +16,9 @@ double wrapped(double degrees) {
     return turned < 0 ? turned + 360.0 : turned;
 }
 
-double half_fov_tangent(const gl::Camera& camera) { return std::tan(camera.fov / 360.0 * glm::pi<double>()); }
+double half_fov_tangent(const gl::Camera& camera) {
+    return std::tan(camera.fov / 360.0 * glm::pi<double>());
+}
 
 /// Axes of the picture in world coordinates: right, up, towards the eye.
 std::array<glm::dvec3, 3> axes(const gl::Camera& camera) {
@@ -69,8 +71,8 @@ gl::Camera pixel_camera(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cu
 }
 
 void toggle_projection(gl::Camera& camera) {
-    camera.projection = camera.projection == gl::Projection::Perspective ? gl::Projection::Orthographic
-                                                                         : gl::Projection::Perspective;
+    camera.projection =
+        camera.projection == gl::Projection::Perspective ? gl::Projection::Orthographic : gl::Projection::Perspective;
 }
 
 std::span<const StandardView> standard_views() {

@@ -1,0 +1,122 @@
+// Files change in many ways; the watcher sees them all, and each once.
+#include "ui/viewer/file_watcher.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/viewer/temporary_folder.h"
+
+namespace ui {
+namespace {
+
+class Watcher : public testing::Test {
+  protected:
+    Watcher() : main_(folder_.write("main.scad", "cube(1);")), part_(folder_.write("part.scad", "a = 1;")) {
+        watcher_ = FileWatcher(main_);
+        watcher_.watch({{main_, stamp_of(main_)}, {part_, stamp_of(part_)}});
+    }
+
+    /// How often a change is told while time passes.
+    int changes() {
+        int count = 0;
+        for (int i = 0; i < 20; ++i) {
+            now_ += 0.05;
+            count += watcher_.poll(now_) ? 1 : 0;
+        }
+        return count;
+    }
+
+    TemporaryFolder folder_;
+    std::string main_, part_;
+    FileWatcher watcher_;
+    double now_ = 100;
+};
+
+TEST_F(Watcher, NothingHappensNothingIsTold) {
+    EXPECT_EQ(changes(), 0);
+    EXPECT_FALSE(watcher_.main_file_gone());
+}
+
+TEST_F(Watcher, WritingInPlace) {
+    folder_.write("main.scad", "cube(22);");
+    EXPECT_EQ(changes(), 1);
+    EXPECT_EQ(changes(), 0);
+}
+
+TEST_F(Watcher, RenamingANewFileOverTheOldOfTheSameSizeAndTime) {
+    const auto time = std::filesystem::last_write_time(main_);
+    folder_.write("other", "cube(2);");
+    std::filesystem::last_write_time(folder_.path("other"), time);
+    std::filesystem::rename(folder_.path("other"), main_);
+    EXPECT_EQ(changes(), 1);
+    EXPECT_EQ(changes(), 0);
+}
+
+TEST_F(Watcher, AnIncludedFile) {
+    folder_.replace("part.scad", "a = 2;");
+    EXPECT_EQ(changes(), 1);
+}
+
+TEST_F(Watcher, AnIncludedFileThatGoesAndComesBack) {
+    folder_.remove("part.scad");
+    EXPECT_EQ(changes(), 1);
+    EXPECT_FALSE(watcher_.main_file_gone());
+    folder_.write("part.scad", "a = 1;");
+    EXPECT_EQ(changes(), 1);
+}
+
+TEST_F(Watcher, AFileThatWasLookedForInVainAndIsMade) {
+    const std::string later = folder_.path("later.scad");
+    watcher_.watch({{main_, stamp_of(main_)}, {later, stamp_of(later)}});
+    EXPECT_EQ(changes(), 0);
+    folder_.write("later.scad", "b = 1;");
+    EXPECT_EQ(changes(), 1);
+}
+
+TEST_F(Watcher, TheMainFileGoesAndComesBack) {
+    folder_.remove("main.scad");
+    EXPECT_EQ(changes(), 0);
+    EXPECT_TRUE(watcher_.main_file_gone());
+    folder_.write("main.scad", "cube(1);");
+    EXPECT_EQ(changes(), 1);
+    EXPECT_FALSE(watcher_.main_file_gone());
+}
+
+TEST_F(Watcher, AShortGapIsNotGone) {
+    folder_.remove("main.scad");
+    EXPECT_FALSE(watcher_.poll(now_ += 0.05));
+    EXPECT_FALSE(watcher_.poll(now_ += 0.05));
+    EXPECT_FALSE(watcher_.main_file_gone());
+    folder_.write("main.scad", "cube(2);");
+    EXPECT_EQ(changes(), 1);
+}
+
+TEST_F(Watcher, WaitsUntilAFileIsWritten) {
+    std::string text = "cube(1);";
+    for (int i = 0; i < 10; ++i) {
+        text += " cube(2);";
+        folder_.write("main.scad", text);
+        EXPECT_FALSE(watcher_.poll(now_ += 0.05)) << "while it is written";
+    }
+    EXPECT_EQ(changes(), 1);
+}
+
+TEST_F(Watcher, AChangeBetweenReadingAndWatchingIsNotMissed) {
+    const FileStamp read = stamp_of(main_);
+    folder_.write("main.scad", "sphere(17);");
+    watcher_.watch({{main_, read}});
+    EXPECT_EQ(changes(), 1);
+}
+
+TEST_F(Watcher, TheMainFileIsWatchedEvenIfNotNamed) {
+    watcher_.watch({});
+    folder_.write("main.scad", "cube(333);");
+    EXPECT_EQ(changes(), 1);
+}
+
+TEST(FileStamp, OfWhatIsNotThere) {
+    EXPECT_FALSE(stamp_of("/nowhere/at/all.scad").exists);
+    EXPECT_EQ(stamp_of(""), FileStamp{});
+}
+
+}  // namespace
+}  // namespace ui

@@ -1,0 +1,124 @@
+// Coarse while things move, whole when they rest, then sample by sample; nothing when nothing changes.
+#include "ui/viewer/frame_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace ui {
+namespace {
+
+/// A renderer that needs a fixed time and a time per pixel.
+class Plan : public testing::Test {
+  protected:
+    Plan() {
+        plan_.set_samples(4);
+        plan_.replaced(now_);
+    }
+
+    double cost(int divisor) const { return fixed_ + whole_ / (divisor * divisor); }
+
+    /// Draws the next step, if there is one.
+    std::optional<PictureStep> draw() {
+        const auto step = plan_.next(now_);
+        if (step) {
+            now_ += cost(step->divisor);
+            plan_.drawn(*step, cost(step->divisor));
+        }
+        return step;
+    }
+
+    std::vector<PictureStep> draw_until_rest() {
+        std::vector<PictureStep> steps;
+        for (int i = 0; i < 1000 && !plan_.finished(); ++i) {
+            if (const auto step = draw()) {
+                steps.push_back(*step);
+            } else {
+                now_ += 0.01;
+            }
+        }
+        return steps;
+    }
+
+    FramePlan plan_;
+    double now_ = 10;
+    double fixed_ = 0.002, whole_ = 0.4;
+};
+
+TEST_F(Plan, TheFirstLookIsRefinedToAllSamplesAndThenRests) {
+    const auto steps = draw_until_rest();
+    ASSERT_GE(steps.size(), 4U);
+    EXPECT_EQ(steps.front().sample, 0);
+    const std::vector<PictureStep> end(steps.end() - 4, steps.end());
+    EXPECT_EQ(end, (std::vector<PictureStep>{{1, 0}, {1, 1}, {1, 2}, {1, 3}}));
+    EXPECT_TRUE(plan_.finished());
+    EXPECT_EQ(plan_.next(now_ + 100), std::nullopt);
+    EXPECT_EQ(plan_.wait(now_ + 100), std::nullopt);
+}
+
+TEST_F(Plan, MotionKeepsToItsBudgetOnASlowRenderer) {
+    (void)draw_until_rest();
+    for (int i = 0; i < 30; ++i) {
+        plan_.moved(now_);
+        const auto step = draw();
+        ASSERT_TRUE(step.has_value());
+        EXPECT_EQ(step->sample, 0);
+        if (i > 2) {  // The cost of a coarse picture has to be found out.
+            EXPECT_LE(cost(step->divisor), 0.06) << "divisor " << step->divisor;
+        }
+        EXPECT_EQ(plan_.next(now_), std::nullopt) << "no refinement while it moves";
+        EXPECT_GT(plan_.wait(now_).value(), 0);
+    }
+    const auto steps = draw_until_rest();
+    EXPECT_EQ(steps, (std::vector<PictureStep>{{1, 0}, {1, 1}, {1, 2}, {1, 3}}));
+}
+
+TEST_F(Plan, MotionIsWholeOnAFastRenderer) {
+    fixed_ = 0.001;
+    whole_ = 0.01;
+    (void)draw_until_rest();
+    for (int i = 0; i < 10; ++i) {
+        plan_.moved(now_);
+        EXPECT_EQ(draw(), (PictureStep{1, 0}));
+        now_ += 0.016;
+    }
+    EXPECT_EQ(draw_until_rest(), (std::vector<PictureStep>{{1, 1}, {1, 2}, {1, 3}})) << "the first sample is kept";
+}
+
+TEST_F(Plan, AChangeDuringRefinementBeginsAnew) {
+    (void)draw();
+    now_ += 1;
+    EXPECT_EQ(draw(), (PictureStep{1, 0}));
+    EXPECT_EQ(draw(), (PictureStep{1, 1}));
+    plan_.moved(now_);
+    EXPECT_EQ(draw()->sample, 0);
+    EXPECT_FALSE(plan_.finished());
+}
+
+TEST_F(Plan, SomethingElseIsRefinedAtOnce) {
+    (void)draw_until_rest();
+    plan_.replaced(now_);
+    EXPECT_EQ(draw()->sample, 0);
+    EXPECT_TRUE(plan_.next(now_).has_value());
+    EXPECT_EQ(plan_.wait(now_), 0);
+}
+
+TEST_F(Plan, OneSampleIsOneStep) {
+    fixed_ = 0.001;
+    whole_ = 0.001;
+    (void)draw_until_rest();
+    plan_.set_samples(1);
+    plan_.moved(now_);
+    EXPECT_EQ(draw(), (PictureStep{1, 0}));
+    EXPECT_TRUE(plan_.finished());
+}
+
+TEST_F(Plan, ARendererThatIsSlowWhateverTheSizeStillShowsMotion) {
+    fixed_ = 1;
+    (void)draw_until_rest();
+    plan_.moved(now_);
+    EXPECT_GT(draw()->divisor, 1);
+}
+
+}  // namespace
+}  // namespace ui

@@ -1,0 +1,121 @@
+// From events of the mouse to the camera.
+#include "ui/viewer/navigator.h"
+
+#include <gtest/gtest.h>
+
+namespace ui {
+namespace {
+
+class NavigatorTest : public testing::Test {
+  protected:
+    void send(PointerKind kind, glm::dvec2 position, Button button = Button::None, bool shift = false) {
+        PointerEvent event;
+        event.kind = kind;
+        event.position = position;
+        event.button = button;
+        event.shift = shift;
+        event.time = time_ += 0.1;
+        navigator_.handle(event, picture_, free_, camera_);
+    }
+    void drag(Button button, bool shift = false) {
+        send(PointerKind::Press, {200, 200}, button, shift);
+        EXPECT_EQ(navigator_.dragging(), free_);
+        send(PointerKind::Move, {230, 215});
+        send(PointerKind::Release, {230, 215}, button);
+        EXPECT_FALSE(navigator_.dragging());
+    }
+    bool turned() const { return camera_.rotation != gl::Camera{}.rotation; }
+    bool shifted() const { return camera_.target != gl::Camera{}.target; }
+
+    Rectangle picture_{{100, 50}, {800, 600}};
+    bool free_ = true;
+    Navigator navigator_;
+    gl::Camera camera_;
+    double time_ = 0;
+};
+
+TEST_F(NavigatorTest, LeftDragTurns) {
+    drag(Button::Left);
+    EXPECT_TRUE(turned());
+    EXPECT_FALSE(shifted());
+}
+
+TEST_F(NavigatorTest, RightAndMiddleAndShiftShift) {
+    for (const Button button : {Button::Right, Button::Middle, Button::Left}) {
+        camera_ = {};
+        drag(button, button == Button::Left);
+        EXPECT_FALSE(turned());
+        EXPECT_TRUE(shifted());
+    }
+}
+
+TEST_F(NavigatorTest, MovingWithoutAButtonDoesNothing) {
+    send(PointerKind::Move, {200, 200});
+    send(PointerKind::Move, {300, 250});
+    EXPECT_EQ(camera_, gl::Camera{});
+}
+
+TEST_F(NavigatorTest, ADragBeginsInThePictureOnlyButMayLeaveIt) {
+    send(PointerKind::Press, {50, 200}, Button::Left);
+    send(PointerKind::Move, {300, 250});
+    EXPECT_EQ(camera_, gl::Camera{});
+    send(PointerKind::Release, {300, 250}, Button::Left);
+
+    send(PointerKind::Press, {110, 200}, Button::Left);
+    send(PointerKind::Move, {20, 200});
+    EXPECT_TRUE(turned());
+}
+
+TEST_F(NavigatorTest, TheInterfaceOverThePictureTakesTheMouse) {
+    free_ = false;
+    drag(Button::Left);
+    send(PointerKind::Scroll, {200, 200});
+    EXPECT_EQ(camera_, gl::Camera{});
+}
+
+TEST_F(NavigatorTest, ASecondButtonDoesNotEndTheDragOfTheFirst) {
+    send(PointerKind::Press, {200, 200}, Button::Left);
+    send(PointerKind::Press, {200, 200}, Button::Right);
+    send(PointerKind::Release, {200, 200}, Button::Right);
+    send(PointerKind::Move, {230, 200});
+    EXPECT_TRUE(turned());
+    EXPECT_FALSE(shifted());
+}
+
+TEST_F(NavigatorTest, TheWheelComesNearer) {
+    PointerEvent event;
+    event.kind = PointerKind::Scroll;
+    event.position = {500, 350};
+    event.amount = 1;
+    navigator_.handle(event, picture_, true, camera_);
+    EXPECT_LT(camera_.distance, gl::Camera{}.distance);
+    event.amount = -1;
+    navigator_.handle(event, picture_, true, camera_);
+    EXPECT_NEAR(camera_.distance, gl::Camera{}.distance, 1e-9);
+}
+
+TEST_F(NavigatorTest, ADoubleClickIsToldOnceFromThePicturesCorner) {
+    send(PointerKind::Press, {300, 250}, Button::Left);
+    send(PointerKind::Release, {300, 250}, Button::Left);
+    EXPECT_EQ(navigator_.take_double_click(), std::nullopt);
+    send(PointerKind::Press, {301, 250}, Button::Left);
+    EXPECT_EQ(navigator_.take_double_click(), glm::dvec2(201, 200));
+    EXPECT_EQ(navigator_.take_double_click(), std::nullopt);
+    send(PointerKind::Release, {301, 250}, Button::Left);
+    send(PointerKind::Press, {301, 250}, Button::Left);  // A third click begins anew.
+    EXPECT_EQ(navigator_.take_double_click(), std::nullopt);
+}
+
+TEST_F(NavigatorTest, SlowOrDistantClicksAreNotOne) {
+    send(PointerKind::Press, {300, 250}, Button::Left);
+    send(PointerKind::Release, {300, 250}, Button::Left);
+    time_ += 1;
+    send(PointerKind::Press, {300, 250}, Button::Left);
+    send(PointerKind::Release, {300, 250}, Button::Left);
+    EXPECT_EQ(navigator_.take_double_click(), std::nullopt);
+    send(PointerKind::Press, {340, 250}, Button::Left);
+    EXPECT_EQ(navigator_.take_double_click(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace ui

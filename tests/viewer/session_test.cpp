@@ -1,0 +1,241 @@
+// The session follows its file: newer text stops older evaluations, errors keep the model, the camera stays.
+#include "ui/viewer/session.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include "tests/viewer/small_model.h"
+#include "tests/viewer/temporary_folder.h"
+
+namespace ui {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A language of three words: "good", "bad", and "endless", which ends only when it is stopped.
+class Language {
+  public:
+    Revision operator()(const Source& source, const csg::scad::View&, const std::stop_token& stop) {
+        ++evaluations_;
+        const FileStamp stamp = stamp_of(source.path);
+        std::ostringstream text;
+        text << std::ifstream(source.path).rdbuf();
+        while (text.str() == "endless" && !stop.stop_requested()) {
+            std::this_thread::sleep_for(1ms);
+        }
+        stopped_ += stop.stop_requested() ? 1 : 0;
+        Revision revision = text.str() == "good" ? good_revision() : failed_revision();
+        revision.files[source.path] = stamp;
+        return revision;
+    }
+    int evaluations() const { return evaluations_; }
+    int stopped() const { return stopped_; }
+
+  private:
+    std::atomic<int> evaluations_{0}, stopped_{0};
+};
+
+class SessionTest : public testing::Test {
+  protected:
+    void open(const std::string& text, WindowOptions options = {}) {
+        options.source.path = folder_.write("model.scad", text);
+        session_ = std::make_unique<Session>(
+            options,
+            [this](const auto& source, const auto& camera, const auto& stop) {
+                return language_(source, camera, stop);
+            },
+            [] {});
+    }
+
+    /// Lets the session work until it is in the state; false where it does not get there.
+    bool reach(DocumentState state) {
+        return until([&] { return session_->document().state() == state && !session_->evaluating(); });
+    }
+    template <typename Condition>
+    bool until(Condition&& condition) {
+        for (int i = 0; i < 2000; ++i) {
+            now_ += 0.02;
+            (void)session_->update(now_);
+            if (condition()) {
+                return true;
+            }
+            std::this_thread::sleep_for(2ms);
+        }
+        return false;
+    }
+
+    TemporaryFolder folder_;
+    Language language_;
+    std::unique_ptr<Session> session_;
+    double now_ = 0;
+};
+
+TEST_F(SessionTest, ShowsTheModelWithEverythingInView) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    ASSERT_NE(session_->document().model(), nullptr);
+    EXPECT_EQ(session_->view().camera.target, glm::dvec3(5));
+}
+
+TEST_F(SessionTest, FollowsItsFileAndKeepsTheCamera) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    const auto model = session_->document().model();
+    session_->camera().rotation = {10, 0, 20};
+    const gl::Camera camera = session_->view().camera;
+
+    folder_.replace("model.scad", "bad");
+    ASSERT_TRUE(reach(DocumentState::Failed));
+    EXPECT_EQ(session_->document().model(), model) << "the last good one";
+    EXPECT_EQ(session_->view().camera, camera);
+
+    folder_.write("model.scad", "good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    EXPECT_NE(session_->document().model(), model);
+    EXPECT_EQ(session_->view().camera, camera);
+    EXPECT_EQ(language_.evaluations(), 3);
+}
+
+TEST_F(SessionTest, NewerTextStopsAnOlderEvaluation) {
+    open("endless");
+    ASSERT_TRUE(until([&] { return language_.evaluations() == 1; }));
+    EXPECT_TRUE(session_->evaluating());
+    folder_.replace("model.scad", "good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    EXPECT_EQ(language_.stopped(), 1);
+}
+
+TEST_F(SessionTest, TheEndStopsAnEvaluation) {
+    open("endless");
+    ASSERT_TRUE(until([&] { return language_.evaluations() == 1; }));
+    session_.reset();
+    EXPECT_EQ(language_.stopped(), 1);
+}
+
+TEST_F(SessionTest, AFileThatGoesAndComesBack) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    folder_.remove("model.scad");
+    ASSERT_TRUE(reach(DocumentState::Gone));
+    EXPECT_NE(session_->document().model(), nullptr);
+    EXPECT_EQ(language_.evaluations(), 1);
+    folder_.write("model.scad", "good");
+    ASSERT_TRUE(until([&] { return language_.evaluations() == 2; }));
+    EXPECT_TRUE(reach(DocumentState::Good));
+}
+
+TEST_F(SessionTest, AnErrorAtFirstThenTheModelIsBroughtIntoView) {
+    open("bad");
+    ASSERT_TRUE(reach(DocumentState::Failed));
+    folder_.replace("model.scad", "good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    EXPECT_EQ(session_->view().camera.target, glm::dvec3(5));
+}
+
+TEST_F(SessionTest, ACameraThatIsGivenStays) {
+    WindowOptions options;
+    options.camera.camera = gl::Camera{};
+    options.camera.camera->target = {1, 2, 3};
+    open("good", options);
+    ASSERT_TRUE(reach(DocumentState::Good));
+    EXPECT_EQ(session_->view().camera.target, glm::dvec3(1, 2, 3));
+}
+
+TEST_F(SessionTest, ReloadEvaluatesAnew) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    EXPECT_TRUE(session_->perform(Action::Reload));
+    ASSERT_TRUE(until([&] { return language_.evaluations() == 2; }));
+}
+
+TEST_F(SessionTest, CommandsChangeTheView) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    session_->perform(Action::Top);
+    EXPECT_EQ(session_->view().camera.rotation, glm::dvec3(0));
+    session_->perform(Action::Right);
+    EXPECT_EQ(session_->view().camera.rotation, glm::dvec3(90, 0, 90));
+    session_->perform(Action::ToggleProjection);
+    EXPECT_EQ(session_->view().camera.projection, gl::Projection::Orthographic);
+    const double distance = session_->view().camera.distance;
+    session_->perform(Action::ZoomIn);
+    EXPECT_LT(session_->view().camera.distance, distance);
+    session_->perform(Action::ViewAll);
+    EXPECT_NEAR(session_->view().camera.distance, distance, 1e-9);
+    session_->perform(Action::TurnLeft);
+    EXPECT_NEAR(session_->view().camera.rotation.z, 105, 1e-9) << "as by a drag to the left";
+    session_->perform(Action::LookAtOrigin);
+    EXPECT_EQ(session_->view().camera.target, glm::dvec3(0));
+    session_->perform(SetSamples{8});
+    EXPECT_EQ(session_->view().samples, 8);
+    session_->perform(SetScheme{2});
+    EXPECT_EQ(session_->view().scheme, 2U);
+    EXPECT_FALSE(session_->perform(Action::Quit)) << "is the window's";
+    EXPECT_FALSE(session_->perform(WritePicture{}));
+}
+
+TEST_F(SessionTest, StylesGoRound) {
+    open("good");
+    for (std::size_t i = 0; i < npr::styles().size(); ++i) {
+        EXPECT_EQ(session_->view().style, i);
+        session_->perform(Action::NextStyle);
+    }
+    EXPECT_EQ(session_->view().style, 0U);
+    session_->perform(Action::PreviousStyle);
+    EXPECT_EQ(session_->view().style, npr::styles().size() - 1);
+}
+
+TEST_F(SessionTest, ParametersAreSetAndReset) {
+    open("good");
+    session_->perform(SetStyle{npr::styles().size() - 1});
+    const npr::Parameters& values = session_->view().style_parameters();
+    ASSERT_FALSE(values.list().empty());
+    std::size_t toggle = 0;
+    while (values.list()[toggle].kind != npr::ParameterKind::Toggle) {
+        ++toggle;
+        ASSERT_LT(toggle, values.list().size());
+    }
+    const bool before = values.toggle(static_cast<int>(toggle));
+    session_->perform(SetParameter{toggle, !before});
+    EXPECT_EQ(session_->view().style_parameters().toggle(static_cast<int>(toggle)), !before);
+    session_->perform(ResetParameters{});
+    EXPECT_EQ(session_->view().style_parameters().toggle(static_cast<int>(toggle)), before);
+}
+
+TEST_F(SessionTest, LayersGoFromOneToAll) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    const Model& model = *session_->document().model();
+    EXPECT_EQ(session_->view().layers, -1);
+    session_->see_layers(model, 3);
+    session_->see_layers(model, 2);
+    EXPECT_EQ(session_->layer_count(), 3) << "the most that were seen";
+    for (const int expected : {1, 2, 3, 0, 0}) {  // 0: all.
+        session_->perform(Action::MoreLayers);
+        EXPECT_EQ(session_->view().layers, expected);
+    }
+    for (const int expected : {3, 2, 1, 1}) {
+        session_->perform(Action::FewerLayers);
+        EXPECT_EQ(session_->view().layers, expected);
+    }
+    session_->see_layers(*cube_model(), 1);
+    EXPECT_EQ(session_->layer_count(), 1) << "of another model";
+}
+
+TEST_F(SessionTest, LookingAtAPointCentresItAtItsSize) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    const glm::dvec3 point{0, 10, 10};
+    const glm::dvec3 back = glm::normalize(session_->view().camera.eye() - session_->view().camera.target);
+    const double depth = glm::dot(session_->view().camera.eye() - point, back);
+    session_->look_at(point);
+    EXPECT_EQ(session_->view().camera.target, point);
+    EXPECT_NEAR(glm::dot(session_->view().camera.eye() - point, back), depth, 1e-9);
+}
+
+}  // namespace
+}  // namespace ui

@@ -1,0 +1,35 @@
+// Models and revisions for tests, without the language.
+#pragma once
+
+#include <memory>
+
+#include "csg/tree/tree.h"
+#include "ui/viewer/revision.h"
+
+namespace ui {
+
+/// A cube with a corner at the origin.
+inline std::shared_ptr<const Model> cube_model(double side = 10) {
+    csg::TreeBuilder builder;
+    const csg::NodeId cube = builder.leaf(csg::Cube{glm::dvec3(side)}, {builder.file("cube.scad"), 1, 1});
+    return ModelBuilder().build(std::make_shared<csg::Tree>(builder.finish(cube)));
+}
+
+inline std::shared_ptr<const Model> empty_model() {
+    return ModelBuilder().build(std::make_shared<csg::Tree>(csg::TreeBuilder().finish(csg::kNoNode)));
+}
+
+inline Revision good_revision(std::shared_ptr<const Model> model = cube_model()) {
+    Revision revision;
+    revision.model = std::move(model);
+    revision.messages.add(LineKind::Echo, "ECHO: good");
+    return revision;
+}
+
+inline Revision failed_revision(const std::string& error = "model.scad:3:5: it is wrong") {
+    Revision revision;
+    revision.messages.add(LineKind::Error, error);
+    return revision;
+}
+
+}  // namespace ui

@@ -1,0 +1,118 @@
+#include "ui/viewer/commands.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+
+namespace ui {
+
+namespace {
+
+constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
+
+// The digits with Ctrl and Ctrl+Shift+V are OpenSCAD's.
+constexpr std::array kActions{
+    ActionInfo{Action::Reload, "File", "Reload", {{GLFW_KEY_F5}, {GLFW_KEY_F4}, {GLFW_KEY_R, kCtrl}}},
+    ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl}, {GLFW_KEY_E, kCtrl}}},
+    ActionInfo{Action::Quit, "File", "Quit", {{GLFW_KEY_Q, kCtrl}, {GLFW_KEY_W, kCtrl}, {GLFW_KEY_Q}}},
+
+    ActionInfo{Action::ViewAll, "View", "View all", {{GLFW_KEY_V}, {GLFW_KEY_HOME}, {GLFW_KEY_V, kCtrl | kShift}}},
+    ActionInfo{Action::ResetView, "View", "Reset view", {{GLFW_KEY_HOME, kShift}}},
+    ActionInfo{Action::LookAtOrigin, "View", "Centre on the origin", {{GLFW_KEY_0, kCtrl | kShift}}},
+    ActionInfo{Action::Top, "View", "Top", {{GLFW_KEY_4, kCtrl}, {GLFW_KEY_4}}},
+    ActionInfo{Action::Bottom, "View", "Bottom", {{GLFW_KEY_5, kCtrl}, {GLFW_KEY_5}}},
+    ActionInfo{Action::Left, "View", "Left", {{GLFW_KEY_6, kCtrl}, {GLFW_KEY_6}}},
+    ActionInfo{Action::Right, "View", "Right", {{GLFW_KEY_7, kCtrl}, {GLFW_KEY_7}}},
+    ActionInfo{Action::Front, "View", "Front", {{GLFW_KEY_8, kCtrl}, {GLFW_KEY_8}}},
+    ActionInfo{Action::Back, "View", "Back", {{GLFW_KEY_9, kCtrl}, {GLFW_KEY_9}}},
+    ActionInfo{Action::Diagonal, "View", "Diagonal", {{GLFW_KEY_0, kCtrl}, {GLFW_KEY_0}}},
+    ActionInfo{Action::ToggleProjection, "View", "Perspective or orthographic", {{GLFW_KEY_P}, {GLFW_KEY_O}}},
+
+    ActionInfo{Action::ZoomIn, "Camera", "Zoom in", {{GLFW_KEY_EQUAL}, {GLFW_KEY_KP_ADD}, {GLFW_KEY_EQUAL, kShift}}},
+    ActionInfo{Action::ZoomOut, "Camera", "Zoom out", {{GLFW_KEY_MINUS}, {GLFW_KEY_KP_SUBTRACT}}},
+    ActionInfo{Action::TurnLeft, "Camera", "Turn left", {{GLFW_KEY_LEFT}}},
+    ActionInfo{Action::TurnRight, "Camera", "Turn right", {{GLFW_KEY_RIGHT}}},
+    ActionInfo{Action::TurnUp, "Camera", "Turn up", {{GLFW_KEY_UP}}},
+    ActionInfo{Action::TurnDown, "Camera", "Turn down", {{GLFW_KEY_DOWN}}},
+
+    ActionInfo{Action::NextStyle, "Style", "Next style", {{GLFW_KEY_S}}},
+    ActionInfo{Action::PreviousStyle, "Style", "Previous style", {{GLFW_KEY_S, kShift}}},
+    ActionInfo{Action::MoreLayers, "Style", "One layer more", {{GLFW_KEY_L}}},
+    ActionInfo{Action::FewerLayers, "Style", "One layer less", {{GLFW_KEY_L, kShift}}},
+
+    ActionInfo{Action::ToggleAxes, "Window", "Axes", {{GLFW_KEY_A}, {GLFW_KEY_2, kCtrl}}},
+    ActionInfo{Action::TogglePanel, "Window", "Drawing panel", {{GLFW_KEY_F8}}},
+    ActionInfo{Action::ToggleConsole, "Window", "Console", {{GLFW_KEY_F9}, {GLFW_KEY_C}}},
+    ActionInfo{Action::ClearConsole, "Window", "Clear console", {}},
+    ActionInfo{Action::CopyConsole, "Window", "Copy console", {{GLFW_KEY_C, kCtrl | kShift}}},
+
+    ActionInfo{Action::Help, "Help", "Keys and mouse", {{GLFW_KEY_F1}, {GLFW_KEY_H}}},
+    ActionInfo{Action::Close, "Help", "Close what lies over the picture", {{GLFW_KEY_ESCAPE}}},
+};
+
+std::string key_name(int key) {
+    switch (key) {
+        case GLFW_KEY_HOME:
+            return "Home";
+        case GLFW_KEY_LEFT:
+            return "Left";
+        case GLFW_KEY_RIGHT:
+            return "Right";
+        case GLFW_KEY_UP:
+            return "Up";
+        case GLFW_KEY_DOWN:
+            return "Down";
+        case GLFW_KEY_ESCAPE:
+            return "Esc";
+        case GLFW_KEY_KP_ADD:
+            return "Keypad +";
+        case GLFW_KEY_KP_SUBTRACT:
+            return "Keypad -";
+        default:
+            break;
+    }
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) {
+        return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+    }
+    return std::string(1, static_cast<char>(key));  // Printable keys have their ASCII code.
+}
+
+}  // namespace
+
+std::string text(const Chord& chord) {
+    std::string name;
+    if (chord.key == 0) {
+        return name;
+    }
+    if ((chord.modifiers & kCtrl) != 0) {
+        name += "Ctrl+";
+    }
+    if ((chord.modifiers & kShift) != 0) {
+        if (chord.key == GLFW_KEY_EQUAL) {
+            return name + "+";  // The character that Shift makes of it.
+        }
+        name += "Shift+";
+    }
+    return name + key_name(chord.key);
+}
+
+std::span<const ActionInfo> actions() {
+    return kActions;
+}
+
+const ActionInfo& info(Action action) {
+    return *std::find_if(kActions.begin(), kActions.end(),
+                         [&](const ActionInfo& each) { return each.action == action; });
+}
+
+std::optional<Action> action_of(const Chord& chord) {
+    for (const ActionInfo& each : kActions) {
+        if (chord.key != 0 && std::find(std::begin(each.keys), std::end(each.keys), chord) != std::end(each.keys)) {
+            return each.action;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace ui

@@ -1,0 +1,102 @@
+// What can be done in the window. Keys, menus and panels all give commands; the session carries them out.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "npr/parameter.h"
+
+namespace ui {
+
+enum class Action {
+    Reload,
+    SavePicture,  ///< Opens the form.
+    Quit,
+    ViewAll,
+    ResetView,
+    LookAtOrigin,
+    Top,
+    Bottom,
+    Left,
+    Right,
+    Front,
+    Back,
+    Diagonal,
+    ToggleProjection,
+    ZoomIn,
+    ZoomOut,
+    TurnLeft,
+    TurnRight,
+    TurnUp,
+    TurnDown,
+    NextStyle,
+    PreviousStyle,
+    MoreLayers,
+    FewerLayers,
+    ToggleAxes,
+    TogglePanel,
+    ToggleConsole,
+    ClearConsole,
+    CopyConsole,
+    Help,
+    Close,  ///< What lies over the picture: the form, the help.
+};
+
+// What the controls of the panels give.
+struct SetStyle {
+    std::size_t style = 0;
+};
+struct SetParameter {
+    std::size_t parameter = 0;  ///< Of the style that is shown.
+    npr::Value value;
+};
+struct ResetParameters {};
+struct SetScheme {
+    std::size_t scheme = 0;
+};
+struct SetLayers {
+    int layers = -1;
+};
+struct SetSamples {
+    int samples = 4;
+};
+struct WritePicture {
+    std::filesystem::path path;
+    glm::ivec2 size{0};
+    int samples = 4;
+    bool transparent_background = false;
+};
+
+using Command =
+    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetLayers, SetSamples, WritePicture>;
+using Commands = std::vector<Command>;
+
+/// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.
+struct Chord {
+    int key = 0;  ///< 0: none.
+    int modifiers = 0;
+    bool operator==(const Chord&) const = default;
+};
+/// "Ctrl+Shift+V"
+[[nodiscard]] std::string text(const Chord& chord);
+
+struct ActionInfo {
+    Action action;
+    const char* menu;  ///< The menu that it is in.
+    const char* label;
+    Chord keys[3];  ///< The first is shown in menus.
+};
+
+/// All actions, menu by menu.
+[[nodiscard]] std::span<const ActionInfo> actions();
+[[nodiscard]] const ActionInfo& info(Action action);
+/// The action of a key; none where it has none.
+[[nodiscard]] std::optional<Action> action_of(const Chord& chord);
+
+}  // namespace ui

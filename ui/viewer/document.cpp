@@ -1,0 +1,49 @@
+#include "ui/viewer/document.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace ui {
+
+void Document::receive(Revision revision) {
+    received_ = true;
+    failed_ = !revision.model;
+    if (revision.model) {
+        model_ = std::move(revision.model);
+        view_ = revision.view;
+    }
+    messages_ = std::move(revision.messages);
+    first_error_ = messages_.first_error();
+    milliseconds_ = revision.evaluate_ms + revision.build_ms;
+}
+
+std::string Document::file_name() const {
+    return source_.text ? "standard input" : std::filesystem::path(source_.path).filename().string();
+}
+
+DocumentState Document::state() const {
+    if (gone_) {
+        return DocumentState::Gone;
+    }
+    if (!received_) {
+        return DocumentState::Evaluating;
+    }
+    return failed_ ? DocumentState::Failed : DocumentState::Good;
+}
+
+std::string Document::trouble() const {
+    const char* const kept = model_ ? "The last good model is shown." : "There is nothing to show yet.";
+    switch (state()) {
+        case DocumentState::Gone:
+            return fmt::format("{} is gone. {}", file_name(), kept);
+        case DocumentState::Failed:
+            return fmt::format("{}\n{}", first_error_.empty() ? "The file has errors" : first_error_, kept);
+        case DocumentState::Evaluating:
+        case DocumentState::Good:
+            break;
+    }
+    return {};
+}
+
+}  // namespace ui

@@ -1,0 +1,50 @@
+// The file that is shown: the last model that it gave, and what is the matter with it now.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ui/viewer/revision.h"
+
+namespace ui {
+
+enum class DocumentState {
+    Evaluating,  ///< Nothing is known yet.
+    Good,        ///< The model is of the newest revision.
+    Failed,      ///< The newest revision has errors; the model, if any, is older.
+    Gone,        ///< The file is not there; the model, if any, is what it gave last.
+};
+
+class Document {
+  public:
+    explicit Document(Source source) : source_(std::move(source)) {}
+
+    /// Takes a newer revision. Where it has a model, that is shown from now on; an older one is kept otherwise.
+    void receive(Revision revision);
+    /// Whether the file is gone, as its watcher sees it.
+    void set_gone(bool gone) { gone_ = gone; }
+    void clear_messages() { messages_ = {}; }
+
+    [[nodiscard]] const Source& source() const { return source_; }
+    [[nodiscard]] std::string file_name() const;  ///< Without its folder.
+    [[nodiscard]] DocumentState state() const;
+    [[nodiscard]] const std::shared_ptr<const Model>& model() const { return model_; }  ///< Null before the first.
+    [[nodiscard]] const csg::scad::ViewSettings& view() const { return view_; }         ///< Of the model.
+    [[nodiscard]] const MessageLog& messages() const { return messages_; }              ///< Of the newest revision.
+    [[nodiscard]] double milliseconds() const { return milliseconds_; }  ///< That the newest revision took.
+    /// For people: what is wrong, and that the model is an older one; empty where all is well.
+    [[nodiscard]] std::string trouble() const;
+
+  private:
+    Source source_;
+    std::shared_ptr<const Model> model_;
+    csg::scad::ViewSettings view_;
+    MessageLog messages_;
+    std::string first_error_;  ///< Outlives clear_messages().
+    double milliseconds_ = 0;
+    bool received_ = false;
+    bool failed_ = false;
+    bool gone_ = false;
+};
+
+}  // namespace ui

@@ -1,0 +1,198 @@
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "ui/viewer/camera_control.h"
+#include "ui/viewer/panel_window.h"
+#include "ui/viewer/panels.h"
+
+namespace ui {
+
+namespace {
+
+void heading(const char* text, const Fonts& fonts) {
+    ImGui::Dummy({0, 0.25F * ImGui::GetFontSize()});
+    ImGui::PushFont(fonts.bold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+/// Buttons in rows of `columns` that fill the width; calls `pressed` with the index.
+template <typename Label, typename Chosen, typename Pressed>
+void button_grid(std::size_t count, std::size_t columns, Label&& label, Chosen&& chosen, Pressed&& pressed) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width =
+        (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % columns != 0) {
+            ImGui::SameLine(0, gap);
+        }
+        const bool is_chosen = chosen(i);
+        if (is_chosen) {
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        }
+        if (ImGui::Button(label(i).c_str(), {width, 0})) {
+            pressed(i);
+        }
+        if (is_chosen) {
+            ImGui::PopStyleColor();
+        }
+    }
+}
+
+void style_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
+    heading("Style", fonts);
+    button_grid(
+        npr::styles().size(), 3, [](std::size_t i) { return std::string(npr::styles()[i].label); },
+        [&](std::size_t i) { return i == view.style; }, [&](std::size_t i) { commands.emplace_back(SetStyle{i}); });
+    const npr::Parameters& values = view.style_parameters();
+    ImGui::PushID(static_cast<int>(view.style));  // Parameters of two styles may have the same name.
+    for (std::size_t i = 0; i < values.list().size(); ++i) {
+        npr::Value value = values.at(static_cast<int>(i));
+        if (draw_parameter(values.list()[i], value)) {
+            commands.emplace_back(SetParameter{i, value});
+        }
+    }
+    if (!values.list().empty() && ImGui::Button("Reset parameters", {-1, 0})) {
+        commands.emplace_back(ResetParameters{});
+    }
+    ImGui::PopID();
+}
+
+void swatch(const glm::vec3& color) {
+    ImGui::ColorButton("##swatch", {color.r, color.g, color.b, 1},
+                       ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop | ImGuiColorEditFlags_NoBorder,
+                       {ImGui::GetFontSize(), ImGui::GetFontSize()});
+    ImGui::SameLine(0, 2);
+}
+
+void scheme_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
+    heading("Colour scheme", fonts);
+    ImGui::SetNextItemWidth(-1);
+    const std::string shown(view.color_scheme().name);
+    if (!ImGui::BeginCombo("##scheme", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+        return;
+    }
+    for (std::size_t i = 0; i < npr::color_schemes().size(); ++i) {
+        const npr::ColorScheme& scheme = npr::color_schemes()[i];
+        ImGui::PushID(static_cast<int>(i));
+        swatch(scheme.background);
+        swatch(scheme.face);
+        swatch(scheme.cut);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x);
+        if (ImGui::Selectable(std::string(scheme.name).c_str(), i == view.scheme)) {
+            commands.emplace_back(SetScheme{i});
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+void layers_section(const Session& session, const Fonts& fonts, Commands& commands) {
+    heading("Layers", fonts);
+    const int layers = session.view().layers;
+    bool automatic = layers < 0;
+    if (ImGui::Checkbox("As the style needs", &automatic)) {
+        commands.emplace_back(SetLayers{automatic ? -1 : 0});
+    }
+    if (layers < 0) {
+        return;
+    }
+    // 1 … n, and beyond its end all.
+    const int all = session.layer_count() + 1;
+    int position = layers == 0 || layers >= all ? all : layers;
+    ImGui::SetNextItemWidth(-1);
+    const char* format = position == all ? "all" : "the first %d";
+    if (ImGui::SliderInt("##layers", &position, 1, all, format, ImGuiSliderFlags_AlwaysClamp)) {
+        commands.emplace_back(SetLayers{position == all ? 0 : position});
+    }
+}
+
+void samples_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
+    static constexpr std::array kCounts{1, 4, 8, 16};
+    heading("Samples per pixel", fonts);
+    button_grid(
+        kCounts.size(), kCounts.size(), [](std::size_t i) { return std::to_string(kCounts[i]); },
+        [&](std::size_t i) { return kCounts[i] == view.samples; },
+        [&](std::size_t i) { commands.emplace_back(SetSamples{kCounts[i]}); });
+}
+
+void camera_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
+    struct Entry {
+        const char* label;
+        Action action;
+    };
+    static constexpr std::array<Entry, 9> kEntries{{{"Top", Action::Top},
+                                                    {"Bottom", Action::Bottom},
+                                                    {"Diagonal", Action::Diagonal},
+                                                    {"Left", Action::Left},
+                                                    {"Right", Action::Right},
+                                                    {"View all", Action::ViewAll},
+                                                    {"Front", Action::Front},
+                                                    {"Back", Action::Back},
+                                                    {"Reset", Action::ResetView}}};
+    heading("Camera", fonts);
+    const auto chosen = [&](std::size_t i) {
+        const StandardView* from = standard_view(kEntries[i].action);
+        return from != nullptr && from->rotation == view.camera.rotation;
+    };
+    button_grid(
+        kEntries.size(), 3, [](std::size_t i) { return std::string(kEntries[i].label); }, chosen,
+        [&](std::size_t i) { commands.emplace_back(kEntries[i].action); });
+    const bool orthographic = view.camera.projection == gl::Projection::Orthographic;
+    button_grid(
+        2, 2, [](std::size_t i) { return std::string(i == 0 ? "Perspective" : "Orthographic"); },
+        [&](std::size_t i) { return orthographic == (i == 1); },
+        [&](std::size_t i) {
+            if (orthographic != (i == 1)) {
+                commands.emplace_back(Action::ToggleProjection);
+            }
+        });
+}
+
+void figure(const char* name, const std::string& value) {
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(6.5F * ImGui::GetFontSize());
+    ImGui::TextUnformatted(value.c_str());
+}
+
+void model_section(const Session& session, const PictureInfo& picture, const Fonts& fonts) {
+    heading("Model", fonts);
+    const auto& model = session.document().model();
+    if (!model || model->empty()) {
+        ImGui::TextDisabled("%s", model ? "nothing to see" : "none yet");
+        return;
+    }
+    const ModelStatistics& s = model->statistics;
+    const glm::dvec3 size = model->box.size();
+    figure("Leaves", fmt::format("{} in {} part{}", s.leaves, s.parts, s.parts == 1 ? "" : "s"));
+    figure("Products", fmt::format("{} of {} literals", s.products, s.literals));
+    figure("Triangles", fmt::format("{}", s.triangles));
+    figure("Layers", fmt::format("{} in this picture", picture.layers));
+    figure("Engine", picture.engine);
+    figure("Size", fmt::format("{:.4g} × {:.4g} × {:.4g}", size.x, size.y, size.z));
+    figure("Evaluated in", fmt::format("{:.0f} ms", session.document().milliseconds()));
+}
+
+}  // namespace
+
+void draw_panel(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
+                Commands& commands) {
+    if (place.empty()) {
+        return;
+    }
+    if (begin_panel("Drawing", place)) {
+        style_section(session.view(), fonts, commands);
+        scheme_section(session.view(), fonts, commands);
+        layers_section(session, fonts, commands);
+        samples_section(session.view(), fonts, commands);
+        camera_section(session.view(), fonts, commands);
+        model_section(session, picture, fonts);
+    }
+    ImGui::End();
+}
+
+}  // namespace ui

@@ -1,0 +1,49 @@
+// Tells when files change, by looking at them: works for editors that write in place, that rename a new file over the
+// old one, and on file systems without notification.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace ui {
+
+/// What tells one state of a file from another. A file that cannot be looked at does not exist.
+struct FileStamp {
+    bool exists = false;
+    std::uint64_t device = 0, inode = 0, size = 0;
+    std::int64_t seconds = 0, nanoseconds = 0;  ///< Of its last modification.
+    bool operator==(const FileStamp&) const = default;
+};
+
+[[nodiscard]] FileStamp stamp_of(const std::string& path);
+
+class FileWatcher {
+  public:
+    /// The file without which there is nothing to do; it is always watched. Empty: there is none.
+    explicit FileWatcher(std::string main_file = {});
+
+    /// Replaces the files that are watched. The stamps say which state of them is known; those taken before a file was
+    /// read make sure that no change is missed.
+    void watch(const std::map<std::string, FileStamp>& files);
+
+    /// Looks at the files. True where one has changed and then kept still for a moment, so that a file is not read
+    /// while it is written; the new state is known from then on. `now`: seconds of any steady clock.
+    [[nodiscard]] bool poll(double now);
+
+    /// The main file was gone at the last poll, and long enough not to be in the middle of being replaced. A main file
+    /// that is gone counts as changed only when it is back.
+    [[nodiscard]] bool main_file_gone() const { return main_gone_; }
+
+  private:
+    struct Watched {
+        FileStamp known, seen;
+        double seen_since = 0;
+    };
+
+    std::string main_file_;
+    std::map<std::string, Watched> files_;
+    bool main_gone_ = false;
+};
+
+}  // namespace ui

@@ -1,0 +1,40 @@
+// One line of JSON for each frame that the window shows, for tests and benchmarks.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+#include "gl/camera.h"
+
+namespace ui {
+
+struct FrameRecord {
+    double time = 0;        ///< Seconds since the window opened, when the frame was shown.
+    double ms = 0;          ///< Wall time of the frame.
+    double picture_ms = 0;  ///< Of that, for the model's picture; 0 where the frame shows the one before.
+    int samples = 0;        ///< In the picture that is shown, of …
+    int wanted_samples = 0;
+    int divisor = 1;               ///< The picture's resolution is the window's divided by this.
+    glm::ivec2 size{0};            ///< Of the picture on the screen, in pixels.
+    std::uint64_t generation = 0;  ///< Of the model; 0: none.
+    std::string style;
+    std::string state;  ///< Of the document: "evaluating", "good", "failed" or "gone".
+    bool evaluating = false;
+    gl::Camera camera;
+};
+
+/// The record on one line, without newline.
+[[nodiscard]] std::string to_json(const FrameRecord& record);
+
+class FrameLog {
+  public:
+    /// Opens the file anew; an empty path logs nothing. Throws std::runtime_error where it cannot be opened.
+    explicit FrameLog(const std::string& path);
+    void write(const FrameRecord& record);
+
+  private:
+    std::ofstream file_;
+};
+
+}  // namespace ui

@@ -1,0 +1,80 @@
+#include "ui/viewer/frame_plan.h"
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+constexpr std::array kDivisors{1, 2, 3, 4, 6};
+// Seconds that a step may take while the camera moves, and for the first look at something new.
+constexpr double kMotionBudget = 0.05, kLookBudget = 0.3;
+/// Seconds without change after which the camera counts as still.
+constexpr double kStill = 0.12;
+
+}  // namespace
+
+void FramePlan::moved(double now) {
+    begin_ = true;
+    changed_at_ = now;
+}
+
+void FramePlan::replaced(double now) {
+    begin_ = replaced_ = true;
+    changed_at_ = now - kStill;  // Nothing moves: the whole picture follows at once.
+}
+
+double FramePlan::predicted(int divisor) const {
+    // From the measured divisor that is nearest: the cost has a part that does not shrink with the picture.
+    if (const auto exact = cost_.find(divisor); exact != cost_.end()) {
+        return exact->second;
+    }
+    const auto above = cost_.upper_bound(divisor);
+    const auto& [known, seconds] = above != cost_.end() ? *above : *cost_.rbegin();
+    const double pixels = static_cast<double>(known * known) / static_cast<double>(divisor * divisor);
+    return seconds * pixels;
+}
+
+int FramePlan::affordable(double budget) const {
+    if (cost_.empty()) {
+        return 2;
+    }
+    for (const int divisor : kDivisors) {
+        if (predicted(divisor) <= budget) {
+            return divisor;
+        }
+    }
+    return kDivisors.back();
+}
+
+std::optional<PictureStep> FramePlan::next(double now) const {
+    if (begin_) {
+        return PictureStep{affordable(replaced_ ? kLookBudget : kMotionBudget), 0};
+    }
+    if (now - changed_at_ < kStill || finished()) {
+        return std::nullopt;
+    }
+    return shown_.divisor > 1 ? PictureStep{1, 0} : PictureStep{1, shown_.sample + 1};
+}
+
+void FramePlan::drawn(const PictureStep& step, double seconds) {
+    if (replaced_) {
+        cost_.clear();  // Of something else.
+    }
+    cost_[step.divisor] = seconds;
+    shown_ = step;
+    begin_ = replaced_ = false;
+}
+
+std::optional<double> FramePlan::wait(double now) const {
+    if (begin_) {
+        return 0;
+    }
+    if (finished()) {
+        return std::nullopt;
+    }
+    const double rest = kStill - (now - changed_at_);
+    return rest > 0 ? rest : 0;
+}
+
+}  // namespace ui

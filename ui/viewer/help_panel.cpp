@@ -1,0 +1,98 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "ui/viewer/panels.h"
+
+namespace ui {
+
+namespace {
+
+void row(const std::string& keys, const char* meaning) {
+    ImGui::TableNextColumn();
+    ImGui::TextColored(theme::kAccent, "%s", keys.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", meaning);
+}
+
+void title(const char* text, const Fonts& fonts) {
+    ImGui::Spacing();
+    ImGui::PushFont(fonts.bold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+bool begin_rows(const char* id) {
+    if (!ImGui::BeginTable(id, 2)) {
+        return false;
+    }
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 11 * ImGui::GetFontSize());
+    ImGui::TableSetupColumn("meaning");
+    return true;
+}
+
+void mouse(const Fonts& fonts) {
+    title("Mouse", fonts);
+    if (!begin_rows("mouse")) {
+        return;
+    }
+    row("Left drag", "Turn");
+    row("Right or middle drag", "Shift");
+    row("Shift + left drag", "Shift");
+    row("Wheel", "Zoom about the pointer");
+    row("Double click", "Centre the point of the model");
+    ImGui::EndTable();
+}
+
+void menu(const char* name, const Fonts& fonts) {
+    title(name, fonts);
+    if (!begin_rows(name)) {
+        return;
+    }
+    for (const ActionInfo& each : actions()) {
+        if (std::strcmp(each.menu, name) != 0 || each.keys[0].key == 0) {
+            continue;
+        }
+        std::string keys;
+        for (const Chord& chord : each.keys) {
+            keys += (chord.key != 0 && !keys.empty() ? ", " : "") + text(chord);
+        }
+        row(keys, each.label);
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_help(const Fonts& fonts, Commands& commands) {
+    const ImGuiViewport& window = *ImGui::GetMainViewport();
+    const float font = ImGui::GetFontSize();
+    const ImVec2 size{std::min(56 * font, window.Size.x - 2 * font), std::min(37 * font, window.Size.y - 4 * font)};
+    ImGui::SetNextWindowPos({0.5F * window.Size.x, 0.5F * window.Size.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
+    bool open = true;
+    if (ImGui::Begin("Keys and mouse", &open,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoMove)) {
+        ImGui::Columns(size.x > 48 * font ? 2 : 1, "halves", false);
+        mouse(fonts);
+        for (const char* name : {"File", "Camera", "Style"}) {
+            menu(name, fonts);
+        }
+        ImGui::NextColumn();
+        for (const char* name : {"View", "Window", "Help"}) {
+            menu(name, fonts);
+        }
+        ImGui::Columns();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (!open) {
+        commands.emplace_back(Action::Close);
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,28 @@
+#include "ui/viewer/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown& shown, float console_height) {
+    const auto whole = [](float length) { return std::max(0.0F, std::floor(length)); };
+    const float top = whole(menu_height);
+    const float status_height = std::min(whole(26 * scale), whole(window.y - top));
+    const float bottom = window.y - status_height;
+    // The picture keeps at least a third of the window, however small that is.
+    const float panel_width = shown.panel ? whole(std::min(310 * scale, window.x * 2 / 3)) : 0;
+    const float picture_width = window.x - panel_width;
+    const float most = whole((bottom - top) * 2 / 3);
+    const float least = std::min(60 * scale, most);
+    const float console = shown.console ? whole(std::clamp(console_height, least, most)) : 0;
+
+    Layout layout;
+    layout.picture = {{0, top}, {picture_width, std::max(0.0F, bottom - console - top)}};
+    layout.console = {{0, bottom - console}, {picture_width, console}};
+    layout.panel = {{picture_width, top}, {panel_width, std::max(0.0F, bottom - top)}};
+    layout.status = {{0, bottom}, {window.x, status_height}};
+    return layout;
+}
+
+}  // namespace ui

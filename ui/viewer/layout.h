@@ -1,0 +1,38 @@
+// Where the parts of the window are. The picture gets what the others leave, so that nothing hides the model.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace ui {
+
+/// In units of the window, from its upper left corner, y down.
+struct Rectangle {
+    glm::vec2 corner{0};
+    glm::vec2 size{0};
+
+    [[nodiscard]] bool contains(const glm::dvec2& point) const {
+        const glm::dvec2 from_corner = point - glm::dvec2(corner);
+        return from_corner.x >= 0 && from_corner.y >= 0 && from_corner.x < size.x && from_corner.y < size.y;
+    }
+    [[nodiscard]] bool empty() const { return size.x < 1 || size.y < 1; }
+};
+
+/// What is open.
+struct Shown {
+    bool panel = true;
+    bool console = true;
+    bool axes = true;
+    bool help = false;
+    bool save_form = false;
+};
+
+struct Layout {
+    Rectangle picture, panel, console, status;  ///< Empty where not shown.
+};
+
+/// Lays out a window of the given size below its menu bar. `scale`: of the interface, 1 for a common display.
+/// `console_height` is what the user wants; it is kept within limits. Rectangles begin and end at whole units.
+[[nodiscard]] Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown& shown,
+                                 float console_height);
+
+}  // namespace ui

@@ -1,0 +1,76 @@
+#include <imgui.h>
+
+#include <cstring>
+#include <string>
+
+#include "ui/viewer/panels.h"
+
+namespace ui {
+
+namespace {
+
+void styles_menu(const Session& session, Commands& commands) {
+    for (std::size_t i = 0; i < npr::styles().size(); ++i) {
+        const std::string label(npr::styles()[i].label);
+        if (ImGui::MenuItem(label.c_str(), nullptr, i == session.view().style)) {
+            commands.emplace_back(SetStyle{i});
+        }
+    }
+    ImGui::Separator();
+}
+
+bool checked(const Session& session, Action action) {
+    switch (action) {
+        case Action::ToggleAxes:
+            return session.shown().axes;
+        case Action::TogglePanel:
+            return session.shown().panel;
+        case Action::ToggleConsole:
+            return session.shown().console;
+        default:
+            return false;
+    }
+}
+
+void menu(const char* name, const Session& session, Commands& commands) {
+    if (std::strcmp(name, "Style") == 0) {
+        styles_menu(session, commands);
+    }
+    for (const ActionInfo& each : actions()) {
+        const bool ends_group = each.action == Action::Quit || each.action == Action::Top ||
+                                each.action == Action::ToggleProjection || each.action == Action::ClearConsole;
+        if (std::strcmp(each.menu, name) != 0) {
+            continue;
+        }
+        if (ends_group) {
+            ImGui::Separator();
+        }
+        if (ImGui::MenuItem(each.label, text(each.keys[0]).c_str(), checked(session, each.action))) {
+            commands.emplace_back(each.action);
+        }
+    }
+}
+
+}  // namespace
+
+float draw_menu_bar(const Session& session, Commands& commands) {
+    if (!ImGui::BeginMainMenuBar()) {
+        return 0;
+    }
+    const char* last = "";
+    for (const ActionInfo& each : actions()) {
+        if (std::strcmp(each.menu, last) == 0) {
+            continue;
+        }
+        last = each.menu;
+        if (ImGui::BeginMenu(last)) {
+            menu(last, session, commands);
+            ImGui::EndMenu();
+        }
+    }
+    const float height = ImGui::GetWindowSize().y;
+    ImGui::EndMainMenuBar();
+    return height;
+}
+
+}  // namespace ui

@@ -1,0 +1,66 @@
+#include "ui/viewer/navigator.h"
+
+#include <cmath>
+#include <utility>
+
+#include "ui/viewer/camera_control.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kZoomPerNotch = 1.15;
+constexpr double kDoubleClickSeconds = 0.4, kDoubleClickDistance = 5;
+
+}  // namespace
+
+void Navigator::press(const PointerEvent& event, const Rectangle& picture) {
+    if (event.button == Button::Left) {
+        const bool second = event.time - clicked_at_ < kDoubleClickSeconds &&
+                            glm::distance(event.position, clicked_) < kDoubleClickDistance;
+        if (second) {
+            double_click_ = event.position - glm::dvec2(picture.corner);
+        }
+        clicked_at_ = second ? -1 : event.time;
+        clicked_ = event.position;
+    }
+    button_ = event.button;
+    pans_ = event.button != Button::Left || event.shift;
+    last_ = event.position;
+}
+
+void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool free, gl::Camera& camera) {
+    const int height = static_cast<int>(picture.size.y);
+    switch (event.kind) {
+        case PointerKind::Press:
+            if (button_ == Button::None && free && picture.contains(event.position)) {
+                press(event, picture);
+            }
+            break;
+        case PointerKind::Release:
+            if (event.button == button_) {
+                button_ = Button::None;
+            }
+            break;
+        case PointerKind::Move: {
+            const glm::dvec2 drag = event.position - std::exchange(last_, event.position);
+            if (button_ != Button::None && drag != glm::dvec2(0)) {
+                pans_ ? pan(camera, drag, height) : orbit(camera, drag);
+            }
+            break;
+        }
+        case PointerKind::Scroll:
+            if (free && picture.contains(event.position)) {
+                const glm::dvec2 cursor = event.position - glm::dvec2(picture.corner);
+                zoom(camera, std::pow(kZoomPerNotch, -event.amount),
+                     point_on_target_plane(camera, glm::ivec2(picture.size), cursor));
+            }
+            break;
+    }
+}
+
+std::optional<glm::dvec2> Navigator::take_double_click() {
+    return std::exchange(double_click_, std::nullopt);
+}
+
+}  // namespace ui

@@ -1,0 +1,66 @@
+// The parts of the interface. Each draws from state it is given and adds to `commands` what the user asks for; none
+// changes anything else. To be called between ImGui::NewFrame and ImGui::Render.
+#pragma once
+
+#include <string>
+
+#include "ui/viewer/session.h"
+#include "ui/viewer/theme.h"
+
+namespace ui {
+
+/// What is known of the picture on the screen.
+struct PictureInfo {
+    int samples = 0, wanted_samples = 0;
+    int divisor = 1;
+    glm::ivec2 size{0};  ///< Pixels.
+    double ms = 0;       ///< Of the last step.
+    int layers = 0;
+    std::string engine;
+    std::string renderer;  ///< The driver's name.
+    std::string error;     ///< Why it could not be drawn; empty where it was.
+};
+
+/// Gives its height.
+float draw_menu_bar(const Session& session, Commands& commands);
+
+/// Style, parameters, colours, layers, samples, camera, figures of the model.
+void draw_panel(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
+                Commands& commands);
+
+/// A control for a parameter of a style; gives true and the new value where the user has changed it.
+bool draw_parameter(const npr::Parameter& parameter, npr::Value& value);
+
+/// Messages. `height` follows the drag of its upper edge.
+void draw_console(const Rectangle& place, const Session& session, const Fonts& fonts, float& height,
+                  Commands& commands);
+
+/// State of the document on the left, of the picture on the right. `note`: what was done last.
+void draw_status(const Rectangle& place, const Session& session, const PictureInfo& picture, const std::string& note);
+
+/// Over the picture, behind everything else: what is wrong, and the axes.
+void draw_overlay(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
+                  float scale);
+
+void draw_help(const Fonts& fonts, Commands& commands);
+
+/// The form for saving a picture; keeps what was typed.
+class SaveForm {
+  public:
+    SaveForm(std::string proposed_path, bool transparent)
+        : path_(std::move(proposed_path)), transparent_(transparent) {}
+
+    /// `picture`: proposed size.
+    void draw(glm::ivec2 picture, int samples, Commands& commands);
+    /// Why the last try failed; empty: it did not.
+    void set_error(std::string error) { error_ = std::move(error); }
+
+  private:
+    std::string path_;
+    glm::ivec2 size_{0};
+    int samples_ = 0;
+    bool transparent_;  ///< No background.
+    std::string error_;
+};
+
+}  // namespace ui

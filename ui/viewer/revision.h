@@ -1,0 +1,44 @@
+// One evaluation of the source: from the file to a model that can be shown, or to the messages that say why not.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "csg/scad/scad.h"
+#include "ui/pipeline/model.h"
+#include "ui/viewer/file_watcher.h"
+#include "ui/viewer/message_log.h"
+
+namespace ui {
+
+/// What is shown: where the text comes from and how it is evaluated.
+struct Source {
+    std::string path;                      ///< Names the text; read from there unless `text` is given.
+    std::optional<std::string> text;       ///< Standard input.
+    std::vector<std::string> definitions;  ///< name=expression
+    bool preview = true;                   ///< $preview
+    bool hard_warnings = false;            ///< A warning is an error.
+};
+
+struct Revision {
+    std::shared_ptr<const Model> model;  ///< Null where there was an error.
+    csg::scad::ViewSettings view;
+    MessageLog messages;
+    std::map<std::string, FileStamp> files;  ///< All that were looked for, as they were before they were read.
+    double evaluate_ms = 0, build_ms = 0;    ///< Wall time.
+};
+
+/// Makes a revision; `camera` is what the $vp… variables hold. Never throws; blocks until done or, with a revision of
+/// no worth, until the token has ended it. Not to be called by two threads at a time.
+using Evaluate = std::function<Revision(const Source&, const csg::scad::View& camera, const std::stop_token&)>;
+
+/// Evaluates the source and builds its model; meshes are kept from one revision to the next, so that an edit builds
+/// only what it changed.
+[[nodiscard]] Evaluate make_evaluate();
+
+}  // namespace ui

@@ -1,0 +1,81 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ui/viewer/panels.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kLargestSide = 16384;
+constexpr std::array kCounts{1, 4, 8, 16};
+
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine(6 * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(-1);
+}
+
+}  // namespace
+
+void SaveForm::draw(glm::ivec2 picture, int samples, Commands& commands) {
+    if (size_.x == 0) {
+        size_ = glm::max(picture, 1);
+        samples_ = std::max(samples, 4);
+    }
+    const ImGuiViewport& window = *ImGui::GetMainViewport();
+    const float font = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({0.5F * window.Size.x, 0.4F * window.Size.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(32 * font, window.Size.x), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
+    bool open = true;
+    if (ImGui::Begin("Save picture", &open,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar)) {
+        if (ImGui::IsWindowAppearing()) {
+            ImGui::SetKeyboardFocusHere();
+        }
+        label("File (PNG)");
+        bool save = ImGui::InputText("##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
+        label("Size");
+        ImGui::InputInt2("##size", &size_.x);
+        size_ = glm::clamp(size_, 1, kLargestSide);
+        label("Samples");
+        const auto at = std::find(kCounts.begin(), kCounts.end(), samples_) - kCounts.begin();
+        int chosen = static_cast<int>(at);
+        if (ImGui::Combo("##samples", &chosen, "1\0004\0008\00016\0")) {
+            samples_ = kCounts[static_cast<std::size_t>(chosen)];
+        }
+        label("Background");
+        ImGui::Checkbox("transparent", &transparent_);
+        if (!error_.empty()) {
+            ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+            ImGui::TextWrapped("%s", error_.c_str());
+            ImGui::PopStyleColor();
+        }
+        ImGui::Spacing();
+        const float width = 7 * font;
+        ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * width - ImGui::GetStyle().ItemSpacing.x -
+                             ImGui::GetStyle().WindowPadding.x);
+        open &= !ImGui::Button("Cancel", {width, 0});
+        ImGui::SameLine();
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        save |= ImGui::Button("Save", {width, 0});
+        ImGui::PopStyleColor();
+        if (save && !path_.empty()) {
+            error_.clear();
+            commands.emplace_back(WritePicture{path_, size_, samples_, transparent_});
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (!open) {
+        commands.emplace_back(Action::Close);
+    }
+}
+
+}  // namespace ui

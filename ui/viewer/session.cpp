@@ -1,0 +1,213 @@
+#include "ui/viewer/session.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr double kTurn = 15;  // Degrees per key press.
+constexpr double kZoom = 1.25;
+
+csg::scad::View scad_view(const gl::Camera& camera) {
+    return {{camera.target.x, camera.target.y, camera.target.z},
+            {camera.rotation.x, camera.rotation.y, camera.rotation.z},
+            camera.distance,
+            camera.fov};
+}
+
+/// Turns by whole key presses, with orbit()'s rules.
+void turn(gl::Camera& camera, double about_x, double about_z) {
+    constexpr double kPixelsPerDegree = 1 / 0.7;
+    orbit(camera, {-about_z * kPixelsPerDegree, -about_x * kPixelsPerDegree});
+}
+
+}  // namespace
+
+const StandardView* standard_view(Action action) {
+    // The actions are in the order of the views.
+    const int i = static_cast<int>(action) - static_cast<int>(Action::Top);
+    const auto views = standard_views();
+    return i >= 0 && i < static_cast<int>(views.size()) ? &views[static_cast<std::size_t>(i)] : nullptr;
+}
+
+Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<void()> wake)
+    : camera_request_(options.camera),
+      document_(options.source),
+      view_(view_state_of(options.picture)),
+      evaluate_(std::move(evaluate)),
+      watcher_(options.source.text ? std::string() : options.source.path),
+      job_(std::move(wake)) {
+    view_.camera = choose_camera(camera_request_, {}, {});
+    this->evaluate();
+}
+
+void Session::evaluate() {
+    job_.start([evaluate = evaluate_, source = document_.source(), camera = scad_view(view_.camera)](
+                   const std::stop_token& stop) { return evaluate(source, camera, stop); });
+}
+
+bool Session::update(double now) {
+    bool news = false;
+    if (auto revision = job_.take()) {
+        watcher_.watch(revision->files);
+        document_.receive(std::move(*revision));
+        place_camera();
+        news = true;
+    }
+    const bool was_gone = document_.state() == DocumentState::Gone;
+    if (watcher_.poll(now)) {
+        evaluate();
+        news = true;
+    }
+    document_.set_gone(watcher_.main_file_gone());
+    return news || was_gone != (document_.state() == DocumentState::Gone);
+}
+
+void Session::place_camera() {
+    const auto& model = document_.model();
+    if (camera_placed_ || !model || document_.state() == DocumentState::Failed) {
+        return;
+    }
+    view_.camera = choose_camera(camera_request_, document_.view(), model->box);
+    camera_placed_ = !model->empty();
+}
+
+void Session::look_at(const glm::dvec3& point) {
+    const glm::dvec3 back = glm::normalize(view_.camera.eye() - view_.camera.target);
+    if (view_.camera.projection == gl::Projection::Perspective) {
+        const double distance = glm::dot(view_.camera.eye() - point, back);
+        view_.camera.distance = std::max(distance, 1e-6);
+    }
+    view_.camera.target = point;
+}
+
+bool Session::perform(const Command& command) {
+    if (const auto* action = std::get_if<Action>(&command)) {
+        return act(*action);
+    }
+    if (const auto* style = std::get_if<SetStyle>(&command)) {
+        view_.style = std::min(style->style, npr::styles().size() - 1);
+    } else if (const auto* set = std::get_if<SetParameter>(&command)) {
+        view_.style_parameters().set(static_cast<int>(set->parameter), set->value);
+    } else if (std::holds_alternative<ResetParameters>(command)) {
+        view_.style_parameters() = npr::Parameters(view_.style_info().parameters());
+    } else if (const auto* scheme = std::get_if<SetScheme>(&command)) {
+        view_.scheme = std::min(scheme->scheme, npr::color_schemes().size() - 1);
+    } else if (const auto* layers = std::get_if<SetLayers>(&command)) {
+        view_.layers = std::max(layers->layers, -1);
+    } else if (const auto* samples = std::get_if<SetSamples>(&command)) {
+        view_.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool Session::act(Action action) {
+    gl::Camera& camera = view_.camera;
+    switch (action) {
+        case Action::Reload:
+            evaluate();
+            break;
+        case Action::SavePicture:
+            shown_.save_form = true;
+            break;
+        case Action::ViewAll:
+            if (document_.model()) {
+                gl::view_all(camera, document_.model()->box.lo, document_.model()->box.hi, true);
+            }
+            break;
+        case Action::ResetView:
+            camera = gl::Camera{};
+            break;
+        case Action::LookAtOrigin:
+            camera.target = glm::dvec3(0);
+            break;
+        case Action::Top:
+        case Action::Bottom:
+        case Action::Left:
+        case Action::Right:
+        case Action::Front:
+        case Action::Back:
+        case Action::Diagonal:
+            camera.rotation = standard_view(action)->rotation;
+            break;
+        case Action::ToggleProjection:
+            toggle_projection(camera);
+            break;
+        case Action::ZoomIn:
+            zoom(camera, 1 / kZoom, camera.target);
+            break;
+        case Action::ZoomOut:
+            zoom(camera, kZoom, camera.target);
+            break;
+        case Action::TurnLeft:
+            turn(camera, 0, kTurn);
+            break;
+        case Action::TurnRight:
+            turn(camera, 0, -kTurn);
+            break;
+        case Action::TurnUp:
+            turn(camera, kTurn, 0);
+            break;
+        case Action::TurnDown:
+            turn(camera, -kTurn, 0);
+            break;
+        case Action::NextStyle:
+            step_style(1);
+            break;
+        case Action::PreviousStyle:
+            step_style(-1);
+            break;
+        case Action::MoreLayers:
+            step_layers(1);
+            break;
+        case Action::FewerLayers:
+            step_layers(-1);
+            break;
+        case Action::ToggleAxes:
+            shown_.axes = !shown_.axes;
+            break;
+        case Action::TogglePanel:
+            shown_.panel = !shown_.panel;
+            break;
+        case Action::ToggleConsole:
+            shown_.console = !shown_.console;
+            break;
+        case Action::ClearConsole:
+            document_.clear_messages();
+            break;
+        case Action::Help:
+            shown_.help = !shown_.help;
+            break;
+        case Action::Close:
+            shown_.help = shown_.save_form = false;
+            break;
+        case Action::Quit:
+        case Action::CopyConsole:
+            return false;
+    }
+    return true;
+}
+
+void Session::see_layers(const Model& model, int layers) {
+    const int before = std::exchange(layers_of_, model.generation) == model.generation ? layer_count_ : 1;
+    layer_count_ = std::max(before, layers);
+}
+
+void Session::step_style(int by) {
+    const std::size_t count = npr::styles().size();
+    view_.style = (view_.style + count + static_cast<std::size_t>(by + static_cast<int>(count))) % count;
+}
+
+void Session::step_layers(int by) {
+    // 1 … n, then all (0); from "what the style needs" to the nearer end.
+    const int all = layer_count_ + 1;
+    const int now = view_.layers < 0 ? (by > 0 ? 0 : all + 1) : view_.layers == 0 ? all : view_.layers;
+    const int next = std::clamp(now + by, 1, all);
+    view_.layers = next >= all ? 0 : next;
+}
+
+}  // namespace ui

@@ -1,0 +1,65 @@
+// All that the window shows and how it follows the file, without the window: document, view, evaluation, watcher.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+#include "ui/viewer/camera_control.h"
+#include "ui/viewer/commands.h"
+#include "ui/viewer/document.h"
+#include "ui/viewer/latest_job.h"
+#include "ui/viewer/layout.h"
+#include "ui/viewer/view_state.h"
+#include "ui/viewer/window.h"
+
+namespace ui {
+
+/// The view that the action looks from; null for other actions.
+[[nodiscard]] const StandardView* standard_view(Action action);
+
+/// Lives on the thread of the window; only the evaluation runs elsewhere.
+class Session {
+  public:
+    /// Begins to evaluate. `wake` is called from another thread when update() has something new. Throws where style
+    /// or scheme do not exist.
+    Session(const WindowOptions& options, Evaluate evaluate, std::function<void()> wake);
+
+    /// Takes what the evaluation and the watcher have to tell; `now` in seconds. True where something is new.
+    bool update(double now);
+
+    /// Carries out what concerns document and view, and gives false for what only the window can do.
+    bool perform(const Command& command);
+    /// Shifts the camera until the point is in the middle, at the size that it has; the camera turns about it then.
+    void look_at(const glm::dvec3& point);
+    /// So many layers were seen in a picture of the model.
+    void see_layers(const Model& model, int layers);
+
+    [[nodiscard]] const Document& document() const { return document_; }
+    [[nodiscard]] const ViewState& view() const { return view_; }
+    [[nodiscard]] gl::Camera& camera() { return view_.camera; }
+    [[nodiscard]] const Shown& shown() const { return shown_; }
+    [[nodiscard]] bool evaluating() const { return job_.busy(); }
+    /// The most layers that were seen of the model, from wherever it was looked at; at least 1.
+    [[nodiscard]] int layer_count() const { return layer_count_; }
+
+  private:
+    void evaluate();
+    void place_camera();
+    bool act(Action action);
+    void step_style(int by);
+    void step_layers(int by);
+
+    CameraRequest camera_request_;
+    bool camera_placed_ = false;  ///< On a model that is not empty; from then on it is the user's.
+    Document document_;
+    ViewState view_;
+    Shown shown_;
+    int layer_count_ = 1;
+    std::uint64_t layers_of_ = 0;  ///< Generation of the model that layer_count_ belongs to.
+    Evaluate evaluate_;
+    FileWatcher watcher_;
+    LatestJob<Revision> job_;  ///< Last: its jobs use the above.
+};
+
+}  // namespace ui

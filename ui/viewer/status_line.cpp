@@ -1,0 +1,73 @@
+#include <imgui.h>
+
+#include <fmt/format.h>
+
+#include "ui/viewer/panel_window.h"
+#include "ui/viewer/panels.h"
+
+namespace ui {
+
+namespace {
+
+struct Lamp {
+    ImVec4 color;
+    const char* text;
+};
+
+Lamp lamp(const Session& session) {
+    if (session.evaluating()) {
+        return {theme::kAccent, "Evaluating…"};
+    }
+    switch (session.document().state()) {
+        case DocumentState::Failed:
+            return {theme::kError, "Error"};
+        case DocumentState::Gone:
+            return {theme::kWarning, "File is gone"};
+        case DocumentState::Good:
+        case DocumentState::Evaluating:
+            break;
+    }
+    return {{0.40F, 0.75F, 0.45F, 1}, "Ready"};
+}
+
+std::string picture_text(const Session& session, const PictureInfo& picture) {
+    const std::string style(session.view().style_info().label);
+    const std::string coarse = picture.divisor > 1 ? fmt::format(" at 1/{}", picture.divisor) : "";
+    return fmt::format("{}    {}×{}{}    {} of {} samples    {:.0f} ms", style, picture.size.x, picture.size.y, coarse,
+                       picture.samples, picture.wanted_samples, picture.ms);
+}
+
+}  // namespace
+
+void draw_status(const Rectangle& place, const Session& session, const PictureInfo& picture, const std::string& note) {
+    if (place.empty()) {
+        return;
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                        {ImGui::GetStyle().WindowPadding.x, 0.5F * (place.size.y - ImGui::GetFontSize())});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.095F, 0.105F, 0.12F, 1});
+    if (begin_panel("Status", place, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+        const Lamp state = lamp(session);
+        const float size = ImGui::GetFontSize();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.3F * size, at.y + 0.52F * size}, 0.27F * size,
+                                                    ImGui::GetColorU32(state.color));
+        ImGui::Dummy({0.6F * size, size});
+        ImGui::SameLine();
+        ImGui::TextUnformatted(state.text);
+        if (!note.empty()) {
+            ImGui::SameLine(0, size);
+            ImGui::TextDisabled("%s", note.c_str());
+        }
+        const std::string right = picture_text(session, picture);
+        const float width = ImGui::CalcTextSize(right.c_str()).x;
+        ImGui::SameLine(place.size.x - width - ImGui::GetStyle().WindowPadding.x);
+        ImGui::TextDisabled("%s", right.c_str());
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace ui

@@ -1,0 +1,253 @@
+#include "ui/viewer/window_loop.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "ui/viewer/camera_control.h"
+
+namespace ui {
+
+namespace {
+
+constexpr glm::ivec2 kWindowSize{1280, 800};
+constexpr double kPollSeconds = 0.2;
+/// ImGui needs a second frame until its panels have followed what happened.
+constexpr int kFramesAfterInput = 2;
+
+const char* state_name(DocumentState state) {
+    switch (state) {
+        case DocumentState::Evaluating:
+            return "evaluating";
+        case DocumentState::Good:
+            return "good";
+        case DocumentState::Failed:
+            return "failed";
+        case DocumentState::Gone:
+            return "gone";
+    }
+    return "";
+}
+
+std::string proposed_picture(const Source& source) {
+    return source.text ? "picture.png" : std::filesystem::path(source.path).stem().string() + ".png";
+}
+
+std::string title_of(const WindowOptions& options) {
+    return Document(options.source).file_name() + " – csgscope";
+}
+
+}  // namespace
+
+WindowLoop::WindowLoop(const WindowOptions& options)
+    : log_(options.frames_log),
+      window_(title_of(options), kWindowSize),
+      context_(gl::adopt_context(window_symbol, [this] { window_.make_current(); })),
+      interface_(window_),
+      picture_(*context_, options.engine),
+      session_(options, make_evaluate(), GlfwWindow::wake),
+      save_form_(proposed_picture(options.source), options.picture.transparent_background) {
+    info_.renderer = context_->renderer();
+    console_height_ = 150 * window_.interface_scale();
+}
+
+double WindowLoop::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - opened_).count();
+}
+
+void WindowLoop::run() {
+    while (!quit_ && !window_.close_requested()) {
+        double rest = std::min(plan_.wait(seconds()).value_or(kPollSeconds), kPollSeconds);
+        if (frames_to_draw_ > 0) {
+            rest = 0;
+        }
+        const Input input = window_.wait(rest);
+        if (session_.update(seconds()) || input.any) {
+            frames_to_draw_ = kFramesAfterInput;
+        }
+        if (frames_to_draw_ > 0 || plan_.next(seconds())) {
+            frame(input);
+        }
+    }
+    window_.hide();  // An evaluation may need a moment to stop.
+}
+
+void WindowLoop::frame(const Input& input) {
+    frames_to_draw_ = std::max(frames_to_draw_ - 1, 0);
+    const glm::ivec2 pixels = window_.framebuffer_size(), size = window_.size();
+    if (pixels.x < 1 || pixels.y < 1 || size.x < 1 || size.y < 1) {
+        return;
+    }
+    Stopwatch watch;
+    interface_.begin(input);
+    Commands commands;
+    const Layout layout = draw_interface(commands);
+    navigate(input, layout.picture);
+    for (const KeyEvent& event : input.keys) {
+        const auto action = action_of(event.chord);
+        if (action && (!ImGui::GetIO().WantTextInput || *action == Action::Close)) {
+            commands.emplace_back(*action);
+        }
+    }
+    for (const Command& command : commands) {
+        perform(command);
+    }
+    const glm::vec2 pixels_per_unit = glm::vec2(pixels) / glm::vec2(size);
+    const glm::ivec2 corner(layout.picture.corner * pixels_per_unit);
+    const glm::ivec2 picture_size =
+        glm::ivec2((layout.picture.corner + layout.picture.size) * pixels_per_unit) - corner;
+    plan_picture(glm::max(picture_size, 1));
+    const double picture_ms = draw_picture();
+    picture_.show({corner.x, pixels.y - corner.y - picture_size.y}, picture_size,
+                  session_.view().color_scheme().background);
+    interface_.end();
+    window_.swap();
+    log(watch.lap(), picture_ms);
+    if (to_write_) {
+        write_picture();
+    }
+}
+
+Layout WindowLoop::draw_interface(Commands& commands) {
+    const float menu_height = draw_menu_bar(session_, commands);
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Fonts& fonts = interface_.fonts();
+    const Layout layout =
+        make_layout({size.x, size.y}, menu_height, interface_.scale(), session_.shown(), console_height_);
+    draw_overlay(layout.picture, session_, info_, fonts, interface_.scale());
+    draw_panel(layout.panel, session_, info_, fonts, commands);
+    draw_console(layout.console, session_, fonts, console_height_, commands);
+    draw_status(layout.status, session_, info_, note_);
+    if (session_.shown().help) {
+        draw_help(fonts, commands);
+    }
+    if (session_.shown().save_form) {
+        save_form_.draw(info_.size, session_.view().samples, commands);
+    }
+    return layout;
+}
+
+void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
+    const bool free = !ImGui::GetIO().WantCaptureMouse;
+    for (const PointerEvent& event : input.pointer) {
+        navigator_.handle(event, picture, free, session_.camera());
+    }
+    const auto clicked = navigator_.take_double_click();
+    const auto& model = session_.document().model();
+    if (clicked && model && !model->empty()) {
+        const gl::Camera narrow = pixel_camera(session_.camera(), glm::ivec2(picture.size), *clicked);
+        if (const auto point = picture_.pick(*model, narrow)) {
+            session_.look_at(*point);
+        }
+    }
+}
+
+void WindowLoop::perform(const Command& command) {
+    if (session_.perform(command)) {
+        return;
+    }
+    if (const auto* write = std::get_if<WritePicture>(&command)) {
+        to_write_ = *write;
+        write_announced_ = false;
+        note_ = "Saving the picture…";
+        frames_to_draw_ = kFramesAfterInput;
+    } else if (const auto* action = std::get_if<Action>(&command)) {
+        quit_ = quit_ || *action == Action::Quit;
+        if (*action == Action::CopyConsole) {
+            window_.set_clipboard(session_.document().messages().text());
+            note_ = "The console is copied";
+        }
+    }
+}
+
+void WindowLoop::write_picture() {
+    if (!write_announced_) {
+        write_announced_ = true;  // The next frame says so; then it is done.
+        return;
+    }
+    const WritePicture what = *std::exchange(to_write_, std::nullopt);
+    frames_to_draw_ = kFramesAfterInput;
+    try {
+        if (!wanted_model_) {
+            throw std::runtime_error("there is no model yet");
+        }
+        PictureRequest request = session_.view().request(what.size);
+        request.samples = what.samples;
+        request.transparent_background = what.transparent_background;
+        gl::write_file(what.path, gl::encode_png(picture_.render(*wanted_model_, request)));
+        note_ = fmt::format("Saved {} ({}×{})", what.path.string(), what.size.x, what.size.y);
+        session_.perform(Action::Close);
+    } catch (const std::exception& error) {
+        note_ = "The picture is not saved";
+        save_form_.set_error(error.what());
+    }
+    plan_.replaced(seconds());
+}
+
+void WindowLoop::plan_picture(glm::ivec2 size) {
+    const PictureRequest request = session_.view().request(size);
+    const auto& model = session_.document().model();
+    const bool other = model != wanted_model_ || request.style != wanted_.style || request.layers != wanted_.layers;
+    if (!other && same_picture(request, wanted_)) {
+        return;
+    }
+    other ? plan_.replaced(seconds()) : plan_.moved(seconds());
+    plan_.set_samples(request.samples);
+    wanted_ = request;
+    wanted_model_ = model;
+    info_.error.clear();
+}
+
+double WindowLoop::draw_picture() {
+    const auto step = wanted_model_ ? plan_.next(seconds()) : std::nullopt;
+    if (!wanted_model_) {
+        plan_.drawn({1, wanted_.samples - 1}, 0);  // There is nothing to draw, and it is finished.
+    }
+    if (!step) {
+        return 0;
+    }
+    Stopwatch watch;
+    try {
+        picture_.draw(*wanted_model_, wanted_, *step);
+    } catch (const std::exception& error) {
+        info_.error = error.what();
+        plan_.drawn({1, wanted_.samples - 1}, 0);  // Until something changes.
+        picture_.clear();
+        frames_to_draw_ = kFramesAfterInput;
+        return 0;
+    }
+    const double ms = watch.lap();
+    plan_.drawn(*step, ms / 1000);
+    info_.samples = step->sample + 1;
+    info_.wanted_samples = wanted_.samples;
+    info_.divisor = step->divisor;
+    info_.size = wanted_.size;
+    info_.ms = ms;
+    info_.engine = goldfeather::name(picture_.statistics().engine.engine);
+    info_.layers = picture_.statistics().walk.layers;
+    session_.see_layers(*wanted_model_, info_.layers);
+    if (plan_.finished()) {
+        frames_to_draw_ = std::max(frames_to_draw_, 1);  // The status line tells what has just been drawn.
+    }
+    return ms;
+}
+
+void WindowLoop::log(double frame_ms, double picture_ms) {
+    FrameRecord record;
+    record.time = seconds();
+    record.ms = frame_ms;
+    record.picture_ms = picture_ms;
+    record.samples = info_.samples;
+    record.wanted_samples = wanted_.samples;
+    record.divisor = info_.divisor;
+    record.size = wanted_.size;
+    record.generation = wanted_model_ ? wanted_model_->generation : 0;
+    record.style = session_.view().style_info().name;
+    record.state = state_name(session_.document().state());
+    record.evaluating = session_.evaluating();
+    record.camera = session_.view().camera;
+    log_.write(record);
+}
+
+}  // namespace ui

@@ -1,0 +1,55 @@
+// The window at work: input in, commands done, frames out, and rest in between.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ui/pipeline/stopwatch.h"
+#include "ui/viewer/frame_log.h"
+#include "ui/viewer/interface.h"
+#include "ui/viewer/navigator.h"
+#include "ui/viewer/panels.h"
+#include "ui/viewer/picture_view.h"
+#include "ui/viewer/session.h"
+
+namespace ui {
+
+class WindowLoop {
+  public:
+    explicit WindowLoop(const WindowOptions& options);
+    /// Until the window is closed.
+    void run();
+
+  private:
+    void frame(const Input& input);
+    [[nodiscard]] double seconds() const;  ///< Since the window opened.
+    [[nodiscard]] Layout draw_interface(Commands& commands);
+    void navigate(const Input& input, const Rectangle& picture);
+    void perform(const Command& command);
+    void write_picture();
+    void plan_picture(glm::ivec2 size);
+    double draw_picture();
+    void log(double frame_ms, double picture_ms);
+
+    FrameLog log_;  ///< First: a path that cannot be written is told before the window opens.
+    GlfwWindow window_;
+    std::unique_ptr<gl::Context> context_;
+    Interface interface_;
+    PictureView picture_;
+    Session session_;
+    Navigator navigator_;
+    SaveForm save_form_;
+    FramePlan plan_;
+    PictureRequest wanted_;
+    std::shared_ptr<const Model> wanted_model_;
+    PictureInfo info_;
+    std::optional<WritePicture> to_write_;
+    bool write_announced_ = false;
+    std::string note_;
+    float console_height_ = 0;
+    int frames_to_draw_ = 0;
+    bool quit_ = false;
+    std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ui
