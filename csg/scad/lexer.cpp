@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "csg/scad/value.h"
 
 namespace csg::scad {
@@ -171,7 +173,7 @@ bool Lexer::skip_blanks() {
             if (!skip_comment()) {
                 place_ = begin;
                 place_.at += 2;
-                error(begin, "Unterminated comment: expected '*/' before the end of the file");
+                error(begin, "unterminated comment: expected '*/' before the end of the file");
                 return false;
             }
         } else if (const std::size_t bytes = blank_bytes(); bytes == 1) {
@@ -252,20 +254,16 @@ Token Lexer::file_name(TokenKind kind, const Place& begin) {
     // A name over several lines: what stands on the last line that is not empty counts.
     std::string name;
     std::string piece;
-    bool broken = false;
+    std::vector<SourceRange> breaks;
     while (!at_end() && peek() != '>') {
         if (peek() != '\n' && peek() != '\r') {
             piece += text_[place_.at++];
             continue;
         }
         advance();
-        broken = true;
+        breaks.push_back({file_, place_.line, column(), place_.line, column() + 1});
         name = piece.empty() ? name : piece;
         piece.clear();
-        if (includes) {
-            warn({file_, place_.line, column(), place_.line, column() + 1},
-                 "new lines in 'include<>'-statement is not defined - behavior may change in the future");
-        }
     }
     if (at_end()) {
         place_ = bracket;
@@ -273,9 +271,12 @@ Token Lexer::file_name(TokenKind kind, const Place& begin) {
         return error(bracket, fmt::format("expected '>' to close the '<' of this {}, found the end of the file",
                                           includes ? "include" : "use"));
     }
-    if (broken && !includes) {
+    if (!includes && !breaks.empty()) {
         warn({file_, place_.line, column(), place_.line, column() + 1},
              "new lines 'use<>'-statement is not defined - behavior may change in the future");
+    }
+    for (std::size_t i = 0; includes && i < breaks.size(); ++i) {
+        warn(breaks[i], "new lines in 'include<>'-statement is not defined - behavior may change in the future");
     }
     advance();
     Token token = finish(kind, begin);

@@ -133,7 +133,7 @@ Token Lexer::string(const Place& begin) {
     if (at_end()) {
         place_ = begin;
         ++place_.at;
-        return error(begin, "Unterminated string: expected '\"' before the end of the file");
+        return error(begin, "unterminated string: expected '\"' before the end of the file");
     }
     ++place_.at;
     Token token = finish(TokenKind::String, begin);

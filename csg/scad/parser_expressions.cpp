@@ -1,4 +1,6 @@
 // Expressions but lists.
+#include <fmt/format.h>
+
 #include "csg/scad/parser_impl.h"
 
 namespace csg::scad {
@@ -96,7 +98,7 @@ ExprId Parser::expression(Position position) {
         take();
         const ExprId then = expression();
         if (!at(TokenKind::Colon)) {
-            fail_expected("':' of the '?' before it");
+            fail_expected("':' to go with the '?' before it");
         }
         take();
         arms.push_back({last, then});
@@ -124,35 +126,42 @@ ExprId Parser::unconditional(Position position) {
         case TokenKind::Echo:
             return assert_or_echo(ExprKind::Echo);
         case TokenKind::For:
-            return element ? list_for() : binary(1, position);
+            return element ? list_for() : binary(position);
         case TokenKind::If:
-            return element ? list_if() : binary(1, position);
+            return element ? list_if() : binary(position);
         case TokenKind::Each:
-            return element ? list_each() : binary(1, position);
+            return element ? list_each() : binary(position);
         default:
-            return binary(1, position);
+            return binary(position);
     }
 }
 
-/// All operators group to the left, but ^ (see power).
-ExprId Parser::binary(int lowest, Position position) {
-    ExprId left = unary(position);
-    if (is_element(left)) {
-        return left;
+/// All operators group to the left, but ^ (see power). Operators that wait for a tighter one on their right are kept on
+/// a stack: nine levels of precedence cost no recursion.
+ExprId Parser::binary(Position position) {
+    const std::size_t mark = pending_operators_.size();
+    ExprId operand = unary(position);
+    if (is_element(operand)) {
+        return operand;
     }
     for (;;) {
         const BinaryOperator found = binary_operator(current().kind);
-        if (found.precedence == 0 || found.precedence < lowest) {
-            return left;
+        while (pending_operators_.size() > mark && pending_operators_.back().precedence >= found.precedence) {
+            const PendingOperator& waiting = pending_operators_.back();
+            Expr e;
+            e.kind = ExprKind::Binary;
+            e.op = waiting.op;
+            e.operands = {waiting.left, operand, kNone};
+            e.where = spanning(program_[waiting.left].where, program_[operand].where);
+            operand = add(e);
+            pending_operators_.pop_back();
+        }
+        if (found.precedence == 0) {
+            return operand;
         }
         take();
-        const ExprId right = binary(found.precedence + 1, Position::Plain);
-        Expr e;
-        e.kind = ExprKind::Binary;
-        e.op = found.op;
-        e.operands = {left, right, kNone};
-        e.where = spanning(program_[left].where, program_[right].where);
-        left = add(e);
+        pending_operators_.push_back({operand, found.op, found.precedence});
+        operand = unary(Position::Plain);
     }
 }
 
@@ -284,7 +293,12 @@ ExprId Parser::primary(Position position) {
         case TokenKind::Assert:
         case TokenKind::Echo:
             fail(current().where,
-                 "'" + std::string(token_text(current().kind)) + "' cannot be an operand: put parentheses around it");
+                 fmt::format("'{}' cannot be an operand: put parentheses around it", token_text(current().kind)));
+        case TokenKind::For:
+        case TokenKind::If:
+        case TokenKind::Each:
+            fail(current().where,
+                 fmt::format("'{}' gives elements of a list: put brackets around it", token_text(current().kind)));
         default:
             fail_expected("an expression");
     }

@@ -44,6 +44,13 @@ class Parser {
     /// Where an expression stands. Elements of lists may also be for, if, each, and let around these.
     enum class Position : std::uint8_t { Plain, Element };
 
+    /// A binary operator with its left side, before it is known whether the next operator binds tighter.
+    struct PendingOperator {
+        ExprId left = kNone;
+        Operator op = Operator::None;
+        int precedence = 0;
+    };
+
     /// Where a statement stands: at the top of a file, inside the braces of a module, inside the braces of an
     /// instantiation (no definitions there), or as the one child without braces (no assignments either).
     enum class Level : std::uint8_t { Top, Module, Children, Child };
@@ -72,7 +79,7 @@ class Parser {
     // parser_expressions.cpp
     ExprId expression(Position position = Position::Plain);
     ExprId unconditional(Position position);
-    ExprId binary(int lowest, Position position);
+    ExprId binary(Position position);
     ExprId unary(Position position);
     ExprId power(Position position);
     ExprId postfix(Position position);
@@ -126,6 +133,7 @@ class Parser {
     int depth_ = 0;
     std::vector<Argument> pending_arguments_;  ///< Of lists under way, the innermost last.
     std::vector<ExprId> pending_elements_;
+    std::vector<PendingOperator> pending_operators_;
 };
 
 }  // namespace csg::scad

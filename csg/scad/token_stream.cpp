@@ -48,11 +48,11 @@ bool TokenStream::enter(const Token& include, Token& failed) {
         return true;
     }
     if (open_.size() >= kMaxIncludeDepth) {
-        failed = too_much(include, fmt::format("Included files nest deeper than {} levels", kMaxIncludeDepth));
+        failed = too_much(include, fmt::format("included files nest deeper than {} levels", kMaxIncludeDepth));
         return false;
     }
     if (!files_.account(*file)) {
-        failed = too_much(include, fmt::format("Included files are more than {}, or larger than {} MiB in all",
+        failed = too_much(include, fmt::format("included files are more than {}, or larger than {} MiB in all",
                                                kMaxInclusions, kMaxSourceBytes >> 20));
         return false;
     }

@@ -1,0 +1,5 @@
+x = 1;
+include <part/shared.txt>
+use <part/shared.txt>
+y = shared;
+shared = 3;

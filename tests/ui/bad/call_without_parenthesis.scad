@@ -1,0 +1,3 @@
+difference {
+    cube(2);
+}

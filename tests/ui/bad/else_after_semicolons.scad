@@ -1,0 +1,2 @@
+if (true) cube(1);;
+else sphere(1);

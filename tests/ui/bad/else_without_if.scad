@@ -1,0 +1,2 @@
+cube(1);
+else sphere(1);

@@ -1,0 +1,2 @@
+include <stray_brace.scad>
+cube(1);

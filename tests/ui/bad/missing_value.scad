@@ -1,0 +1,2 @@
+width = ;
+cube(width);

@@ -1,0 +1,4 @@
+union() {
+    module m() cube(1);
+    m();
+}

@@ -1,0 +1,1 @@
+if (true) cube(1); else

@@ -1,0 +1,2 @@
+	cube(1);
+		sphere(2;

@@ -1,0 +1,2 @@
+include <shapes.scad
+cube(1);

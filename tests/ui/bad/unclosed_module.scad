@@ -1,0 +1,5 @@
+module outer() {
+    if (true) {
+        cube(1);
+}
+outer();

@@ -1,0 +1,1 @@
+module if() cube(1);
