@@ -315,6 +315,24 @@ TEST_F(Window, DoesNotWaitForTheEvaluation) {
     });
 }
 
+TEST_F(Window, DoesNotWaitForThePicture) {
+    open();
+    const Json first = wait_for_picture();
+    std::size_t from = frames().size();
+    // Thousands of surfaces in every pixel: one sample takes longer than all that follows.
+    folder_.replace("model.scad", "for (i = [0 : 4000]) cube([20, 20, 20 + i / 1000], center = true);\n");
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("generation") != first.at("generation") && frame.at("current") == false;
+    });
+    from = frames().size();
+    robot("mousemove 400 300 mousedown 1 mousemove_relative 30 0 mouseup 1");
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("camera") != first.at("camera") && frame.at("current") == false && frame.at("picture_ms") == 0;
+    });
+    robot("key q");
+    EXPECT_EQ(program_->wait(kPatience), 0);
+}
+
 TEST_F(Window, SavesThePicture) {
     open({"--style", "blueprint"});
     wait_for_picture();

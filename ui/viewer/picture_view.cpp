@@ -8,10 +8,10 @@
 
 namespace ui {
 
-PictureView::PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine,
+PictureView::PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine, bool threaded,
                          std::function<void()> wake)
     : gl_(window.functions()), wake_(std::move(wake)), target_(gl_) {
-    if (window.software()) {
+    if (threaded) {
         try {
             thread_ = std::make_unique<RenderThread>(engine);
             return;
@@ -40,12 +40,13 @@ void PictureView::run(std::function<PictureResult(Renderer&)> task) {
 void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const PictureStep& step,
                        std::uint64_t version) {
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
-    run([this, model = std::move(model), request = std::move(request), step, version](Renderer& renderer) {
+    const bool threaded = thread_ != nullptr;
+    run([this, threaded, model = std::move(model), request = std::move(request), step, version](Renderer& renderer) {
         DrawnStep done{step, version, 0, {}, {}};
         Stopwatch watch;
         try {
             renderer.draw_sample(*model, request, step.sample);
-            if (thread_) {
+            if (threaded) {
                 gl::Image image = renderer.image();
                 std::scoped_lock lock(mutex_);
                 image_ = std::move(image);
@@ -116,19 +117,19 @@ void PictureView::upload(const gl::Image& image) {
     flipped_ = drawn_ = true;
 }
 
-void PictureView::show(glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+void PictureView::show(GLuint target, glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (!drawn_) {
         const std::array<float, 4> color{empty_color.r, empty_color.g, empty_color.b, 1};
-        gl_.ClearNamedFramebufferfv(0, GL_COLOR, 0, color.data());
+        gl_.ClearNamedFramebufferfv(target, GL_COLOR, 0, color.data());
         return;
     }
     const glm::ivec2 drawn = texture_.size();
     const glm::ivec2 end = corner + size;
     const int lower = flipped_ ? drawn.y : 0;
-    gl_.BlitNamedFramebuffer(target_.id(), 0, 0, lower, drawn.x, drawn.y - lower, corner.x, corner.y, end.x, end.y,
+    gl_.BlitNamedFramebuffer(target_.id(), target, 0, lower, drawn.x, drawn.y - lower, corner.x, corner.y, end.x, end.y,
                              GL_COLOR_BUFFER_BIT, drawn == size ? GL_NEAREST : GL_LINEAR);
 }
 

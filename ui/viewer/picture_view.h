@@ -36,13 +36,14 @@ struct PickedPoint {
 
 using PictureResult = std::variant<DrawnStep, SavedPicture, PickedPoint>;
 
-/// On a GPU pictures are drawn in the window's context, at once. Where OpenGL is computed by the processor they are
-/// drawn by a thread, and results come later.
+/// Pictures are drawn in the window's context, at once; or, which is meant for OpenGL that is computed by the
+/// processor, by a thread, and results come later.
 class PictureView {
   public:
-    /// The window's context must be current whenever this is used, and outlive it. `wake` is called from another
-    /// thread when take() has something.
-    PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine, std::function<void()> wake);
+    /// The window's context must be current whenever this is used, and outlive it. `threaded`: draw on a thread of its
+    /// own, where that can have a context. `wake` is called from that thread when take() has something.
+    PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine, bool threaded,
+                std::function<void()> wake);
 
     // Each asks for something that take() gives later, maybe at once. While busy() nothing further is to be asked for.
     [[nodiscard]] bool busy() const { return thread_ && thread_->busy(); }
@@ -57,9 +58,9 @@ class PictureView {
     /// What has been done since the last call.
     [[nodiscard]] std::vector<PictureResult> take();
 
-    /// Fills a rectangle of the window (pixels, from the lower left) with the picture, or with the colour where
-    /// nothing has been drawn yet.
-    void show(glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const;
+    /// Fills a rectangle (pixels, from the lower left) of the framebuffer `target` (0: the window) with the picture; or
+    /// all of it with the colour, where nothing has been drawn yet.
+    void show(GLuint target, glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const;
 
   private:
     void run(std::function<PictureResult(Renderer&)> task);

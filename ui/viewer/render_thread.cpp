@@ -9,7 +9,7 @@ namespace ui {
 RenderThread::RenderThread(std::optional<goldfeather::EngineKind> engine) {
     std::promise<void> ready;
     auto begun = ready.get_future();
-    thread_ = std::jthread([this, engine, &ready](const std::stop_token& end) {
+    thread_ = std::jthread([this, engine, ready = std::move(ready)](const std::stop_token& end) mutable {
         // Context and renderer live and die on this thread, where the context is current.
         std::unique_ptr<gl::Context> context;
         std::optional<Renderer> renderer;

@@ -1,6 +1,7 @@
 #include "ui/viewer/window_loop.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 #include <variant>
@@ -15,6 +16,8 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr double kPollSeconds = 0.2;
+/// How long the end waits for the picture that is being drawn.
+constexpr double kLastPictureSeconds = 1;
 /// ImGui needs a second frame until its panels have followed what happened.
 constexpr int kFramesAfterInput = 2;
 
@@ -47,7 +50,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       window_(title_of(options), kWindowSize),
       context_(gl::adopt_context(window_symbol, [this] { window_.make_current(); })),
       interface_(window_),
-      picture_(*context_, options.engine, GlfwWindow::wake),
+      picture_(*context_, options.engine, context_->software(), GlfwWindow::wake),
       session_(options, make_evaluate(), GlfwWindow::wake),
       save_form_(proposed_picture(options.source), options.picture.transparent_background) {
     info_.renderer = context_->renderer();
@@ -76,6 +79,21 @@ void WindowLoop::run() {
         }
     }
     window_.hide();  // An evaluation may need a moment to stop.
+    finish();
+}
+
+void WindowLoop::finish() {
+    while (saving_ > 0) {
+        (void)window_.wait(kPollSeconds);
+        (void)receive();
+    }
+    for (const double end = seconds() + kLastPictureSeconds; picture_.busy();) {
+        (void)window_.wait(0.02);
+        if (seconds() > end) {
+            // Engines cannot be interrupted, and nobody waits for this picture any more. Nothing else is left to do.
+            std::_Exit(0);
+        }
+    }
 }
 
 void WindowLoop::frame(const Input& input) {
@@ -104,7 +122,7 @@ void WindowLoop::frame(const Input& input) {
         glm::ivec2((layout.picture.corner + layout.picture.size) * pixels_per_unit) - corner;
     plan_picture(glm::max(picture_size, 1));
     draw_picture();
-    picture_.show({corner.x, pixels.y - corner.y - picture_size.y}, picture_size,
+    picture_.show(0, {corner.x, pixels.y - corner.y - picture_size.y}, picture_size,
                   session_.view().color_scheme().background);
     interface_.end();
     window_.swap();
@@ -167,6 +185,7 @@ void WindowLoop::save_picture(const WritePicture& what) {
     request.samples = what.samples;
     request.transparent_background = what.transparent_background;
     note_ = "Saving the picture…";
+    ++saving_;
     picture_.save(wanted_model_, request, what.path);
 }
 
@@ -179,6 +198,7 @@ bool WindowLoop::receive() {
 }
 
 void WindowLoop::receive(const SavedPicture& saved) {
+    --saving_;
     if (saved.error.empty()) {
         note_ = fmt::format("Saved {} ({}×{})", saved.path.string(), saved.size.x, saved.size.y);
         session_.perform(Action::Close);

@@ -22,6 +22,8 @@ class WindowLoop {
 
   private:
     void frame(const Input& input);
+    /// Ends what is under way. A picture that takes too long ends with the process, with status 0.
+    void finish();
     [[nodiscard]] double seconds() const;  ///< Since the window opened.
     [[nodiscard]] Layout draw_interface(Commands& commands);
     void navigate(const Input& input, const Rectangle& picture);
@@ -53,6 +55,7 @@ class WindowLoop {
     std::string note_;
     float console_height_ = 0;
     int frames_to_draw_ = 0;
+    int saving_ = 0;  ///< Pictures that are being saved.
     bool quit_ = false;
     std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
 };
