@@ -36,14 +36,14 @@ void main() {
         clear *= 1.0 - tone;
     }
     float bare = 1.0;  // of the paper, not yet covered by lines
-    float strength = 1.0;
-    uint lines = layers_near(vec2(pixel), width);
-    for (int i = 0; i < min(layers, kEdgeLayers) && lines >> i != 0u && bare > 0.0; ++i) {
-        if ((lines >> i & 1u) != 0u) {
-            Edge edge = edge_at(vec2(pixel), i, i == 0 ? width : hidden_width);
-            bare *= 1.0 - strength * max(edge.profile, inner_strength * edge.inner);
+    if (layers_near(vec2(pixel), width) != 0u) {
+        float ink[kEdgeLayers];
+        all_edges_at(vec2(pixel), width, hidden_width, 1.0, inner_strength, ink);
+        float strength = 1.0;
+        for (int i = 0; i < min(layers, kEdgeLayers); ++i) {
+            bare *= 1.0 - strength * ink[i];
+            strength = i == 0 ? hidden_strength : strength * hidden_falloff;
         }
-        strength = i == 0 ? hidden_strength : strength * hidden_falloff;
     }
     // Strengths are as the eye sees them, hence mixed in sRGB.
     vec3 paper = ground_color;

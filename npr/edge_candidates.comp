@@ -56,7 +56,7 @@ bool smooth_joint(ivec2 p, ivec2 q, int layer) {
     Surface s = layer_surface(p, layer, pixel_ray(p)), t = layer_surface(q, layer, pixel_ray(q));
     float cosine = dot(s.normal, t.normal);
     float here, there;
-    return s.leaving == t.leaving && cosine > crease_cosine && !(part_edges && s.part != t.part) &&
+    return s.leaving == t.leaving && cosine > crease_cosine && !(part_edges && !look_alike(s.leaf, t.leaf)) &&
            meet(s, depth_gradient(s.plane), t, depth_gradient(t.plane), q - p, cosine, here, there);
 }
 

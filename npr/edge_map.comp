@@ -3,7 +3,7 @@
 #include "npr/planes.glsl"
 
 uniform float crease_angle;  // between normals, from which a bend is an inner edge
-uniform bool part_edges;     // boundaries of parts within a plane are inner edges
+uniform bool part_edges;     // boundaries of parts and colors on smooth surfaces are inner edges
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) readonly buffer Candidates {
@@ -40,23 +40,36 @@ bool is_crease(ivec2 p, int layer, ivec2 q, Continuation c) {
     return angle > crease_angle + min(bend_ahead(p, layer, -offset) + bend_ahead(q, c.layer, offset), curved);
 }
 
-// A surface that ends does so in the line in which it meets the next or the last surface of the other side of the
-// solid: the silhouette is where front meets back.
-EdgePoint outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
-    EdgePoint e = EdgePoint(kProfileEdge, 1.0, 0.5, vec2(offset));
-    Surface back = layer_surface(p, s.leaving ? layer - 1 : layer + 1, ray);
-    if (s.leaving && layer == 0)
-        back.hit = false;
-    if (!back.hit || back.leaving == s.leaving)
-        return e;
-    vec2 apart = depth_gradient(s.plane) - depth_gradient(back.plane);
-    float closing = dot(apart, vec2(offset));
-    float at = closing == 0.0 ? -1.0 : (back.depth - s.depth) / closing;
-    if (at < -0.1 || abs(closing) < 0.15 * length(apart))
-        return e;
-    e.at = at > 2.0 ? 0.5 : clamp(at, 0.0, 1.0);
-    e.across = normalize(apart);
-    return e;
+struct Outline {
+    int partner;  // layer; -1: none
+    float at;
+    vec2 across;
+};
+
+// A surface that ends does so where it meets the other side of the solid, or of the gap, which is the next or the last
+// layer: the silhouette is where front meets back.
+Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
+    Outline o = Outline(-1, 0.5, vec2(offset));
+    float best = 1e30;
+    for (int other = max(layer - 1, 0); other <= layer + 1; ++other) {
+        Surface t = layer_surface(p, other, ray);
+        if (other == layer || !t.hit || t.leaving == s.leaving)
+            continue;
+        vec2 apart = depth_gradient(s.plane) - depth_gradient(t.plane);
+        if (apart == vec2(0.0))
+            continue;
+        // Nearly along the line in which they meet, the point of the link tells little, and matters little.
+        float closing = dot(apart, vec2(offset));
+        float gap = t.depth - s.depth;
+        float at = abs(closing) > 1e-3 * length(apart) ? gap / closing : 0.5;
+        float beside = abs(gap - clamp(at, 0.0, 1.0) * closing) / length(apart);  // in pixels
+        if (beside < best) {
+            best = beside;
+            // On curved surfaces front and back need not be neighbours.
+            o = Outline(other, at < -0.1 || at > 2.0 ? 0.5 : clamp(at, 0.0, 1.0), normalize(apart));
+        }
+    }
+    return o;
 }
 
 void main() {
@@ -80,18 +93,16 @@ void main() {
     EdgePoint e;
     int at_layer = layer;
     if (!c.found) {
-        // The front and the back of an outline end together, in one edge.
-        if (s.leaving && layer > 0) {
-            Surface front = layer_surface(p, layer - 1, ray);
-            if (!front.leaving && !continuation(front, p, offset).found)
-                return;
-        }
-        e = outline(s, layer, p, ray, offset);
+        Outline o = outline(s, layer, p, ray, offset);
+        // Both sides of an outline end together, in one edge: that of the nearer layer.
+        if (o.partner >= 0 && o.partner < layer &&
+            !continuation(layer_surface(p, o.partner, ray), p, offset).found)
+            return;
+        e = EdgePoint(kProfileEdge, 1.0, o.at, o.across);
     } else {
         bool bends = is_crease(p, layer, p + offset, c);
         if (!bends && part_edges) {
-            uint leaf = texelFetch(layer_surfaces, ivec3(p + offset, c.layer), 0).x >> 1;
-            bends = leaf_rows[leaf].part.x != s.part;
+            bends = !look_alike(s.leaf, texelFetch(layer_surfaces, ivec3(p + offset, c.layer), 0).x >> 1);
         }
         if (!bends)
             return;

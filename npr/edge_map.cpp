@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 namespace npr {
 namespace {
@@ -72,6 +73,7 @@ std::uint32_t EdgeMap::list_candidates(const Frame& frame, std::uint32_t links) 
 
 void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
     resize(frame.layers.size, frame.layers.layers);
+    jitter_ = glm::vec2(frame.view.jitter());
     for (const FrameProgram* search : {&find_links_, &find_candidates_}) {
         search->program().set("part_edges", settings.parts);
         search->program().set("visible_only", settings.visible_only);
@@ -98,6 +100,37 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
         gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     bind();
+}
+
+std::vector<HostEdge> EdgeMap::read_back() const {
+    const glm::ivec2 size = marks_.size();
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    const auto read = [&](const gl::Texture& texture, std::size_t count) {
+        std::vector<std::uint32_t> texels(count);
+        gl_.GetTextureImage(texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(4 * count),
+                            texels.data());
+        return texels;
+    };
+    const std::vector<std::uint32_t> marks = read(marks_, pixels);
+    const std::vector<std::uint32_t> points = read(points_, pixels * static_cast<std::size_t>(points_.layers()));
+    std::vector<HostEdge> edges;
+    for (int slice = 0; slice < points_.layers(); ++slice)
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const int axis = slice % 2, layer = slice / 2;
+            if ((marks[i] >> (layer + kEdgeLayers * axis) & 1U) == 0)
+                continue;
+            // As npr/edge_point.glsl packs them.
+            const std::uint32_t bits = points[pixels * static_cast<std::size_t>(slice) + i];
+            const float along = static_cast<float>(bits >> 10 & 1023U) / 1023.0F;
+            const float angle = (static_cast<float>(bits & 1023U) + 0.5F) * (glm::pi<float>() / 1024.0F);
+            const glm::vec2 lower(static_cast<float>(i % static_cast<std::size_t>(size.x)),
+                                  static_cast<float>(i / static_cast<std::size_t>(size.x)));
+            edges.push_back({lower + 0.5F + jitter_ + (axis == 0 ? glm::vec2(along, 0) : glm::vec2(0, along)),
+                             {std::cos(angle), std::sin(angle)},
+                             layer,
+                             bits >> 30 == 2});
+        }
+    return edges;
 }
 
 void EdgeMap::bind() const {

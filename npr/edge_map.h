@@ -1,6 +1,9 @@
 // The edge map: where the surfaces of each layer end or bend (Nienhaus 2005, chapter 4; 5.6 for results of CSG).
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "npr/frame_program.h"
 
 namespace npr {
@@ -11,8 +14,16 @@ inline constexpr int kEdgeTile = 4;
 /// What counts as an edge.
 struct EdgeSettings {
     float crease_degrees = 33;  ///< Between normals, from which a bend is an inner edge.
-    bool parts = false;         ///< Whether boundaries between parts within a plane are inner edges.
+    bool parts = true;          ///< Whether boundaries of parts and of colors on smooth surfaces are inner edges.
     bool visible_only = false;  ///< Only edges that no opaque surface hides are asked for; there may be others.
+};
+
+/// One point of an edge, in main memory.
+struct HostEdge {
+    glm::vec2 at{0};      ///< In pixels from the lower left corner of the picture; pixel centres at halves.
+    glm::vec2 across{0};  ///< Unit vector across the edge, either way.
+    int layer = 0;        ///< The last of the map's layers holds all deeper ones too.
+    bool profile = false;
 };
 
 /// Finds the edges of all layers, once per frame, from which lines of any width are drawn (npr/lines.glsl).
@@ -37,6 +48,8 @@ class EdgeMap {
     /// The same textures, and the list of links whose ends see different planes (edges are only on these), as storage
     /// block 2.
     void bind() const;
+    /// Waits for the GPU and copies the edge points of the last frame drawn, in order of layers and pixels.
+    [[nodiscard]] std::vector<HostEdge> read_back() const;
     /// How many links are listed.
     [[nodiscard]] std::uint32_t links() const { return link_count_; }
 
@@ -54,6 +67,7 @@ class EdgeMap {
     gl::Buffer candidates_;  ///< Their count, room for so many, and surfaces that may have edges on a link.
     std::uint32_t room_ = 1U << 16;
     std::uint32_t link_count_ = 0;
+    glm::vec2 jitter_{0};
     gl::Texture marks_;   ///< R32UI: which layers have an edge on the pixel's link to the right, and up.
     gl::Texture tiles_;   ///< R32UI: the same for small tiles.
     gl::Texture points_;  ///< R32UI array: edge points (npr/edge_point.glsl), two slices per layer.

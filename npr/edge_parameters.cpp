@@ -9,7 +9,7 @@ Parameter crease_angle() {
     return Parameter::number("crease", "Angle of creases", 33, 0, 180);
 }
 Parameter part_edges() {
-    return Parameter::toggle("parts", "Edges between parts", false);
+    return Parameter::toggle("parts", "Edges between parts and colors", true);
 }
 
 }  // namespace npr

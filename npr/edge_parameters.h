@@ -9,7 +9,7 @@ namespace npr {
 [[nodiscard]] Parameter line_width(float initial);
 /// "crease": degrees between normals from which a bend is an edge.
 [[nodiscard]] Parameter crease_angle();
-/// "parts": whether boundaries between parts within a plane are edges.
+/// "parts": whether boundaries of parts and of colors on smooth surfaces are edges.
 [[nodiscard]] Parameter part_edges();
 
 }  // namespace npr

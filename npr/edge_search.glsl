@@ -15,7 +15,7 @@ uvec2 surface_ids(ivec2 p, int layer) {
 // Or no surface at all.
 bool same_surface(uvec2 a, uvec2 b) {
     return (a.x == kNone) == (b.x == kNone) && (a.x == kNone || a.y == b.y) &&
-           !(part_edges && a.x != kNone && leaf_rows[a.x >> 1].part.x != leaf_rows[b.x >> 1].part.x);
+           !(part_edges && a.x != kNone && !look_alike(a.x >> 1, b.x >> 1));
 }
 
 // Hides everything behind it.

@@ -27,3 +27,9 @@ vec3 pixel_ray(ivec2 pixel) {
 vec3 background(ivec2 pixel) {
     return mix(background_stop, background_color, (float(pixel.y) + 0.5 + jitter.y) / view.picture.y);
 }
+
+// Are they of the same part, and of the same color?
+bool look_alike(uint leaf, uint other) {
+    return leaf == other ||
+           (leaf_rows[leaf].part.x == leaf_rows[other].part.x && leaf_rows[leaf].color == leaf_rows[other].color);
+}

@@ -63,6 +63,29 @@ Edge edge_at(vec2 at, int layer, float width) {
     return edge;
 }
 
+// Lines of all layers in one search: the ink of each, by the strengths of its edges. `hidden_width` is that of all
+// layers but the first, and not above `width`.
+void all_edges_at(vec2 at, float width, float hidden_width, float profile_strength, float inner_strength,
+                  out float ink[kEdgeLayers]) {
+    for (int i = 0; i < kEdgeLayers; ++i)
+        ink[i] = 0.0;
+    ivec4 links = links_near(at, width);
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x) {
+            uint marks = texelFetch(edge_marks, ivec2(x, y), 0).x;
+            while (marks != 0u) {
+                int bit = findLSB(marks);
+                marks &= marks - 1u;
+                int axis = bit / kEdgeLayers, layer = bit % kEdgeLayers;
+                uint bits = texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x;
+                EdgePoint e = unpack_edge(bits);
+                vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);
+                float coverage = e.strength * piece(from_point, e.across, layer == 0 ? width : hidden_width);
+                ink[layer] = max(ink[layer], (e.kind == kProfileEdge ? profile_strength : inner_strength) * coverage);
+            }
+        }
+}
+
 #ifdef OVERSHOOT
 layout(binding = 5) uniform usampler2DArray overshoot_points;
 layout(binding = 6) uniform usampler2D overshoot_tiles;

@@ -45,21 +45,32 @@ float stroke_ink(int j, vec2 at, vec4 noise, float grain) {
     Edge beyond = overshoot_at(at, thick);
     float ink = 0.8 * max(beyond.profile, 0.8 * beyond.inner);
     uint lines = layers_near(at, thick);
-    if ((lines & 1u) != 0u) {
-        Edge edge = edge_at(at, 0, thick);
-        ink = max(ink, max(edge.profile, 0.72 * edge.inner));
+    ivec2 p = ivec2(floor(at + 0.5));
+    vec3 ray = pixel_ray(p);
+    float through = 1.0;
+    for (int i = 0; i < layer_count && lines >> edge_layer(i) != 0u && through > 0.05; ++i) {
+        if ((lines >> edge_layer(i) & 1u) != 0u) {
+            Edge edge = edge_at(at, i, thick);
+            ink = max(ink, through * max(edge.profile, 0.72 * edge.inner));
+        }
+        Surface s = layer_surface(p, i, ray);
+        if (!s.hit)
+            break;
+        through *= 1.0 - seen_color(s).a;
     }
     ink = deposit(ink, pressure, grain);
     if (hidden > 0.0 && j == 0) {
         float behind = 0.0;
-        for (int i = 1; i < min(layer_count, kEdgeLayers) && lines >> i != 0u; ++i)
-            if ((lines >> i & 1u) != 0u) {
+        uint others = layers_near(at, 0.75 * width);
+        for (int i = 1; i < min(layer_count, kEdgeLayers) && others >> i != 0u; ++i)
+            if ((others >> i & 1u) != 0u) {
                 Edge edge = edge_at(at, i, 0.75 * width);
                 behind = max(behind, max(edge.profile, 0.8 * edge.inner));
             }
         ink = max(ink, hidden * deposit(behind, 0.7 * pressure, grain));
     }
-    return ink * min(pressure, 1.0);
+    // A pen draws as dark as it can, whatever the pressure.
+    return medium == 1 && j == 0 ? ink : ink * min(pressure, 1.0);
 }
 
 void main() {
@@ -70,22 +81,33 @@ void main() {
     vec3 coarse = white_noise(pixel / 2, seed + 78u);
     float grain = 0.55 * rough.x + 0.45 * coarse.x;
 
-    // The shade map: color and tone of the nearest surface.
+    // The shade map: color and tone of the nearest surface, and of others behind translucent ones.
     ivec2 shade_at = ivec2(floor(vec2(pixel) + wobble * (kShadeTurn * noise.xy) + 0.5));
-    Surface s = layer_surface(shade_at, 0, pixel_ray(shade_at));
+    vec3 shade_ray = pixel_ray(shade_at);
+    Surface nearest = layer_surface(shade_at, 0, shade_ray);
     bool light_on_dark = luminance(ink_color) > luminance(paper_color);
     vec3 color = paper_color * (1.0 - (medium == 1 ? 0.0 : 0.03) * (grain - 0.5));
     float drawn = 0.0;  // ink
-    if (s.hit) {
+    float shade_through = 1.0;
+    vec3 tone = vec3(0.0);
+    for (int i = 0; i < layer_count && shade_through > 0.0; ++i) {
+        Surface s = layer_surface(shade_at, i, shade_ray);
+        if (!s.hit)
+            break;
+        vec4 tint = seen_color(s);
         float lit = sketch_light(s);
-        vec3 tint = base_color(s).rgb;
-        vec3 tone = light_on_dark ? tint * (0.35 + 0.75 * lit) : mix(tint, vec3(1.0), 0.15) * (0.62 + 0.42 * lit);
-        float cover = wash * (0.86 + 0.2 * noise.w + 0.12 * (grain - 0.5));
-        color = mix(color, min(tone, 1.0), clamp(cover, 0.0, 1.0));
+        vec3 lit_tint = light_on_dark ? tint.rgb * (0.35 + 0.75 * lit)
+                                      : mix(tint.rgb, vec3(1.0), 0.15) * (0.62 + 0.42 * lit);
+        tone += shade_through * tint.a * min(lit_tint, 1.0);
         float shadow = light_on_dark ? lit : 1.0 - lit;
         vec2 at = vec2(pixel) + 0.5 + jitter + 0.5 * wobble * noise.zw;
-        drawn = hatch * deposit(hatching(at, s.normal, shadow), 0.75 + 0.35 * noise.w, grain);
+        if (tint.a > 0.0)
+            drawn = max(drawn, shade_through * hatch *
+                                   deposit(hatching(at, s.normal, shadow), 0.75 + 0.35 * noise.w, grain));
+        shade_through *= 1.0 - tint.a;
     }
+    float cover = clamp(wash * (0.86 + 0.2 * noise.w + 0.12 * (grain - 0.5)), 0.0, 1.0);
+    color = mix(color, tone + shade_through * color, cover);
     float bare = 1.0 - drawn;
     for (int j = 0; j < strokes; ++j)
         bare *= 1.0 - stroke_ink(j, vec2(pixel), noise, grain);
@@ -93,7 +115,7 @@ void main() {
 
     // Something is drawn where either the edges' or the shades' depth is that of a surface: the nearer of the two.
     ivec2 edge_at_pixel = ivec2(floor(vec2(pixel) + wobble * (kStrokeTurns[0] * noise.xy) + 0.5));
-    float depth = max(s.depth, layer_surface(edge_at_pixel, 0, pixel_ray(edge_at_pixel)).depth);
+    float depth = max(nearest.depth, layer_surface(edge_at_pixel, 0, pixel_ray(edge_at_pixel)).depth);
     float alpha = transparent_background && depth == 0.0 ? 1.0 - bare : 1.0;
     if (transparent_background && depth == 0.0)
         color = ink_color;

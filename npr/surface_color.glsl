@@ -18,10 +18,14 @@ vec4 base_color(Surface s) {
     return vec4(s.reversed ? cut_color : face_color, 1.0);
 }
 
-// Lit, sRGB with straight alpha. Of translucent parts only the faces toward the eye are seen.
-vec4 surface_color(Surface s) {
+// The same; of translucent parts only the faces toward the eye are seen.
+vec4 seen_color(Surface s) {
     vec4 color = base_color(s);
-    if (color.a < 1.0 && s.leaving)
-        return vec4(0.0);
+    return color.a < 1.0 && s.leaving ? vec4(0.0) : color;
+}
+
+// Lit, sRGB with straight alpha.
+vec4 surface_color(Surface s) {
+    vec4 color = seen_color(s);
     return vec4(min(color.rgb * light(s.normal), 1.0), color.a);
 }

@@ -38,7 +38,10 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 ray = pixel_ray(pixel);
     int layers = most_layers > 0 ? min(most_layers, layer_count) : layer_count;
-    uint lines = layers_near(vec2(pixel), width);
+    float lines[kEdgeLayers];
+    bool near = layers_near(vec2(pixel), width) != 0u;
+    if (near)
+        all_edges_at(vec2(pixel), width, width, profile_strength, inner_strength, lines);
     vec3 color = vec3(0.0);  // premultiplied
     float through = 1.0;
     float strength = 1.0;
@@ -57,9 +60,8 @@ void main() {
             c.rgb = mix(min(base.rgb * light(s.normal), 1.0), background_color, fog);
             c.a = base.a * wall_opacity(s, ray);
         }
-        if ((lines >> edge_layer(i) & 1u) != 0u) {
-            Edge edge = edge_at(vec2(pixel), i, width);
-            float line = strength * (1.0 - fog) * max(profile_strength * edge.profile, inner_strength * edge.inner);
+        if (near && i < kEdgeLayers) {
+            float line = strength * (1.0 - fog) * lines[i];
             float alpha = mix(c.a, 1.0, line);
             c = vec4(mix(c.rgb * c.a, ink, line) / max(alpha, 1e-6), alpha);
         }

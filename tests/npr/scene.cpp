@@ -45,10 +45,13 @@ gl::Camera camera(const csg::Box& box) {
 }
 
 gl::Image Studio::draw(const Model& model, const Request& request) {
+    const auto style = npr::find_style(request.style)->make(gl_);
+    return draw_with(*style, model, request);
+}
+
+gl::Image Studio::draw_with(npr::Style& style, const Model& model, const Request& request) {
     const comparison::Subject subject(random_tree::make_tree(model));
-    const npr::StyleInfo& info = *npr::find_style(request.style);
-    const auto style = info.make(gl_);
-    npr::Parameters parameters(info.parameters());
+    npr::Parameters parameters(npr::find_style(request.style)->parameters());
     for (const auto& [name, value] : request.settings)
         parameters.set(name, value);
     peel::PeelModel peel_model(gl_, subject.scene, subject.geometry, subject.products);
@@ -60,8 +63,8 @@ gl::Image Studio::draw(const Model& model, const Request& request) {
                                *npr::find_color_scheme(request.scheme),
                                request.transparent_background,
                                request.samples};
-    const int needed = style->layers_needed(parameters, true);
-    accumulator_.draw(*style, picture, [&](const gl::View& view) {
+    const int needed = style.layers_needed(parameters, true);
+    accumulator_.draw(style, picture, [&](const gl::View& view) {
         peel::WalkStats stats;
         return peeler_.peel(view, peel_model, needed == 0 ? peel::kAllLayers : needed, stats);
     });

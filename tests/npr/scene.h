@@ -42,6 +42,8 @@ class Studio {
         const gl::Camera* camera = nullptr;
     };
     [[nodiscard]] gl::Image draw(const Model& model, const Request& request);
+    /// The same with a style kept by the caller, who makes it of `request.style`.
+    [[nodiscard]] gl::Image draw_with(npr::Style& style, const Model& model, const Request& request);
     [[nodiscard]] npr::Accumulator& accumulator() { return accumulator_; }
 
   private:
