@@ -74,6 +74,11 @@ void FramePlan::drawn(const PictureStep& step, double seconds) {
     begin_ = replaced_ = false;
 }
 
+void FramePlan::give_up() {
+    shown_ = {1, samples_ - 1};
+    begin_ = replaced_ = false;
+}
+
 std::optional<double> FramePlan::wait(double now) const {
     if (begin_) {
         return 0;
