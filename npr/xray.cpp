@@ -17,7 +17,7 @@ std::span<const Parameter> parameters() {
         crease_angle(),
         part_edges(),
         Parameter::number("opacity", "Opacity of a layer", 0.16F, 0, 1),
-        Parameter::number("rim", "Gain of opacity where a surface turns away", 0.8F, 0, 2),
+        Parameter::number("rim", "Opacity at outlines", 0.8F, 0, 2),
         Parameter::number("edges", "Strength of profile edges", 0.9F, 0, 1),
         Parameter::number("inner", "Strength of inner edges", 0.7F, 0, 1),
         Parameter::number("falloff", "Fading of edges from layer to layer", 0.93F, 0, 1),

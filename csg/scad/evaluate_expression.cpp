@@ -56,6 +56,9 @@ Value Evaluator::variable_or_warn(ExprId id, const Scope& scope) {
 }
 
 Value Evaluator::evaluate(ExprId id, Scope& scope) {
+    while (id != kNone && p_[id].kind == ExprKind::Conditional) {
+        id = evaluate(p_[id].operand(0), scope) ? p_[id].operand(1) : p_[id].operand(2);
+    }
     if (id == kNone) {
         return {};
     }
@@ -68,17 +71,30 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
             return e.number != 0;
         case ExprKind::Number:
             return e.number;
-        case ExprKind::String:
-            return name(e.name);
+        case ExprKind::String: {
+            Value& text = strings_[e.name];
+            if (text.is_unset()) {
+                text = name(e.name);
+            }
+            return text;
+        }
         case ExprKind::Identifier:
             return variable_or_warn(id, scope);
         case ExprKind::Vector: {
+            Value* const constant = r_.of_expression[id] == kNone ? nullptr : &constants_[r_.of_expression[id]];
+            if (constant != nullptr && !constant->is_unset()) {
+                return *constant;
+            }
             std::vector<Value> elements;
             elements.reserve(e.list.count);
             for (const ExprId element : p_.elements_of(e)) {
                 collect(element, scope, elements);
             }
-            return elements;
+            Value value(std::move(elements));
+            if (constant != nullptr) {
+                *constant = value;
+            }
+            return value;
         }
         case ExprKind::Range:
             return evaluate_range(e, scope);
@@ -93,7 +109,7 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
         case ExprKind::Binary:
             return evaluate_binary(e, scope);
         case ExprKind::Conditional:
-            return evaluate(evaluate(e.operand(0), scope) ? e.operand(1) : e.operand(2), scope);
+            return {};  // See above.
         case ExprKind::Call:
             return call(id, scope);
         case ExprKind::Index:
@@ -121,8 +137,30 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
     }
 }
 
+/// Chains grow to the left without brackets. A long one is worked out in a loop.
 Value Evaluator::evaluate_binary(const Expr& e, Scope& scope) {
-    Value a = evaluate(e.operand(0), scope);
+    constexpr std::size_t kLong = 64;
+    std::size_t length = 0;
+    for (const Expr* x = &e; x->kind == ExprKind::Binary && length < kLong; x = &p_[x->operand(0)]) {
+        ++length;
+    }
+    if (length < kLong) {
+        return apply(e, evaluate(e.operand(0), scope), scope);
+    }
+    std::vector<const Expr*> chain;
+    const Expr* x = &e;
+    for (; x->kind == ExprKind::Binary; x = &p_[x->operand(0)]) {
+        chain.push_back(x);
+    }
+    Value value = evaluate(chain.back()->operand(0), scope);
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
+        value = apply(**link, std::move(value), scope);
+    }
+    return value;
+}
+
+/// The value of a binary expression whose left operand is `a`.
+Value Evaluator::apply(const Expr& e, const Value& a, Scope& scope) {
     if (e.op == Operator::And) {
         return a && evaluate(e.operand(1), scope);
     }

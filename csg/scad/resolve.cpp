@@ -84,10 +84,30 @@ class Resolver {
                 resolve_block(p_.units[unit].block, roots_[unit]);
             }
         }
+        number_constants();
         return std::move(r_);
     }
 
   private:
+    /// Lists of constants are made once.
+    void number_constants() {
+        std::vector<bool> constant(p_.expressions.size());  // Parts come before what they are part of.
+        for (ExprId id = 0; id < p_.expressions.size(); ++id) {
+            const Expr& e = p_[id];
+            if (e.kind == ExprKind::Vector) {
+                const auto elements = p_.elements_of(e);
+                constant[id] =
+                    std::all_of(elements.begin(), elements.end(), [&](ExprId part) { return constant[part]; });
+            } else {
+                constant[id] = e.kind == ExprKind::Undef || e.kind == ExprKind::Boolean || e.kind == ExprKind::Number ||
+                               e.kind == ExprKind::String;
+            }
+            if (constant[id] && e.kind == ExprKind::Vector) {
+                r_.of_expression[id] = r_.constants++;
+            }
+        }
+    }
+
     std::uint32_t index_of(const Argument& a) const { return static_cast<std::uint32_t>(&a - p_.arguments.data()); }
 
     std::uint32_t dynamic(Symbol name) {
@@ -199,29 +219,43 @@ class Resolver {
 
     void resolve_instantiation(const Instantiation& first, const BlockScope& scope) {
         const Instantiation* i = &first;
-        ModuleTarget& target = r_.module_of_instantiation[static_cast<std::size_t>(i - p_.instantiations.data())];
-        target.user = find_module(i->name);
-        target.builtin = target.user.id == kNone ? find_builtin_module(p_.symbols.text(i->name)) : nullptr;
-        const bool declares = !i->is_if && declares_for_children(p_.symbols.text(i->name));
+        for (;;) {
+            resolve_head_and_children(*i, scope);
+            if (i->otherwise == kNone) {
+                return;
+            }
+            const Block& otherwise = p_.blocks[i->otherwise];
+            if (!p_.is_else_if(otherwise)) {
+                BlockScope inner;
+                declare(i->otherwise, inner, &scope, {}, false);
+                resolve_block(i->otherwise, inner);
+                block_ = &scope;
+                return;
+            }
+            i = &p_.instantiations_of(otherwise)[0];  // Such chains may be long: no scope, no stack.
+        }
+    }
+
+    void resolve_head_and_children(const Instantiation& i, const BlockScope& scope) {
+        block_ = &scope;
+        ModuleTarget& target = r_.module_of_instantiation[static_cast<std::size_t>(&i - p_.instantiations.data())];
+        target.user = i.is_if ? DefinitionRef{} : find_module(i.name);
+        target.builtin = target.user.id == kNone ? find_builtin_module(p_.symbols.text(i.name)) : nullptr;
+        const bool declares = !i.is_if && declares_for_children(p_.symbols.text(i.name));
         BlockScope children;
-        if (i->children != kNone) {
-            declare(i->children, children, &scope, declares ? p_.arguments_of(*i) : std::span<const Argument>(), false);
+        if (i.children != kNone) {
+            declare(i.children, children, &scope, declares ? p_.arguments_of(i) : std::span<const Argument>(), false);
         }
         // A later variable of for or let may use an earlier one: they are worked out inside the children's frame.
-        block_ = declares && i->children != kNone ? &children : &scope;
-        for (const Argument& a : p_.arguments_of(*i)) {
+        block_ = declares && i.children != kNone ? &children : &scope;
+        for (const Argument& a : p_.arguments_of(i)) {
             statement_expression(a.value);
             if (!declares && a.name != kNoSymbol && dynamic_name(a.name)) {
                 r_.argument_slots[index_of(a)] = dynamic(a.name);
             }
         }
-        if (i->children != kNone) {
-            resolve_block(i->children, children);
-        }
-        if (i->otherwise != kNone) {
-            BlockScope otherwise;
-            declare(i->otherwise, otherwise, &scope, {}, false);
-            resolve_block(i->otherwise, otherwise);
+        if (i.children != kNone) {
+            resolve_block(i.children, children);
         }
         block_ = &scope;
     }

@@ -15,6 +15,11 @@ namespace csg::scad {
 namespace {
 
 constexpr std::size_t kSmallestStack = std::size_t{16} << 20;
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t kLargestStack = std::size_t{60} << 20;  // The sanitizer loses track when more is unwound at once.
+#else
+constexpr std::size_t kLargestStack = std::size_t{64} << 30;
+#endif
 constexpr std::size_t kStackReserve = std::size_t{4} << 20;  // For what runs without asking: built-ins, messages.
 
 /// Passes messages on and counts them; of a run of equal ones only the first few, as OpenSCAD does.
@@ -148,7 +153,7 @@ void* run_on_thread(void* argument) {
 
 Evaluation evaluate(const Request& request, const EvaluationSink& sink) {
     Job job(request, sink);
-    ThreadStart start{job, std::max(request.limits.stack_bytes, kSmallestStack)};
+    ThreadStart start{job, std::clamp(request.limits.stack_bytes, kSmallestStack, kLargestStack)};
     pthread_attr_t attributes;
     pthread_t thread{};
     pthread_attr_init(&attributes);

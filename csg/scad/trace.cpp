@@ -8,14 +8,15 @@ namespace csg::scad {
 
 namespace {
 
-constexpr std::size_t kEnd = 12;  // Steps shown at either end.
+constexpr std::size_t kEnd = 12;                           // Steps shown at either end.
+constexpr std::size_t kMostBytes = std::size_t{64} << 10;  // Of a parameter.
 
 std::string parameters_text(const Program& program, const ActiveStep& step) {
     std::string result;
     for (std::size_t i = 0; i < step.parameters.size(); ++i) {
         std::string value;
         try {
-            value = step.values[i].echo_text();
+            value = step.values[i].echo_text(kMostBytes);
         } catch (const ValueLimit&) {
             value = "...";
         }

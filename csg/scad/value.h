@@ -118,12 +118,13 @@ class Value {
     /// Vectors only: in place where nobody else holds the list, else to a copy of it.
     void append(Value element);
 
+    static constexpr std::size_t kMostTextBytes = std::size_t{64} << 20;
     // Texts throw ValueLimit where they would be too long or lists nest too deep.
 
     /// As str() and nested in vectors: strings without quotes at top level, with quotes inside.
     [[nodiscard]] std::string text() const;
     /// As echo() prints it: strings in quotes.
-    [[nodiscard]] std::string echo_text() const;
+    [[nodiscard]] std::string echo_text(std::size_t most_bytes = kMostTextBytes) const;
 
   private:
     [[nodiscard]] bool shared() const { return type_ >= ValueType::String; }

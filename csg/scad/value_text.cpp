@@ -54,7 +54,6 @@ std::string number_text(double number) {
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 constexpr std::size_t kMostNested = 20'000;
 
 std::string scalar_text(const Value& value, bool quoted) {
@@ -76,7 +75,7 @@ std::string scalar_text(const Value& value, bool quoted) {
     }
 }
 
-std::string text_of(const Value& value, bool quoted) {
+std::string text_of(const Value& value, bool quoted, std::size_t most_bytes) {
     if (!value.is_vector()) {
         return scalar_text(value, quoted);
     }
@@ -97,7 +96,7 @@ std::string text_of(const Value& value, bool quoted) {
             result += ", ";
         }
         const Value& element = top.elements[top.next++];
-        if (result.size() > kMostBytes) {
+        if (result.size() > most_bytes) {
             throw ValueLimit("A list is too long to be converted to text");
         }
         if (element.is_vector()) {
@@ -116,10 +115,10 @@ std::string text_of(const Value& value, bool quoted) {
 }  // namespace
 
 std::string Value::text() const {
-    return text_of(*this, false);
+    return text_of(*this, false, kMostTextBytes);
 }
-std::string Value::echo_text() const {
-    return text_of(*this, true);
+std::string Value::echo_text(std::size_t most_bytes) const {
+    return text_of(*this, true, most_bytes);
 }
 
 }  // namespace csg::scad

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 const fs::path kRoot = CSGSCOPE_SOURCE_DIR;
 
 /// Pictures that the program does not draw by itself.
-const std::set<std::string> kTakenElsewhere{"torture_openscad.png", "window.png"};
+const std::set<std::string> kTakenElsewhere{"torture_openscad.png", "filler_openscad.png", "window.png"};
 
 std::string read(const fs::path& path) {
     std::ifstream file(path);

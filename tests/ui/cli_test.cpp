@@ -1,4 +1,5 @@
 // Runs the program as its users do.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -238,7 +239,7 @@ TEST_F(Cli, BrokenFilesAreLocatedErrors) {
         std::getline(fields >> std::ws, message);
         SCOPED_TRACE(file);
         const auto late = evaluation.find(file);
-        const Result result = run("'" + (bad / file).string() + ".scad' -o m.png");
+        const Result result = run(fmt::format("'{}.scad' -o m.png", (bad / file).string()));
         expect_error(result, late == evaluation.end() ? "ERROR: " + message : late->second);
         EXPECT_NE(result.err.find(".scad" + place), std::string::npos) << result.err;
         EXPECT_NE(result.err.find('^'), std::string::npos) << "no caret in:\n" << result.err;

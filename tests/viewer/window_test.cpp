@@ -101,7 +101,7 @@ class Window : public testing::Test {
         return wait_for(from, [](const Json& frame) { return finished(frame) && frame.at("state") == "good"; });
     }
     static bool finished(const Json& frame) {
-        return frame.at("generation") > 0 && frame.at("divisor") == 1 &&
+        return frame.at("current") == true && frame.at("divisor") == 1 &&
                frame.at("samples") == frame.at("wanted_samples");
     }
 
@@ -176,10 +176,11 @@ TEST_F(Window, MouseAndKeysChangeTheView) {
     const Json rested =
         wait_for(from, [&](const Json& frame) { return finished(frame) && frame.at("camera") == turned.at("camera"); });
     EXPECT_EQ(rested.at("samples"), 4);
-    for (const Json& frame : frames()) {
-        // A picture that was drawn while the camera moved has one sample.
-        if (frame.at("camera") != first.at("camera") && frame.at("camera") != turned.at("camera")) {
-            EXPECT_EQ(frame.at("samples"), 1);
+    const std::vector<Json> all_frames = frames();
+    for (std::size_t i = from; i < all_frames.size(); ++i) {
+        if (all_frames[i].at("camera") != all_frames[i - 1].at("camera")) {
+            EXPECT_TRUE(all_frames[i].at("current") == false || all_frames[i].at("samples") == 1)
+                << "a picture of a new camera begins with one sample";
         }
     }
 
@@ -312,6 +313,24 @@ TEST_F(Window, DoesNotWaitForTheEvaluation) {
     wait_for(from, [&](const Json& frame) {
         return frame.at("generation") != first.at("generation") && frame.at("evaluating") == false;
     });
+}
+
+TEST_F(Window, DoesNotWaitForThePicture) {
+    open();
+    const Json first = wait_for_picture();
+    std::size_t from = frames().size();
+    // Thousands of surfaces in every pixel: one sample takes longer than all that follows.
+    folder_.replace("model.scad", "for (i = [0 : 4000]) cube([20, 20, 20 + i / 1000], center = true);\n");
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("generation") != first.at("generation") && frame.at("current") == false;
+    });
+    from = frames().size();
+    robot("mousemove 400 300 mousedown 1 mousemove_relative 30 0 mouseup 1");
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("camera") != first.at("camera") && frame.at("current") == false && frame.at("picture_ms") == 0;
+    });
+    robot("key q");
+    EXPECT_EQ(program_->wait(kPatience), 0);
 }
 
 TEST_F(Window, SavesThePicture) {

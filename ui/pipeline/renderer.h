@@ -52,6 +52,8 @@ class Renderer {
     /// `samples`, the first (0) of a new picture; then `resolve` writes the mean of those drawn so far into `target`.
     void draw_sample(const Model& model, const PictureRequest& request, int sample);
     void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
+    /// … or gives it in main memory.
+    [[nodiscard]] gl::Image image() { return accumulator_.image(); }
 
     /// The nearest point of the solid (world coordinates) in the middle of the camera's picture of one pixel; none
     /// where there is nothing.

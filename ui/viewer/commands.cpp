@@ -1,5 +1,7 @@
 #include "ui/viewer/commands.h"
 
+#include <fmt/format.h>
+
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -73,7 +75,7 @@ std::string key_name(int key) {
             break;
     }
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) {
-        return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+        return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
     }
     return std::string(1, static_cast<char>(key));  // Printable keys have their ASCII code.
 }

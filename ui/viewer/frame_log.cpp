@@ -17,6 +17,7 @@ std::string to_json(const FrameRecord& record) {
                                          {"picture_ms", record.picture_ms},
                                          {"samples", record.samples},
                                          {"wanted_samples", record.wanted_samples},
+                                         {"current", record.current},
                                          {"divisor", record.divisor},
                                          {"width", record.size.x},
                                          {"height", record.size.y},

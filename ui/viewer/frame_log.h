@@ -15,6 +15,7 @@ struct FrameRecord {
     double picture_ms = 0;  ///< Of that, for the model's picture; 0 where the frame shows the one before.
     int samples = 0;        ///< In the picture that is shown, of …
     int wanted_samples = 0;
+    bool current = false;          ///< That picture is of this frame's camera, model and style, not of those before.
     int divisor = 1;               ///< The picture's resolution is the window's divided by this.
     glm::ivec2 size{0};            ///< Of the picture on the screen, in pixels.
     std::uint64_t generation = 0;  ///< Of the model; 0: none.

@@ -9,8 +9,11 @@ namespace {
 constexpr std::array kDivisors{1, 2, 3, 4, 6};
 // Seconds that a step may take while the camera moves, and for the first look at something new.
 constexpr double kMotionBudget = 0.05, kLookBudget = 0.3;
-/// Seconds without change after which the camera counts as still.
-constexpr double kStill = 0.12;
+// … and while it rests, as long as it may well move again.
+constexpr double kRestBudget = 1;
+/// Seconds without change after which the camera counts as still, and after which a picture may take as long as it
+/// takes.
+constexpr double kStill = 0.12, kIdle = 1.5;
 
 }  // namespace
 
@@ -37,7 +40,7 @@ double FramePlan::predicted(int divisor) const {
 
 int FramePlan::affordable(double budget) const {
     if (cost_.empty()) {
-        return 2;
+        return kDivisors.back();
     }
     for (const int divisor : kDivisors) {
         if (predicted(divisor) <= budget) {
@@ -51,10 +54,15 @@ std::optional<PictureStep> FramePlan::next(double now) const {
     if (begin_) {
         return PictureStep{affordable(replaced_ ? kLookBudget : kMotionBudget), 0};
     }
-    if (now - changed_at_ < kStill || finished()) {
+    const double still = now - changed_at_;
+    if (still < kStill || finished()) {
         return std::nullopt;
     }
-    return shown_.divisor > 1 ? PictureStep{1, 0} : PictureStep{1, shown_.sample + 1};
+    if (shown_.divisor == 1) {
+        return PictureStep{1, shown_.sample + 1};
+    }
+    const int finer = still < kIdle ? affordable(kRestBudget) : 1;
+    return finer < shown_.divisor ? std::optional(PictureStep{finer, 0}) : std::nullopt;
 }
 
 void FramePlan::drawn(const PictureStep& step, double seconds) {
@@ -66,6 +74,11 @@ void FramePlan::drawn(const PictureStep& step, double seconds) {
     begin_ = replaced_ = false;
 }
 
+void FramePlan::give_up() {
+    shown_ = {1, samples_ - 1};
+    begin_ = replaced_ = false;
+}
+
 std::optional<double> FramePlan::wait(double now) const {
     if (begin_) {
         return 0;
@@ -73,8 +86,11 @@ std::optional<double> FramePlan::wait(double now) const {
     if (finished()) {
         return std::nullopt;
     }
-    const double rest = kStill - (now - changed_at_);
-    return rest > 0 ? rest : 0;
+    if (next(now)) {
+        return 0;
+    }
+    const double still = now - changed_at_;
+    return (still < kStill ? kStill : kIdle) - still;
 }
 
 }  // namespace ui

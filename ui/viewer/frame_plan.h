@@ -26,6 +26,10 @@ class FramePlan {
     [[nodiscard]] std::optional<PictureStep> next(double now) const;
     /// The step was drawn and took so long.
     void drawn(const PictureStep& step, double seconds);
+    /// The same for a step of a picture that is not wanted any more: only its cost is of use.
+    void measured(const PictureStep& step, double seconds) { cost_[step.divisor] = seconds; }
+    /// The picture cannot be drawn; there is nothing to do until something changes.
+    void give_up();
 
     /// Seconds until next() may have a step; none where only a change brings one.
     [[nodiscard]] std::optional<double> wait(double now) const;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 
+#include "ui/viewer/panel_window.h"
 #include "ui/viewer/panels.h"
 
 namespace ui {
@@ -70,13 +71,8 @@ void draw_help(const Fonts& fonts, Commands& commands) {
     const ImGuiViewport& window = *ImGui::GetMainViewport();
     const float font = ImGui::GetFontSize();
     const ImVec2 size{std::min(56 * font, window.Size.x - 2 * font), std::min(37 * font, window.Size.y - 4 * font)};
-    ImGui::SetNextWindowPos({0.5F * window.Size.x, 0.5F * window.Size.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
     bool open = true;
-    if (ImGui::Begin("Keys and mouse", &open,
-                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoMove)) {
+    if (begin_floating("Keys and mouse", size, {0.5F, 0.5F}, open)) {
         ImGui::Columns(size.x > 48 * font ? 2 : 1, "halves", false);
         mouse(fonts);
         for (const char* name : {"File", "Camera", "Style"}) {
@@ -88,8 +84,7 @@ void draw_help(const Fonts& fonts, Commands& commands) {
         }
         ImGui::Columns();
     }
-    ImGui::End();
-    ImGui::PopStyleVar();
+    end_floating();
     if (!open) {
         commands.emplace_back(Action::Close);
     }

@@ -17,4 +17,25 @@ inline bool begin_panel(const char* name, const Rectangle& place, ImGuiWindowFla
                             ImGuiWindowFlags_NoBringToFrontOnFocus | more);
 }
 
+/// Begins an ImGui window that floats over the others, `size` large (0: as its content needs) around a place given as a
+/// fraction of the screen; to be ended with end_floating. `open` becomes false where the user closes it.
+inline bool begin_floating(const char* name, ImVec2 size, ImVec2 middle, bool& open) {
+    const ImVec2 screen = ImGui::GetMainViewport()->Size;
+    ImGui::SetNextWindowPos({middle.x * screen.x, middle.y * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.4F * ImGui::GetFontSize());
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+    ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_ButtonHovered));
+    return ImGui::Begin(name, &open,
+                        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                            ImGuiWindowFlags_NoMove);
+}
+
+inline void end_floating() {
+    ImGui::End();
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(2);
+}
+
 }  // namespace ui

@@ -44,7 +44,9 @@ bool draw_parameter(const npr::Parameter& parameter, npr::Value& value) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label.c_str());
-    ImGui::SameLine(ImGui::GetCursorPosX() + std::max(0.62F * width, ImGui::CalcTextSize(label.c_str()).x + 6));
+    if (ImGui::CalcTextSize(label.c_str()).x < 0.7F * width) {
+        ImGui::SameLine(ImGui::GetCursorPosX() + std::max(0.62F * width, ImGui::CalcTextSize(label.c_str()).x + 6));
+    }
     ImGui::SetNextItemWidth(-1);
     switch (parameter.kind) {
         case npr::ParameterKind::Number: {

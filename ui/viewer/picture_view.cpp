@@ -1,37 +1,135 @@
 #include "ui/viewer/picture_view.h"
 
 #include <array>
+#include <utility>
+
+#include "gl/error.h"
+#include "ui/pipeline/stopwatch.h"
 
 namespace ui {
 
-PictureView::PictureView(const gl::Context& context, std::optional<goldfeather::EngineKind> engine)
-    : gl_(context.functions()), renderer_(context, engine), target_(gl_) {}
-
-void PictureView::draw(const Model& model, const PictureRequest& request, const PictureStep& step) {
-    PictureRequest scaled = request;
-    scaled.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
-    renderer_.draw_sample(model, scaled, step.sample);
-    if (!texture_ || texture_.size() != scaled.size) {
-        texture_ = gl::Texture::make_2d(gl_, GL_RGBA8, scaled.size);
-        target_.attach({&texture_});
+PictureView::PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine, bool threaded,
+                         std::function<void()> wake)
+    : gl_(window.functions()), wake_(std::move(wake)), target_(gl_) {
+    if (threaded) {
+        try {
+            thread_ = std::make_unique<RenderThread>(engine);
+            return;
+        } catch (const gl::Error&) {
+            // The window's own context does as well, only that the window waits for it.
+        }
     }
-    renderer_.resolve(target_.id(), {0, 0});
-    gl_.Finish();
-    drawn_ = true;
+    renderer_.emplace(window, engine);
 }
 
-void PictureView::show(glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
+void PictureView::run(std::function<PictureResult(Renderer&)> task) {
+    if (!thread_) {
+        results_.push_back(task(*renderer_));
+        return;
+    }
+    thread_->post([this, task = std::move(task)](Renderer& renderer) {
+        PictureResult result = task(renderer);
+        {
+            std::scoped_lock lock(mutex_);
+            results_.push_back(std::move(result));
+        }
+        wake_();
+    });
+}
+
+void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const PictureStep& step,
+                       std::uint64_t version) {
+    request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
+    const bool threaded = thread_ != nullptr;
+    run([this, threaded, model = std::move(model), request = std::move(request), step, version](Renderer& renderer) {
+        DrawnStep done{step, version, 0, {}, {}};
+        Stopwatch watch;
+        try {
+            renderer.draw_sample(*model, request, step.sample);
+            if (threaded) {
+                gl::Image image = renderer.image();
+                std::scoped_lock lock(mutex_);
+                image_ = std::move(image);
+            } else {
+                resize(request.size);
+                renderer.resolve(target_.id(), {0, 0});
+                gl_.Finish();
+                drawn_ = true;
+            }
+        } catch (const std::exception& error) {
+            done.error = error.what();
+        }
+        done.seconds = watch.lap() / 1000;
+        done.statistics = renderer.statistics();
+        return done;
+    });
+}
+
+void PictureView::save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path) {
+    run([model = std::move(model), request = std::move(request), path = std::move(path)](Renderer& renderer) {
+        SavedPicture done{path, request.size, {}};
+        try {
+            gl::write_file(path, gl::encode_png(renderer.render(*model, request)));
+        } catch (const std::exception& error) {
+            done.error = error.what();
+        }
+        return done;
+    });
+}
+
+void PictureView::pick(std::shared_ptr<const Model> model, const gl::Camera& camera) {
+    run([model = std::move(model), camera](Renderer& renderer) {
+        PickedPoint picked;
+        try {
+            picked.point = renderer.pick(*model, camera);
+        } catch (const std::exception&) {
+            // The picture of the same model tells why it cannot be drawn.
+        }
+        return picked;
+    });
+}
+
+std::vector<PictureResult> PictureView::take() {
+    std::optional<gl::Image> image;
+    std::vector<PictureResult> results;
+    {
+        std::scoped_lock lock(mutex_);
+        image = std::exchange(image_, std::nullopt);
+        results = std::exchange(results_, {});
+    }
+    if (image) {
+        upload(*image);
+    }
+    return results;
+}
+
+void PictureView::resize(glm::ivec2 size) {
+    if (!texture_ || texture_.size() != size) {
+        texture_ = gl::Texture::make_2d(gl_, GL_RGBA8, size);
+        target_.attach({&texture_});
+    }
+}
+
+void PictureView::upload(const gl::Image& image) {
+    resize({image.width, image.height});
+    gl_.TextureSubImage2D(texture_.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                          image.rgba.data());
+    flipped_ = drawn_ = true;
+}
+
+void PictureView::show(GLuint target, glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (!drawn_) {
         const std::array<float, 4> color{empty_color.r, empty_color.g, empty_color.b, 1};
-        gl_.ClearNamedFramebufferfv(0, GL_COLOR, 0, color.data());
+        gl_.ClearNamedFramebufferfv(target, GL_COLOR, 0, color.data());
         return;
     }
     const glm::ivec2 drawn = texture_.size();
     const glm::ivec2 end = corner + size;
-    gl_.BlitNamedFramebuffer(target_.id(), 0, 0, 0, drawn.x, drawn.y, corner.x, corner.y, end.x, end.y,
+    const int lower = flipped_ ? drawn.y : 0;
+    gl_.BlitNamedFramebuffer(target_.id(), target, 0, lower, drawn.x, drawn.y - lower, corner.x, corner.y, end.x, end.y,
                              GL_COLOR_BUFFER_BIT, drawn == size ? GL_NEAREST : GL_LINEAR);
 }
 

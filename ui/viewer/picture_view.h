@@ -1,42 +1,83 @@
 // The model's picture in the window: drawn step by step into a texture, shown from there in every frame.
 #pragma once
 
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
-#include "ui/pipeline/renderer.h"
 #include "ui/viewer/frame_plan.h"
+#include "ui/viewer/render_thread.h"
 
 namespace ui {
 
-/// The context must be current whenever this is used, and outlive it.
+/// A step of a picture that is drawn, and shown from now on.
+struct DrawnStep {
+    PictureStep step;
+    std::uint64_t version = 0;  ///< As it was given to draw().
+    double seconds = 0;         ///< That it took.
+    PictureStatistics statistics;
+    std::string error;  ///< Why it could not be drawn; empty where it was.
+};
+
+struct SavedPicture {
+    std::filesystem::path path;
+    glm::ivec2 size{0};
+    std::string error;  ///< Why it is not saved; empty where it is.
+};
+
+struct PickedPoint {
+    std::optional<glm::dvec3> point;  ///< World coordinates; none where there is nothing.
+};
+
+using PictureResult = std::variant<DrawnStep, SavedPicture, PickedPoint>;
+
+/// Pictures are drawn in the window's context, at once; or, which is meant for OpenGL that is computed by the
+/// processor, by a thread, and results come later.
 class PictureView {
   public:
-    PictureView(const gl::Context& context, std::optional<goldfeather::EngineKind> engine);
+    /// The window's context must be current whenever this is used, and outlive it. `threaded`: draw on a thread of its
+    /// own, where that can have a context. `wake` is called from that thread when take() has something.
+    PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine, bool threaded,
+                std::function<void()> wake);
 
-    /// Draws one step of the picture that `request` asks for. Throws gl::Error.
-    void draw(const Model& model, const PictureRequest& request, const PictureStep& step);
-    /// Fills a rectangle of the window (pixels, from the lower left) with the picture, or with the colour where
-    /// nothing has been drawn yet.
-    void show(glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const;
-    /// Forgets the picture.
-    void clear() { drawn_ = false; }
-
-    /// A picture of its own in main memory; the one that is shown must be begun anew afterwards.
-    [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request) {
-        return renderer_.render(model, request);
-    }
+    // Each asks for something that take() gives later, maybe at once. While busy() nothing further is to be asked for.
+    [[nodiscard]] bool busy() const { return thread_ && thread_->busy(); }
+    /// One step of the picture that `request` asks for.
+    void draw(std::shared_ptr<const Model> model, PictureRequest request, const PictureStep& step,
+              std::uint64_t version);
+    /// Writes a picture of its own. The picture that is shown must be begun anew afterwards.
+    void save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path);
     /// See Renderer::pick.
-    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera) {
-        return renderer_.pick(model, camera);
-    }
-    [[nodiscard]] const PictureStatistics& statistics() const { return renderer_.statistics(); }
+    void pick(std::shared_ptr<const Model> model, const gl::Camera& camera);
+
+    /// What has been done since the last call.
+    [[nodiscard]] std::vector<PictureResult> take();
+
+    /// Fills a rectangle (pixels, from the lower left) of the framebuffer `target` (0: the window) with the picture; or
+    /// all of it with the colour, where nothing has been drawn yet.
+    void show(GLuint target, glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const;
 
   private:
+    void run(std::function<PictureResult(Renderer&)> task);
+    void resize(glm::ivec2 size);
+    void upload(const gl::Image& image);
+
     const gl::Functions& gl_;
-    Renderer renderer_;
+    std::function<void()> wake_;
     gl::Texture texture_;
     gl::Framebuffer target_;
+    bool flipped_ = false;  ///< The texture's first row is the upper one.
     bool drawn_ = false;
+    std::mutex mutex_;
+    std::vector<PictureResult> results_;
+    std::optional<gl::Image> image_;  ///< Drawn by the thread, not in the texture yet.
+    std::optional<Renderer> renderer_;
+    std::unique_ptr<RenderThread> thread_;  ///< Last: its tasks use the above.
 };
 
 }  // namespace ui

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/viewer/panel_window.h"
 #include "ui/viewer/panels.h"
 
 namespace ui {
@@ -16,7 +17,7 @@ constexpr std::array kCounts{1, 4, 8, 16};
 void label(const char* text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
-    ImGui::SameLine(6 * ImGui::GetFontSize());
+    ImGui::SameLine(7 * ImGui::GetFontSize());
     ImGui::SetNextItemWidth(-1);
 }
 
@@ -27,15 +28,10 @@ void SaveForm::draw(glm::ivec2 picture, int samples, Commands& commands) {
         size_ = glm::max(picture, 1);
         samples_ = std::max(samples, 4);
     }
-    const ImGuiViewport& window = *ImGui::GetMainViewport();
     const float font = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({0.5F * window.Size.x, 0.4F * window.Size.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(32 * font, window.Size.x), 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
     bool open = true;
-    if (ImGui::Begin("Save picture", &open,
-                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar)) {
+    const float form_width = std::min(32 * font, ImGui::GetMainViewport()->Size.x);
+    if (begin_floating("Save picture", {form_width, 0}, {0.4F, 0.4F}, open)) {
         if (ImGui::IsWindowAppearing()) {
             ImGui::SetKeyboardFocusHere();
         }
@@ -71,8 +67,7 @@ void SaveForm::draw(glm::ivec2 picture, int samples, Commands& commands) {
             commands.emplace_back(WritePicture{path_, size_, samples_, transparent_});
         }
     }
-    ImGui::End();
-    ImGui::PopStyleVar();
+    end_floating();
     if (!open) {
         commands.emplace_back(Action::Close);
     }

@@ -1,7 +1,10 @@
 #include "ui/viewer/window_loop.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -13,6 +16,8 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr double kPollSeconds = 0.2;
+/// How long the end waits for the picture that is being drawn.
+constexpr double kLastPictureSeconds = 1;
 /// ImGui needs a second frame until its panels have followed what happened.
 constexpr int kFramesAfterInput = 2;
 
@@ -45,7 +50,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       window_(title_of(options), kWindowSize),
       context_(gl::adopt_context(window_symbol, [this] { window_.make_current(); })),
       interface_(window_),
-      picture_(*context_, options.engine),
+      picture_(*context_, options.engine, context_->software(), GlfwWindow::wake),
       session_(options, make_evaluate(), GlfwWindow::wake),
       save_form_(proposed_picture(options.source), options.picture.transparent_background) {
     info_.renderer = context_->renderer();
@@ -58,19 +63,37 @@ double WindowLoop::seconds() const {
 
 void WindowLoop::run() {
     while (!quit_ && !window_.close_requested()) {
-        double rest = std::min(plan_.wait(seconds()).value_or(kPollSeconds), kPollSeconds);
+        double rest = kPollSeconds;
         if (frames_to_draw_ > 0) {
             rest = 0;
+        } else if (!picture_.busy()) {
+            rest = std::min(plan_.wait(seconds()).value_or(kPollSeconds), kPollSeconds);
         }
         const Input input = window_.wait(rest);
-        if (session_.update(seconds()) || input.any) {
+        const bool received = receive();
+        if (session_.update(seconds()) || input.any || received) {
             frames_to_draw_ = kFramesAfterInput;
         }
-        if (frames_to_draw_ > 0 || plan_.next(seconds())) {
+        if (frames_to_draw_ > 0 || (!picture_.busy() && plan_.next(seconds()))) {
             frame(input);
         }
     }
     window_.hide();  // An evaluation may need a moment to stop.
+    finish();
+}
+
+void WindowLoop::finish() {
+    while (saving_ > 0) {
+        (void)window_.wait(kPollSeconds);
+        (void)receive();
+    }
+    for (const double end = seconds() + kLastPictureSeconds; picture_.busy();) {
+        (void)window_.wait(0.02);
+        if (seconds() > end) {
+            // Engines cannot be interrupted, and nobody waits for this picture any more. Nothing else is left to do.
+            std::_Exit(0);
+        }
+    }
 }
 
 void WindowLoop::frame(const Input& input) {
@@ -98,15 +121,12 @@ void WindowLoop::frame(const Input& input) {
     const glm::ivec2 picture_size =
         glm::ivec2((layout.picture.corner + layout.picture.size) * pixels_per_unit) - corner;
     plan_picture(glm::max(picture_size, 1));
-    const double picture_ms = draw_picture();
-    picture_.show({corner.x, pixels.y - corner.y - picture_size.y}, picture_size,
+    draw_picture();
+    picture_.show(0, {corner.x, pixels.y - corner.y - picture_size.y}, picture_size,
                   session_.view().color_scheme().background);
     interface_.end();
     window_.swap();
-    log(watch.lap(), picture_ms);
-    if (to_write_) {
-        write_picture();
-    }
+    log(watch.lap());
 }
 
 Layout WindowLoop::draw_interface(Commands& commands) {
@@ -137,9 +157,7 @@ void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
     const auto& model = session_.document().model();
     if (clicked && model && !model->empty()) {
         const gl::Camera narrow = pixel_camera(session_.camera(), glm::ivec2(picture.size), *clicked);
-        if (const auto point = picture_.pick(*model, narrow)) {
-            session_.look_at(*point);
-        }
+        picture_.pick(model, narrow);
     }
 }
 
@@ -148,10 +166,7 @@ void WindowLoop::perform(const Command& command) {
         return;
     }
     if (const auto* write = std::get_if<WritePicture>(&command)) {
-        to_write_ = *write;
-        write_announced_ = false;
-        note_ = "Saving the picture…";
-        frames_to_draw_ = kFramesAfterInput;
+        save_picture(*write);
     } else if (const auto* action = std::get_if<Action>(&command)) {
         quit_ = quit_ || *action == Action::Quit;
         if (*action == Action::CopyConsole) {
@@ -161,28 +176,67 @@ void WindowLoop::perform(const Command& command) {
     }
 }
 
-void WindowLoop::write_picture() {
-    if (!write_announced_) {
-        write_announced_ = true;  // The next frame says so; then it is done.
+void WindowLoop::save_picture(const WritePicture& what) {
+    if (!wanted_model_) {
+        save_form_.set_error("There is no model yet.");
         return;
     }
-    const WritePicture what = *std::exchange(to_write_, std::nullopt);
-    frames_to_draw_ = kFramesAfterInput;
-    try {
-        if (!wanted_model_) {
-            throw std::runtime_error("there is no model yet");
-        }
-        PictureRequest request = session_.view().request(what.size);
-        request.samples = what.samples;
-        request.transparent_background = what.transparent_background;
-        gl::write_file(what.path, gl::encode_png(picture_.render(*wanted_model_, request)));
-        note_ = fmt::format("Saved {} ({}×{})", what.path.string(), what.size.x, what.size.y);
+    PictureRequest request = session_.view().request(what.size);
+    request.samples = what.samples;
+    request.transparent_background = what.transparent_background;
+    note_ = "Saving the picture…";
+    ++saving_;
+    picture_.save(wanted_model_, request, what.path);
+}
+
+bool WindowLoop::receive() {
+    const auto results = picture_.take();
+    for (const PictureResult& result : results) {
+        std::visit([this](const auto& each) { receive(each); }, result);
+    }
+    return !results.empty();
+}
+
+void WindowLoop::receive(const SavedPicture& saved) {
+    --saving_;
+    if (saved.error.empty()) {
+        note_ = fmt::format("Saved {} ({}×{})", saved.path.string(), saved.size.x, saved.size.y);
         session_.perform(Action::Close);
-    } catch (const std::exception& error) {
+    } else {
         note_ = "The picture is not saved";
-        save_form_.set_error(error.what());
+        save_form_.set_error(saved.error);
     }
     plan_.replaced(seconds());
+}
+
+void WindowLoop::receive(const PickedPoint& picked) {
+    if (picked.point) {
+        session_.look_at(*picked.point);
+    }
+}
+
+void WindowLoop::receive(const DrawnStep& drawn) {
+    const bool wanted = drawn.version == wanted_version_;
+    if (!drawn.error.empty()) {
+        if (wanted) {
+            info_.error = drawn.error;
+            plan_.give_up();
+        }
+        return;
+    }
+    wanted ? plan_.drawn(drawn.step, drawn.seconds) : plan_.measured(drawn.step, drawn.seconds);
+    shown_version_ = drawn.version;
+    picture_ms_ += 1000 * drawn.seconds;
+    info_.samples = drawn.step.sample + 1;
+    info_.wanted_samples = wanted_.samples;
+    info_.divisor = drawn.step.divisor;
+    info_.size = wanted_.size;
+    info_.ms = 1000 * drawn.seconds;
+    info_.engine = goldfeather::name(drawn.statistics.engine.engine);
+    info_.layers = drawn.statistics.walk.layers;
+    if (wanted && wanted_model_) {
+        session_.see_layers(*wanted_model_, std::max(info_.layers, wanted_.layers));
+    }
 }
 
 void WindowLoop::plan_picture(glm::ivec2 size) {
@@ -196,50 +250,36 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     plan_.set_samples(request.samples);
     wanted_ = request;
     wanted_model_ = model;
+    ++wanted_version_;
     info_.error.clear();
 }
 
-double WindowLoop::draw_picture() {
-    const auto step = wanted_model_ ? plan_.next(seconds()) : std::nullopt;
+void WindowLoop::draw_picture() {
+    // What is done is taken after asking whether something is being done: so nothing is begun on top of a picture
+    // that was saved in between.
+    const bool busy = picture_.busy();
+    bool news = receive();
     if (!wanted_model_) {
-        plan_.drawn({1, wanted_.samples - 1}, 0);  // There is nothing to draw, and it is finished.
+        plan_.give_up();  // There is nothing to draw.
+        return;
     }
-    if (!step) {
-        return 0;
+    if (const auto step = busy ? std::nullopt : plan_.next(seconds())) {
+        picture_.draw(wanted_model_, wanted_, *step, wanted_version_);
+        news |= receive();
     }
-    Stopwatch watch;
-    try {
-        picture_.draw(*wanted_model_, wanted_, *step);
-    } catch (const std::exception& error) {
-        info_.error = error.what();
-        plan_.drawn({1, wanted_.samples - 1}, 0);  // Until something changes.
-        picture_.clear();
-        frames_to_draw_ = kFramesAfterInput;
-        return 0;
+    if (news) {
+        frames_to_draw_ = std::max(frames_to_draw_, 1);  // The status line tells of it.
     }
-    const double ms = watch.lap();
-    plan_.drawn(*step, ms / 1000);
-    info_.samples = step->sample + 1;
-    info_.wanted_samples = wanted_.samples;
-    info_.divisor = step->divisor;
-    info_.size = wanted_.size;
-    info_.ms = ms;
-    info_.engine = goldfeather::name(picture_.statistics().engine.engine);
-    info_.layers = picture_.statistics().walk.layers;
-    session_.see_layers(*wanted_model_, info_.layers);
-    if (plan_.finished()) {
-        frames_to_draw_ = std::max(frames_to_draw_, 1);  // The status line tells what has just been drawn.
-    }
-    return ms;
 }
 
-void WindowLoop::log(double frame_ms, double picture_ms) {
+void WindowLoop::log(double frame_ms) {
     FrameRecord record;
     record.time = seconds();
     record.ms = frame_ms;
-    record.picture_ms = picture_ms;
+    record.picture_ms = std::exchange(picture_ms_, 0);
     record.samples = info_.samples;
     record.wanted_samples = wanted_.samples;
+    record.current = wanted_model_ && shown_version_ == wanted_version_;
     record.divisor = info_.divisor;
     record.size = wanted_.size;
     record.generation = wanted_model_ ? wanted_model_->generation : 0;

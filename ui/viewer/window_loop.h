@@ -22,14 +22,21 @@ class WindowLoop {
 
   private:
     void frame(const Input& input);
+    /// Ends what is under way. A picture that takes too long ends with the process, with status 0.
+    void finish();
     [[nodiscard]] double seconds() const;  ///< Since the window opened.
     [[nodiscard]] Layout draw_interface(Commands& commands);
     void navigate(const Input& input, const Rectangle& picture);
     void perform(const Command& command);
-    void write_picture();
+    void save_picture(const WritePicture& what);
     void plan_picture(glm::ivec2 size);
-    double draw_picture();
-    void log(double frame_ms, double picture_ms);
+    void draw_picture();
+    /// Takes what has become of what the picture's drawer was asked for. True where something is new.
+    bool receive();
+    void receive(const DrawnStep& drawn);
+    void receive(const SavedPicture& saved);
+    void receive(const PickedPoint& picked);
+    void log(double frame_ms);
 
     FrameLog log_;  ///< First: a path that cannot be written is told before the window opens.
     GlfwWindow window_;
@@ -43,11 +50,12 @@ class WindowLoop {
     PictureRequest wanted_;
     std::shared_ptr<const Model> wanted_model_;
     PictureInfo info_;
-    std::optional<WritePicture> to_write_;
-    bool write_announced_ = false;
+    std::uint64_t wanted_version_ = 0, shown_version_ = 0;  ///< Count the pictures that were wanted.
+    double picture_ms_ = 0;                                 ///< Spent on steps since the frame before.
     std::string note_;
     float console_height_ = 0;
     int frames_to_draw_ = 0;
+    int saving_ = 0;  ///< Pictures that are being saved.
     bool quit_ = false;
     std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
 };
