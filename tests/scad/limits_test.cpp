@@ -107,9 +107,10 @@ TEST(Chains, AreAsLongAsAProgramMakesThem) {
               "ECHO: true, false\n");
     EXPECT_EQ(test::run("echo(" + repeat("false ? 1 : ", kMany) + "2);").console, "ECHO: 2\n");
     EXPECT_EQ(test::run("a = [1]; echo(a" + repeat("[0]", kMany) + ");").console, "ECHO: undef\n");
-    const test::Run run = test::run(repeat("if (false) cube(1); else ", kMany) + "cube(2);");
+    constexpr int kDeep = 20'000;
+    const test::Run run = test::run(repeat("if (false) cube(1); else ", kDeep) + "cube(2);");
     ASSERT_TRUE(run.evaluation.ok) << run.console.substr(0, 1000);
-    EXPECT_EQ(run.evaluation.tree->size(), std::size_t{kMany} + 2);  // Group in group, as OpenSCAD makes them.
+    EXPECT_EQ(run.evaluation.tree->size(), std::size_t{kDeep} + 2);  // Group in group, as OpenSCAD makes them.
 }
 
 TEST(Chains, OfCallsEndWithAnErrorWhereTheStackDoes) {
