@@ -54,11 +54,9 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
             }
         });
     revision.files = reader.files();
-    for (const std::string& path : evaluation.files) {
-        revision.files.try_emplace(path, stamp_of(path));  // Files of import() and surface() go past the reader.
-    }
-    if (source.text) {
-        revision.files.erase(source.path);
+    // Files of import() and surface() go past the reader. The first is the main file, which may have no file.
+    for (std::size_t i = source.text ? 1 : 0; i < evaluation.files.size(); ++i) {
+        revision.files.try_emplace(evaluation.files[i], stamp_of(evaluation.files[i]));
     }
     revision.view = evaluation.view;
     revision.evaluate_ms = watch.lap();
