@@ -54,9 +54,12 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
             }
         });
     revision.files = reader.files();
-    // Files of import() and surface() go past the reader. The first is the main file, which may have no file.
+    // Files of import() and surface() go past the reader. Sources that are no files, such as the definitions of the
+    // command line, are listed as well; and the first is the main file, which may be none.
     for (std::size_t i = source.text ? 1 : 0; i < evaluation.files.size(); ++i) {
-        revision.files.try_emplace(evaluation.files[i], stamp_of(evaluation.files[i]));
+        if (const FileStamp stamp = stamp_of(evaluation.files[i]); stamp.exists) {
+            revision.files.try_emplace(evaluation.files[i], stamp);
+        }
     }
     revision.view = evaluation.view;
     revision.evaluate_ms = watch.lap();
