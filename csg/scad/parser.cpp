@@ -15,7 +15,7 @@ BlockId parse_unit(Files& files, UnitId unit, std::span<const std::string> defin
     try {
         return Parser(files, unit).unit(definitions);
     } catch (SyntaxError& error) {
-        report(files.sink(), {Severity::Error, error.where, std::move(error.text)});
+        report(files.sink(), {Severity::Error, error.where, std::move(error.text), true});
         return kNone;
     }
 }

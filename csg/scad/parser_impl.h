@@ -104,8 +104,10 @@ class Parser {
     ExprId list_for();
     ExprId list_if();
     ExprId list_each();
-    /// Up to `end`, which is not taken. `open` is the bracket before, for messages.
-    Run arguments(TokenKind end, const Token& open);
+    void skip_commas();
+    bool next_item(TokenKind end, const Token& open, bool semicolon_ends = false);
+    /// Up to the parenthesis that closes `open`, or a semicolon where that may end them; neither is taken.
+    Run arguments(const Token& open, bool semicolon_ends = false);
     /// In parentheses.
     Run call_arguments(std::string_view after);
     Run parameters(std::string_view after);

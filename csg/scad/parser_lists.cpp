@@ -7,9 +7,8 @@ namespace csg::scad {
 
 ExprId Parser::vector_or_range() {
     const Token open = take();
-    while (accept(TokenKind::Comma)) {  // OpenSCAD allows any number of commas here, before and after.
-    }
-    if (at(TokenKind::BracketClose)) {
+    if (at(TokenKind::Comma) || at(TokenKind::BracketClose)) {
+        skip_commas();
         return vector(open, kNone);
     }
     const ExprId first = expression(Position::Element);
@@ -34,18 +33,11 @@ ExprId Parser::vector(const Token& open, ExprId first) {
     const std::size_t mark = pending_elements_.size();
     if (first != kNone) {
         pending_elements_.push_back(first);
-    }
-    while (!at(TokenKind::BracketClose)) {
-        if (!accept(TokenKind::Comma)) {
-            close(TokenKind::BracketClose, open, "',' or ");
-        }
-        while (accept(TokenKind::Comma)) {
-        }
-        if (!at(TokenKind::BracketClose)) {
+        while (next_item(TokenKind::BracketClose, open)) {
             pending_elements_.push_back(expression(Position::Element));
         }
     }
-    take();
+    close(TokenKind::BracketClose, open);
     Expr e;
     e.kind = ExprKind::Vector;
     e.list = append_run(program_.elements, pending_elements_, mark);
@@ -58,12 +50,12 @@ ExprId Parser::list_for() {
     const Token open = expect(TokenKind::ParenOpen, "after 'for'");
     Expr e;
     e.kind = ExprKind::ListFor;
-    e.list = arguments(TokenKind::ParenClose, open);
+    e.list = arguments(open, true);
     if (accept(TokenKind::Semicolon)) {
         e.kind = ExprKind::ListForC;
         e.operands[1] = expression();
         expect(TokenKind::Semicolon, "after the condition of this 'for'");
-        e.update = arguments(TokenKind::ParenClose, open);
+        e.update = arguments(open);
     }
     close(TokenKind::ParenClose, open, "',' or ");
     e.operands[0] = expression(Position::Element);
@@ -100,15 +92,27 @@ Run Parser::gather(std::size_t mark) {
     return append_run(program_.arguments, pending_arguments_, mark);
 }
 
-Run Parser::arguments(TokenKind end, const Token& open) {
+/// OpenSCAD takes any number of commas for one.
+void Parser::skip_commas() {
+    while (accept(TokenKind::Comma)) {
+    }
+}
+
+/// After an item of a list: whether another one follows.
+bool Parser::next_item(TokenKind end, const Token& open, bool semicolon_ends) {
+    const auto ended = [&] { return at(end) || (semicolon_ends && at(TokenKind::Semicolon)); };
+    if (!ended() && !at(TokenKind::Comma)) {
+        close(end, open, "',' or ");
+    }
+    skip_commas();
+    return !ended();
+}
+
+Run Parser::arguments(const Token& open, bool semicolon_ends) {
     const std::size_t mark = pending_arguments_.size();
-    while (!at(end) && !at(TokenKind::Semicolon)) {
-        if (pending_arguments_.size() > mark && !accept(TokenKind::Comma)) {
-            close(end, open, "',' or ");
-        }
-        if (pending_arguments_.size() > mark && at(end)) {
-            break;  // After a comma at the end.
-        }
+    skip_commas();
+    bool more = !at(TokenKind::ParenClose) && !(semicolon_ends && at(TokenKind::Semicolon));
+    for (; more; more = next_item(TokenKind::ParenClose, open, semicolon_ends)) {
         Argument a;
         const SourceRange first = current().where;
         if (at_assignment()) {
@@ -124,7 +128,7 @@ Run Parser::arguments(TokenKind end, const Token& open) {
 
 Run Parser::call_arguments(std::string_view after) {
     const Token open = expect(TokenKind::ParenOpen, after);
-    const Run run = arguments(TokenKind::ParenClose, open);
+    const Run run = arguments(open);
     close(TokenKind::ParenClose, open, "',' or ");
     return run;
 }
@@ -132,13 +136,8 @@ Run Parser::call_arguments(std::string_view after) {
 Run Parser::parameters(std::string_view after) {
     const Token open = expect(TokenKind::ParenOpen, after);
     const std::size_t mark = pending_arguments_.size();
-    while (!at(TokenKind::ParenClose)) {
-        if (pending_arguments_.size() > mark && !accept(TokenKind::Comma)) {
-            close(TokenKind::ParenClose, open, "',' or ");
-        }
-        if (pending_arguments_.size() > mark && at(TokenKind::ParenClose)) {
-            break;
-        }
+    skip_commas();
+    for (bool more = !at(TokenKind::ParenClose); more; more = next_item(TokenKind::ParenClose, open)) {
         Argument a;
         const Token name = expect_name("the name of a parameter");
         a.name = name.name;

@@ -112,8 +112,7 @@ TEST(Include, AnErrorInsideIsLocatedThereAndEndsAll) {
     const Parsed parsed = parse("a();\ninclude <b.scad>\nc();", {{"b.scad", "\nb(;\n"}});
     EXPECT_FALSE(parsed.ok);
     EXPECT_EQ(parsed.program.units[0].block, kNone);
-    EXPECT_EQ(messages(parsed),
-              "b.scad:2:3: error: expected ',' or ')' to close the '(' opened on line 2, found ';'\n");
+    EXPECT_EQ(messages(parsed), "b.scad:2:3: error: expected an expression, found ';'\n");
 }
 
 TEST(Include, AMissingSemicolonIsLocatedWhereItIsMissing) {
