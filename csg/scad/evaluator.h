@@ -213,10 +213,9 @@ class Evaluator {
 
     // evaluate_expression.cpp
     Value evaluate(ExprId id, Scope& scope);
-    Value evaluate_binary(const Expr& e, Scope& scope);
+    Value evaluate_chain(const Expr& e, Scope& scope);
     Value apply(const Expr& e, const Value& a, Scope& scope);
     Value evaluate_range(const Expr& e, Scope& scope);
-    Value evaluate_member(const Expr& e, Scope& scope);
     Value make_closure(ExprId id, Scope& scope);
     void bind_let(std::span<const Argument> arguments, Scope& scope);
     void bind_local(const Argument& a, Value value, Scope& scope);
