@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "csg/reference/nef.h"
 #include "csg/reference/plane_boolean.h"
 #include "csg/reference/plane_cells.h"
 
@@ -26,8 +27,24 @@ const char* name(Method method) {
 
 BooleanResult make_mesh(const Scene& scene, const solid::Geometry& geometry, const BooleanRequest& request) {
     BooleanResult result;
-    result.mesh = plane_boolean(scene, geometry, request.threads);
-    check(result.mesh);
+    if (request.method != Method::Nef) {
+        try {
+            result.mesh = plane_boolean(scene, geometry, request.threads);
+            check(result.mesh);
+            return result;
+        } catch (const Undecided& undecided) {
+            result.reason = undecided.what();
+            if (request.method)
+                throw std::runtime_error(fmt::format("no mesh: {}", result.reason));
+        }
+    }
+    result.method = Method::Nef;
+    try {
+        result.mesh = nef_boolean(scene, geometry);
+        check(result.mesh);
+    } catch (const std::logic_error& error) {  // a precondition of CGAL
+        throw std::runtime_error(fmt::format("no mesh: {}", error.what()));
+    }
     return result;
 }
 

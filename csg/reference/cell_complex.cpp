@@ -132,9 +132,9 @@ class Builder {
         for (Side& s : sides_) {
             const glm::dvec3 along = points_[s.hi] - points_[s.lo];
             const glm::dvec3 a = glm::abs(along);
-            const glm::dvec3 helper = a.x <= a.y && a.x <= a.z   ? glm::dvec3(1, 0, 0)
-                                      : a.y <= a.z               ? glm::dvec3(0, 1, 0)
-                                                                 : glm::dvec3(0, 0, 1);
+            const glm::dvec3 helper = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
+                                      : a.y <= a.z             ? glm::dvec3(0, 1, 0)
+                                                               : glm::dvec3(0, 0, 1);
             const glm::dvec3 x = glm::normalize(glm::cross(along, helper));
             const glm::dvec3 y = glm::normalize(glm::cross(along, x));
             const glm::dvec3 normal = geometry_.planes.planes()[complex_.cells[s.cell].plane].normal;

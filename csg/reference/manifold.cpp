@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <tuple>
+#include <utility>
 
 namespace csg::reference {
 namespace {
@@ -25,7 +27,9 @@ class Separator {
         std::iota(root_.begin(), root_.end(), 0u);
     }
 
-    void run() {
+    /// Gives the edges (geometric ends) at which two sheets still share both ends: they touch there and are connected
+    /// around each end.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> run() {
         std::vector<Edge> edges = sorted_edges();
         for (std::size_t i = 0, j; i < edges.size(); i = j) {
             for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
@@ -35,7 +39,16 @@ class Separator {
             else
                 pair_up(std::span(edges).subspan(i, j - i));
         }
-        renumber();
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> shared;
+        for (std::size_t i = 0, j; i < edges.size(); i = j) {
+            for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
+            }
+            if (j - i > 2 && still_shared(std::span(edges).subspan(i, j - i)))
+                shared.emplace_back(edges[i].lo, edges[i].hi);
+        }
+        if (shared.empty())
+            renumber();
+        return shared;
     }
 
   private:
@@ -83,6 +96,16 @@ class Separator {
         unite(3 * a.triangle + (a.corner + 1) % 3, 3 * b.triangle + b.corner);
     }
 
+    bool still_shared(std::span<const Edge> around) {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+        for (const Edge& e : around) {
+            if (e.forward)
+                ends.emplace_back(find(3 * e.triangle + e.corner), find(3 * e.triangle + (e.corner + 1) % 3));
+        }
+        std::sort(ends.begin(), ends.end());
+        return std::adjacent_find(ends.begin(), ends.end()) != ends.end();
+    }
+
     std::uint32_t find(std::uint32_t i) {
         while (root_[i] != i)
             i = root_[i] = root_[root_[i]];
@@ -116,10 +139,44 @@ class Separator {
     std::vector<std::uint32_t> root_;  ///< By corner.
 };
 
+/// Divides the triangles at the edges (sorted) by a new point in the middle of each.
+void divide(Mesh& mesh, std::vector<glm::dvec3>& normals,
+            const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    for (const auto& [a, b] : edges)
+        mesh.points.push_back(0.5 * (mesh.points[a] + mesh.points[b]));
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+        const auto key = std::minmax(a, b);
+        const auto at = std::lower_bound(edges.begin(), edges.end(), std::pair(key.first, key.second));
+        const bool found = at != edges.end() && at->first == key.first && at->second == key.second;
+        return found ? first + static_cast<std::uint32_t>(at - edges.begin()) : kNone;
+    };
+    // What a division makes is looked at again: a triangle may have more than one such edge.
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            const glm::uvec3 whole = mesh.triangles[t];
+            const std::uint32_t m = middle(whole[k], whole[(k + 1) % 3]);
+            if (m == kNone)
+                continue;
+            mesh.triangles[t] = {whole[k], m, whole[(k + 2) % 3]};
+            mesh.triangles.emplace_back(m, whole[(k + 1) % 3], whole[(k + 2) % 3]);
+            mesh.sources.push_back(mesh.sources[t]);
+            normals.push_back(normals[t]);
+            k = -1;
+        }
+    }
+}
+
 }  // namespace
 
-void separate_sheets(Mesh& mesh, std::span<const glm::dvec3> normals) {
-    Separator(mesh, normals).run();
+void separate_sheets(Mesh& mesh, std::vector<glm::dvec3> normals) {
+    const auto shared = Separator(mesh, normals).run();
+    if (shared.empty())
+        return;
+    divide(mesh, normals, shared);
+    // Around the new points the sheets are apart, so nothing is shared any more. Were it so, the points would stay as
+    // they are and the check of the result would find the edge.
+    (void)Separator(mesh, normals).run();
 }
 
 }  // namespace csg::reference

@@ -10,9 +10,9 @@
 
 namespace csg::reference {
 
-/// A triangle mesh in world coordinates, counter-clockwise seen from outside. Points that lie at one place but belong to
-/// different sheets of the surface (solids that touch along an edge or in a point) are separate points, so that every
-/// edge has exactly two triangles.
+/// A triangle mesh in world coordinates, counter-clockwise seen from outside. Points that lie at one place but belong
+/// to different sheets of the surface (solids that touch along an edge or in a point) are separate points, so that
+/// every edge has exactly two triangles.
 struct Mesh {
     std::vector<glm::dvec3> points;
     std::vector<glm::uvec3> triangles;

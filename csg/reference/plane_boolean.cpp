@@ -114,7 +114,7 @@ Mesh surface(const Scene& scene, const solid::Geometry& geometry, const std::vec
             normals.push_back(turned ? -normal : normal);
         }
     }
-    separate_sheets(mesh, normals);
+    separate_sheets(mesh, std::move(normals));
     return mesh;
 }
 

@@ -20,11 +20,12 @@ using Vertices = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kern
 struct CellOf {
     std::uint32_t cell = kNone;
 };
-using Faces = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<CellOf, Kernel>>;
+using Faces =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<CellOf, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertices, Faces>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 using Leaves = std::vector<LeafId>;
 

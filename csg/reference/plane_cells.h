@@ -17,7 +17,7 @@ class Undecided : public std::runtime_error {
 
 struct PlaneCells {
     struct Cell {
-        std::vector<LeafId> leaves;  ///< Sorted: whoever passes through the cell enters or leaves these.
+        std::vector<LeafId> leaves;         ///< Sorted: whoever passes through the cell enters or leaves these.
         std::vector<glm::uvec3> triangles;  ///< Points of the table, counter-clockwise about the plane's normal.
     };
     struct Side {

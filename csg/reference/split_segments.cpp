@@ -14,8 +14,10 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 /// One plane's segments; a sweep finds those that come near each other.
 class Splitter {
   public:
-    Splitter(Content& content, const PlaneContent& plane, const glm::dvec3& normal)
-        : content_(content), axes_(normal), tolerance_(content.points.tolerance()) {
+    /// `overlaps`: takes the pairs of segments that have a piece in common.
+    Splitter(Content& content, const PlaneContent& plane, const glm::dvec3& normal,
+             std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps)
+        : content_(content), axes_(normal), tolerance_(content.points.tolerance()), overlaps_(overlaps) {
         items_.reserve(plane.segments.size());
         for (const std::uint32_t id : plane.segments) {
             const SegmentTable::Segment& s = content.segments[id];
@@ -66,11 +68,25 @@ class Splitter {
         return true;
     }
 
+    /// Do segments that touch lie on one line, and on more than a point of it?
+    bool overlap(const Item& s, const Item& t) const {
+        const bool longer = glm::distance(s.a, s.b) >= glm::distance(t.a, t.b);
+        const Item &l = longer ? s : t, &k = longer ? t : s;
+        const glm::dvec2 d = (l.b - l.a) / glm::distance(l.a, l.b);
+        if (std::abs(cross(d, k.a - l.a)) > tolerance_ || std::abs(cross(d, k.b - l.a)) > tolerance_)
+            return false;
+        const double length = glm::dot(d, l.b - l.a), p = glm::dot(d, k.a - l.a), q = glm::dot(d, k.b - l.a);
+        return std::min(length, std::max(p, q)) - std::max(0.0, std::min(p, q)) > tolerance_;
+    }
+
     void meet(const Item& s, const Item& t) {
         const bool touched = static_cast<int>(touch(s, t.from, t.a)) | static_cast<int>(touch(s, t.to, t.b)) |
                              static_cast<int>(touch(t, s.from, s.a)) | static_cast<int>(touch(t, s.to, s.b));
-        if (touched)
+        if (touched) {
+            if (overlap(s, t))
+                overlaps_.emplace_back(std::min(s.id, t.id), std::max(s.id, t.id));
             return;
+        }
         const glm::dvec2 d = s.b - s.a, e = t.b - t.a;
         const double a = cross(d, t.a - s.a), b = cross(d, t.b - s.a);
         const double c = cross(e, s.a - t.a), f = cross(e, s.b - t.a);
@@ -91,16 +107,53 @@ class Splitter {
     Content& content_;
     PlaneAxes axes_;
     double tolerance_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps_;
     std::vector<Item> items_;
 };
+
+/// Points of `from` that lie on `to` split it; true where there are new ones.
+bool pass_on(Content& content, std::uint32_t from, std::uint32_t to) {
+    const SegmentTable::Segment &s = content.segments[from], &t = content.segments[to];
+    const glm::dvec3 start = content.points[t.from], along = content.points[t.to] - start;
+    const double length = glm::length(along), tolerance = content.points.tolerance();
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t p : s.splits) {
+        const double at = glm::dot(content.points[p] - start, along) / length;
+        if (p == t.from || p == t.to || at <= 0 || at >= length)
+            continue;
+        if (glm::length(glm::cross(content.points[p] - start, along)) <= 2 * tolerance * length &&
+            std::find(t.splits.begin(), t.splits.end(), p) == t.splits.end() &&
+            std::find(found.begin(), found.end(), p) == found.end())
+            found.push_back(p);
+    }
+    for (const std::uint32_t p : found)
+        content.segments.split(to, p);
+    return !found.empty();
+}
+
+/// Where more than two planes share a line, a segment on it may be split in a plane that its neighbour on the line does
+/// not lie in: what is split in one is split in all.
+void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps) {
+    std::sort(overlaps.begin(), overlaps.end());
+    overlaps.erase(std::unique(overlaps.begin(), overlaps.end()), overlaps.end());
+    for (bool again = true; again;) {
+        again = false;
+        for (const auto& [a, b] : overlaps) {
+            again |= pass_on(content, a, b);
+            again |= pass_on(content, b, a);
+        }
+    }
+}
 
 }  // namespace
 
 void split_segments(const solid::Geometry& geometry, Content& content) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
     for (std::size_t i = 0; i < content.planes.size(); ++i) {
         if (content.planes[i].segments.size() > 1)
-            Splitter(content, content.planes[i], geometry.planes.planes()[i].normal).split();
+            Splitter(content, content.planes[i], geometry.planes.planes()[i].normal, overlaps).split();
     }
+    share_splits(content, std::move(overlaps));
 }
 
 }  // namespace csg::reference
