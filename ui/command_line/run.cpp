@@ -12,6 +12,7 @@
 #include "csg/scad/parser.h"
 #include "csg/scad/scad.h"
 #include "gl/error.h"
+#include "ui/command_line/compare.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
@@ -330,6 +331,9 @@ std::string information(gl::ContextKind kind) {
 }
 
 int run_or_throw(const std::vector<std::string>& arguments) {
+    if (!arguments.empty() && arguments[0] == "compare") {
+        return run_compare({arguments.begin() + 1, arguments.end()});
+    }
     CommandLine line = read_command_line(arguments);
     Options& options = line.options;
     if (line.text || options.information) {
