@@ -14,6 +14,7 @@ struct Fragment {
     double depth = 0;  ///< Reversed: the larger is nearer.
     csg::LeafId leaf = 0;
     std::uint32_t plane = 0;
+    std::uint32_t slot = 0;  ///< The caller's own.
 };
 
 /// A surface of the result, found among sorted fragments.
