@@ -29,6 +29,8 @@ int in_tile(int x, int y) {
 
 TileWorker::TileWorker(ListsJob& job)
     : job_(job),
+      half_width_(0.5 * job.size.x),
+      half_height_(0.5 * job.size.y),
       spans_(job.triangles),
       walk_(job.model.expressions, job.model.scene, job.counted_from_behind, job.max_layers) {}
 
@@ -95,37 +97,41 @@ void TileWorker::enter(std::uint32_t triangle, int last, int y) {
     const double slack = std::min(0x1p-13 * (std::abs(plane.a) + std::abs(plane.b)), 0.25 * (t.nearest - t.farthest)) +
                          1e-12 * t.nearest;
     const double base = plane.edge_on ? 0.5 * (t.farthest + t.nearest)
-                                      : plane.b * (static_cast<double>(y) + 0.5 - 0.5 * job_.size.y) + plane.c;
+                                      : plane.b * (static_cast<double>(y) + 0.5 - half_height_) + plane.c;
     entering_.push_back({0, t.leaf, t.plane, static_cast<std::uint32_t>(slots_.size())});
     slots_.push_back({plane.edge_on ? 0 : plane.a, base, t.farthest - slack, t.nearest + slack, last});
 }
 
-double TileWorker::depth(const Slot& slot, int x) const {
-    return std::clamp(slot.slope * (static_cast<double>(x) + 0.5 - 0.5 * job_.size.x) + slot.base, slot.least,
-                      slot.most);
+double TileWorker::depth(const Slot& slot, double sample) {
+    return std::min(std::max(slot.slope * sample + slot.base, slot.least), slot.most);
 }
 
 void TileWorker::advance(int x, int at) {
     // A leaf's triangle mostly takes the place of its neighbour.
+    // Field by field: a fragment copied right after its depth was stored would wait for the store.
+    const double sample = static_cast<double>(x) + 0.5 - half_width_;
     std::size_t kept = 0;
-    for (Fragment f : sorted_) {
-        if (slots_[f.slot].last < at) {
-            const auto next =
-                std::find_if(entering_.begin(), entering_.end(), [&](const Fragment& e) { return e.leaf == f.leaf; });
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+        Fragment from = sorted_[i];
+        if (slots_[from.slot].last < at) {
+            const auto next = std::find_if(entering_.begin(), entering_.end(),
+                                           [&](const Fragment& e) { return e.leaf == from.leaf; });
             if (next == entering_.end()) {
                 continue;
             }
-            f = *next;
+            from = *next;
             *next = entering_.back();
             entering_.pop_back();
         }
-        f.depth = depth(slots_[f.slot], x);
-        sorted_[kept++] = f;
+        Fragment& to = sorted_[kept++];
+        to.depth = depth(slots_[from.slot], sample);
+        to.leaf = from.leaf;
+        to.plane = from.plane;
+        to.slot = from.slot;
     }
     sorted_.resize(kept);
-    for (Fragment f : entering_) {
-        f.depth = depth(slots_[f.slot], x);
-        sorted_.push_back(f);
+    for (const Fragment& f : entering_) {
+        sorted_.push_back({depth(slots_[f.slot], sample), f.leaf, f.plane, f.slot});
     }
     sort(entering_.size());
     entering_.clear();
@@ -159,9 +165,10 @@ int TileWorker::same_order(int x, int length) const {
 }
 
 bool TileWorker::same_order(int x) const {
-    double before = depth(slots_[sorted_[0].slot], x);
+    const double sample = static_cast<double>(x) + 0.5 - half_width_;
+    double before = depth(slots_[sorted_[0].slot], sample);
     for (std::size_t i = 1; i < sorted_.size(); ++i) {
-        const double here = depth(slots_[sorted_[i].slot], x);
+        const double here = depth(slots_[sorted_[i].slot], sample);
         if (sorted_[i].depth == sorted_[i - 1].depth ? here != before : !(here < before)) {
             return false;
         }
@@ -186,7 +193,8 @@ void TileWorker::write(int x, int y, int length) {
         const Slot slot = slots_[sorted_[s.first].slot];
         float* depths = targets_[layer].depth + target;
         for (int i = 0; i < length; ++i) {
-            depths[i] = static_cast<float>(std::clamp(depth(slot, x + i), 1e-30, 1.0));
+            const double at = depth(slot, static_cast<double>(x + i) + 0.5 - half_width_);
+            depths[i] = static_cast<float>(std::min(std::max(at, 1e-30), 1.0));
         }
         std::fill_n(targets_[layer].surface + target, length,
                     glm::uvec2(s.leaf << 1 | (s.reversed ? 1U : 0U), plane << 1 | (s.leaving ? 1U : 0U)));

@@ -56,7 +56,7 @@ class TileWorker {
         float* depth;
         glm::uvec2* surface;
     };
-    /// A triangle in the row: its depth in pixel x of the picture is `slope` · x + `base`, kept between `least` and
+    /// A triangle in the row: its depth at the sample x is `slope` · x + `base`, kept between `least` and
     /// `most`.
     struct Slot {
         double slope, base, least, most;
@@ -72,11 +72,13 @@ class TileWorker {
     [[nodiscard]] int same_order(int x, int length) const;
     [[nodiscard]] bool same_order(int x) const;
     void write(int x, int y, int length);
-    [[nodiscard]] double depth(const Slot& slot, int x) const;
+    /// `sample`: in pixels from the middle of the picture.
+    [[nodiscard]] static double depth(const Slot& slot, double sample);
     void clear_below(const TileBox& box, int layers);
     void reserve(std::size_t layers);
 
     ListsJob& job_;
+    double half_width_, half_height_;  ///< Of the picture, in pixels.
     TileSpans spans_;
     PixelWalk walk_;
     std::vector<Fragment> sorted_;
