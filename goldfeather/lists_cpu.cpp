@@ -18,7 +18,7 @@ struct TileRange {
 
 TileRange tiles_of(const ScreenTriangle& t, glm::ivec2 tiles) {
     constexpr int kShift = kSubpixelBits + 5;
-    static_assert(TileLists::kSide == 1 << 5);
+    static_assert(TileSpans::kSide == 1 << 5);
     const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
     const auto [y0, y1] = std::minmax({t.y[0], t.y[1], t.y[2]});
     return {std::max(x0 >> kShift, 0), std::max(y0 >> kShift, 0), std::min(x1 >> kShift, tiles.x - 1),
@@ -27,7 +27,7 @@ TileRange tiles_of(const ScreenTriangle& t, glm::ivec2 tiles) {
 
 Bins make_bins(const std::vector<ScreenTriangle>& triangles, glm::ivec2 size) {
     Bins bins;
-    bins.tiles = (size + TileLists::kSide - 1) / TileLists::kSide;
+    bins.tiles = (size + TileSpans::kSide - 1) / TileSpans::kSide;
     bins.starts.assign(static_cast<std::size_t>(bins.tiles.x) * static_cast<std::size_t>(bins.tiles.y) + 1, 0);
     const auto for_each_tile = [&](const ScreenTriangle& t, const auto& action) {
         const TileRange r = tiles_of(t, bins.tiles);
@@ -88,7 +88,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         const std::lock_guard lock(adding);
         most = std::max(most, worker.most_layers());
         stats.fragments += worker.fragments();
-        stats.longest_list = std::max(stats.longest_list, worker.longest_list());
+        stats.longest_list = std::max(stats.longest_list, static_cast<std::uint32_t>(worker.longest_list()));
     };
     {
         std::vector<std::jthread> helpers;

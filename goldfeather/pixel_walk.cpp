@@ -10,38 +10,40 @@ PixelWalk::PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::s
     : scene_(scene),
       counted_from_behind_(counted_from_behind),
       max_layers_(max_layers <= 0 ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(max_layers)),
-      state_(tree) {}
+      state_(tree),
+      known_(kRemembered + 1) {}
 
 std::span<const FoundSurface> PixelWalk::walk(std::span<const Fragment> fragments) {
-    bool known = key_.size() == fragments.size();
-    for (std::size_t i = 0; known && i < fragments.size(); ++i) {
-        const bool same_event = i > 0 && fragments[i].depth == fragments[i - 1].depth;
-        known = key_[i] == (fragments[i].leaf << 1 | (same_event ? 1U : 0U));
-    }
-    if (!known) {
-        evaluate(fragments);
-    }
-    return found_;
-}
-
-void PixelWalk::evaluate(std::span<const Fragment> fragments) {
-    key_.clear();
-    found_.clear();
+    key_.resize(fragments.size());
+    std::uint64_t hash = fragments.size();
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         const bool same_event = i > 0 && fragments[i].depth == fragments[i - 1].depth;
-        key_.push_back(fragments[i].leaf << 1 | (same_event ? 1U : 0U));
+        key_[i] = fragments[i].leaf << 1 | (same_event ? 1U : 0U);
+        hash = (hash ^ key_[i]) * 0x9e3779b97f4a7c15U;
+    }
+    Known& known = known_[fragments.size() > kLongest ? kRemembered : hash >> 56];
+    if (known.key != key_) {
+        known.key = key_;
+        evaluate(fragments, known);
+    }
+    return known.found;
+}
+
+void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
+    known.found.clear();
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
         // Inside at the near plane is what has an odd number of surfaces behind it.
         if (counted_from_behind_[fragments[i].leaf] != 0) {
             state_.toggle(fragments[i].leaf);
         }
     }
     const auto count = static_cast<std::uint32_t>(fragments.size());
-    for (std::uint32_t first = 0; first < count && found_.size() < max_layers_;) {
+    for (std::uint32_t first = 0; first < count && known.found.size() < max_layers_;) {
         std::uint32_t end = first + 1;
         while (end < count && (key_[end] & 1U) != 0) {
             ++end;
         }
-        event(fragments, first, end);
+        event(fragments, first, end, known.found);
         first = end;
     }
     // Back to the outside: open meshes and layers that nobody asked for leave something behind.
@@ -52,7 +54,8 @@ void PixelWalk::evaluate(std::span<const Fragment> fragments) {
     }
 }
 
-void PixelWalk::event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end) {
+void PixelWalk::event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end,
+                      std::vector<FoundSurface>& found) {
     touched_.clear();
     switching_.clear();
     for (std::uint32_t i = first; i < end; ++i) {
@@ -78,12 +81,12 @@ void PixelWalk::event(std::span<const Fragment> fragments, std::uint32_t first, 
         });
     }
     for (const TouchedPart& t : touched_) {
-        if (found_.size() == max_layers_) {
+        if (found.size() == max_layers_) {
             return;
         }
         FoundSurface surface{first, end, 0, false, t.before};
         find_leaf(surface, t.part);
-        found_.push_back(surface);
+        found.push_back(surface);
     }
 }
 

@@ -14,6 +14,7 @@ struct Fragment {
     double depth = 0;  ///< Reversed: the larger is nearer.
     csg::LeafId leaf = 0;
     std::uint32_t plane = 0;
+    std::uint32_t slot = 0;  ///< The caller's own.
 };
 
 /// A surface of the result, found among sorted fragments.
@@ -24,8 +25,8 @@ struct FoundSurface {
     bool leaving = false;
 };
 
-/// Walks along rays. Neighbouring pixels mostly meet the same leaves in the same order: what a sequence of leaves
-/// comes to is kept until another one follows.
+/// Walks along rays. Most pixels of a neighbourhood meet the same few sequences of leaves: what a sequence comes to is
+/// remembered, in a place that its hash decides, until another one needs the place.
 class PixelWalk {
   public:
     /// `counted_from_behind`: for each leaf whether the near plane may cut it, so that a ray may begin inside it.
@@ -36,16 +37,25 @@ class PixelWalk {
     [[nodiscard]] std::span<const FoundSurface> walk(std::span<const Fragment> fragments);
 
   private:
-    void evaluate(std::span<const Fragment> fragments);
-    void event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end);
+    /// A sequence and what it comes to.
+    struct Known {
+        std::vector<std::uint32_t> key;  ///< Leaf << 1 | same event as the fragment before.
+        std::vector<FoundSurface> found;
+    };
+    static constexpr std::size_t kRemembered = 256;
+    static constexpr std::size_t kLongest = 256;  ///< Longer sequences share one place: they would fill the memory.
+
+    void evaluate(std::span<const Fragment> fragments, Known& known);
+    void event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end,
+               std::vector<FoundSurface>& found);
     void find_leaf(FoundSurface& surface, csg::PartId part);
 
     const csg::Scene& scene_;
     std::span<const char> counted_from_behind_;
     std::size_t max_layers_;
     ExpressionState state_;
-    std::vector<std::uint32_t> key_;  ///< Leaf << 1 | same event as the fragment before.
-    std::vector<FoundSurface> found_;
+    std::vector<std::uint32_t> key_;  ///< Of the ray at hand.
+    std::vector<Known> known_;
     std::vector<csg::LeafId> switching_;  ///< Of the event, sorted.
     struct TouchedPart {
         csg::PartId part;

@@ -1,18 +1,20 @@
 #include "goldfeather/tile_worker.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace goldfeather {
 
 namespace {
 
-/// Longer lists are made for fewer pixels at a time: the memory of a tile stays below 50 MB.
-constexpr std::uint32_t kMostInWholeTile = 4096;
+/// Spans of a tile; one with more is split. That bounds the memory of a thread to a few tens of MB, except in a row of
+/// a tile that more triangles cross than that.
+constexpr std::size_t kMostSpans = std::size_t{1} << 21;
 
-/// Up to so many fragments, what was sorted for the pixel before is put right by insertion.
-constexpr std::uint32_t kInsertion = 48;
+/// So many new fragments are put in by insertion.
+constexpr std::size_t kInsertion = 32;
 
 /// Equal depths in order of leaves, so that equal pixels have equal lists.
 bool nearer(const Fragment& a, const Fragment& b) {
@@ -20,19 +22,21 @@ bool nearer(const Fragment& a, const Fragment& b) {
 }
 
 int in_tile(int x, int y) {
-    return TileLists::pixel_of(x % TileLists::kSide, y % TileLists::kSide);
+    return TileSpans::pixel_of(x % TileSpans::kSide, y % TileSpans::kSide);
 }
 
 }  // namespace
 
 TileWorker::TileWorker(ListsJob& job)
     : job_(job),
-      lists_(job.planes, 0.5 * glm::dvec2(job.size)),
+      half_width_(0.5 * job.size.x),
+      half_height_(0.5 * job.size.y),
+      spans_(job.triangles),
       walk_(job.model.expressions, job.model.scene, job.counted_from_behind, job.max_layers) {}
 
 void TileWorker::run(int tile) {
-    const int x = tile % job_.bins.tiles.x * TileLists::kSide, y = tile / job_.bins.tiles.x * TileLists::kSide;
-    const TileBox box{x, y, std::min(x + TileLists::kSide, job_.size.x), std::min(y + TileLists::kSide, job_.size.y)};
+    const int x = tile % job_.bins.tiles.x * TileSpans::kSide, y = tile / job_.bins.tiles.x * TileSpans::kSide;
+    const TileBox box{x, y, std::min(x + TileSpans::kSide, job_.size.x), std::min(y + TileSpans::kSide, job_.size.y)};
     tile_layers_ = 0;
     layers_.fill(0);
     const auto triangles = job_.bins.of(tile);
@@ -46,21 +50,14 @@ void TileWorker::run(int tile) {
 }
 
 void TileWorker::fill(const TileBox& box, std::span<const std::uint32_t> triangles) {
-    const int width = box.x1 - box.x0, height = box.y1 - box.y0;
-    const auto pixels = static_cast<std::uint32_t>(width * height);
-    lists_.start(box, pixels == 1 ? std::numeric_limits<std::uint32_t>::max()
-                                  : kMostInWholeTile * (TileLists::kPixels / pixels));
+    const int height = box.y1 - box.y0;
+    spans_.start(box, height == 1 ? std::numeric_limits<std::size_t>::max() : kMostSpans);
     for (const std::uint32_t t : triangles) {
-        if (lists_.add(job_.triangles[t], t)) {
+        if (spans_.add(t)) {
             continue;
         }
-        // Too long for all pixels at once: in two halves.
         TileBox first = box, second = box;
-        if (width >= height) {
-            first.x1 = second.x0 = box.x0 + width / 2;
-        } else {
-            first.y1 = second.y0 = box.y0 + height / 2;
-        }
+        first.y1 = second.y0 = box.y0 + height / 2;
         fill(first, triangles);
         fill(second, triangles);
         return;
@@ -71,98 +68,140 @@ void TileWorker::fill(const TileBox& box, std::span<const std::uint32_t> triangl
 }
 
 void TileWorker::row(const TileBox& box, int y) {
-    const std::size_t picture_row = static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.size.x);
-    for (int x = box.x0; x < box.x1;) {
-        const int at = TileLists::pixel_of(x - box.x0, y - box.y0);
-        const std::uint32_t count = lists_.count(at);
-        if (count == 0) {
-            ++x;
-            continue;
-        }
-        int length = 1;
-        while (x + length < box.x1 && lists_.same(at, at + length)) {
-            ++length;
-        }
-        fragments_ += std::uint64_t{count} * static_cast<std::uint64_t>(length);
-        longest_list_ = std::max(longest_list_, count);
-        while (length > 0) {
-            const int from = TileLists::pixel_of(x - box.x0, y - box.y0);
-            const int drawn = draw({from, in_tile(x, y), picture_row + static_cast<std::size_t>(x), length}, count);
-            x += drawn;
-            length -= drawn;
+    sorted_.clear();
+    slots_.clear();
+    const int row = y - box.y0;
+    for (std::uint32_t bounds = spans_.bounds(row); bounds != 0;) {
+        const int at = std::countr_zero(bounds);
+        bounds &= bounds - 1;
+        const int end = bounds != 0 ? std::countr_zero(bounds) : box.x1 - box.x0;
+        spans_.for_each_from(row, at, [&](std::uint32_t triangle, int last) { enter(triangle, last, y); });
+        for (int from = at; from < end;) {
+            advance(box.x0 + from, from);
+            if (sorted_.empty()) {
+                break;
+            }
+            const int length = same_order(box.x0 + from, end - from);
+            write(box.x0 + from, y, length);
+            fragments_ += sorted_.size() * static_cast<std::uint64_t>(length);
+            longest_list_ = std::max(longest_list_, sorted_.size());
+            from += length;
         }
     }
 }
 
-int TileWorker::draw(const Run& run, std::uint32_t count) {
-    sort(run.at, count);
-    const auto found = walk_.walk(sorted_);
-    int length = 1;
-    while (length < run.length && same_order(run.at + length)) {
-        ++length;
+void TileWorker::enter(std::uint32_t triangle, int last, int y) {
+    const ScreenTriangle& t = job_.triangles[triangle];
+    const gl::View::ExactPlaneDepth& plane = job_.planes[t.plane];
+    // Snapping has moved the border by up to 2⁻¹⁴ pixel: a sample there must not be thrown far along a steep plane.
+    const double slack = std::min(0x1p-13 * (std::abs(plane.a) + std::abs(plane.b)), 0.25 * (t.nearest - t.farthest)) +
+                         1e-12 * t.nearest;
+    const double base = plane.edge_on ? 0.5 * (t.farthest + t.nearest)
+                                      : plane.b * (static_cast<double>(y) + 0.5 - half_height_) + plane.c;
+    entering_.push_back({0, t.leaf, t.plane, static_cast<std::uint32_t>(slots_.size())});
+    slots_.push_back({plane.edge_on ? 0 : plane.a, base, t.farthest - slack, t.nearest + slack, last});
+}
+
+double TileWorker::depth(const Slot& slot, double sample) {
+    return std::min(std::max(slot.slope * sample + slot.base, slot.least), slot.most);
+}
+
+void TileWorker::advance(int x, int at) {
+    // A leaf's triangle mostly takes the place of its neighbour.
+    // Field by field: a fragment copied right after its depth was stored would wait for the store.
+    const double sample = static_cast<double>(x) + 0.5 - half_width_;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+        Fragment from = sorted_[i];
+        if (slots_[from.slot].last < at) {
+            const auto next = std::find_if(entering_.begin(), entering_.end(),
+                                           [&](const Fragment& e) { return e.leaf == from.leaf; });
+            if (next == entering_.end()) {
+                continue;
+            }
+            from = *next;
+            *next = entering_.back();
+            entering_.pop_back();
+        }
+        Fragment& to = sorted_[kept++];
+        to.depth = depth(slots_[from.slot], sample);
+        to.leaf = from.leaf;
+        to.plane = from.plane;
+        to.slot = from.slot;
     }
+    sorted_.resize(kept);
+    for (const Fragment& f : entering_) {
+        sorted_.push_back({depth(slots_[f.slot], sample), f.leaf, f.plane, f.slot});
+    }
+    sort(entering_.size());
+    entering_.clear();
+}
+
+void TileWorker::sort(std::size_t entered) {
+    if (entered > kInsertion) {
+        std::sort(sorted_.begin(), sorted_.end(), nearer);
+        return;
+    }
+    for (std::size_t i = 1; i < sorted_.size(); ++i) {
+        if (!nearer(sorted_[i], sorted_[i - 1])) {
+            continue;
+        }
+        const Fragment f = sorted_[i];
+        std::size_t j = i;
+        for (; j > 0 && nearer(f, sorted_[j - 1]); --j) {
+            sorted_[j] = sorted_[j - 1];
+        }
+        sorted_[j] = f;
+    }
+}
+
+/// Depths are affine along the row: an order that holds at both ends holds between them.
+int TileWorker::same_order(int x, int length) const {
+    int same = 1, other = length + 1;
+    for (int test = length; other - same > 1; test = (same + other) / 2) {
+        (same_order(x + test - 1) ? same : other) = test;
+    }
+    return same;
+}
+
+bool TileWorker::same_order(int x) const {
+    const double sample = static_cast<double>(x) + 0.5 - half_width_;
+    double before = depth(slots_[sorted_[0].slot], sample);
+    for (std::size_t i = 1; i < sorted_.size(); ++i) {
+        const double here = depth(slots_[sorted_[i].slot], sample);
+        if (sorted_[i].depth == sorted_[i - 1].depth ? here != before : !(here < before)) {
+            return false;
+        }
+        before = here;
+    }
+    return true;
+}
+
+void TileWorker::write(int x, int y, int length) {
+    const auto found = walk_.walk(sorted_);
     if (found.size() > targets_.size()) {
         reserve(found.size());
     }
+    const std::size_t target =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.size.x) + static_cast<std::size_t>(x);
     for (std::size_t layer = 0; layer < found.size(); ++layer) {
         const FoundSurface& s = found[layer];
         std::uint32_t plane = sorted_[s.first].plane;
         for (std::uint32_t i = s.first + 1; i < s.end; ++i) {
             plane = std::min(plane, sorted_[i].plane);
         }
-        const double* from = lists_.depths(run.at, order_[s.first]);
-        float* depth = targets_[layer].depth + run.target;
+        const Slot slot = slots_[sorted_[s.first].slot];
+        float* depths = targets_[layer].depth + target;
         for (int i = 0; i < length; ++i) {
-            depth[i] = static_cast<float>(std::clamp(from[i], 1e-30, 1.0));
+            const double at = depth(slot, static_cast<double>(x + i) + 0.5 - half_width_);
+            depths[i] = static_cast<float>(std::min(std::max(at, 1e-30), 1.0));
         }
-        std::fill_n(targets_[layer].surface + run.target, length,
+        std::fill_n(targets_[layer].surface + target, length,
                     glm::uvec2(s.leaf << 1 | (s.reversed ? 1U : 0U), plane << 1 | (s.leaving ? 1U : 0U)));
     }
     const auto layers = static_cast<int>(found.size());
-    std::fill_n(layers_.begin() + run.layers_at, length, layers);
+    std::fill_n(layers_.begin() + in_tile(x, y), length, layers);
     tile_layers_ = std::max(tile_layers_, layers);
-    return length;
-}
-
-void TileWorker::sort(int at, std::uint32_t count) {
-    if (order_.size() != count) {
-        order_.resize(count);
-        std::iota(order_.begin(), order_.end(), 0U);
-    }
-    sorted_.resize(count);
-    const auto fragment = [&](std::uint32_t k) {
-        const ScreenTriangle& t = job_.triangles[lists_.triangle(at, k)];
-        return Fragment{*lists_.depths(at, k), t.leaf, t.plane};
-    };
-    if (count > kInsertion) {
-        std::sort(order_.begin(), order_.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return nearer(fragment(a), fragment(b)); });
-    }
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t k = order_[i];
-        const Fragment f = fragment(k);
-        std::uint32_t j = i;
-        for (; j > 0 && nearer(f, sorted_[j - 1]); --j) {
-            sorted_[j] = sorted_[j - 1];
-            order_[j] = order_[j - 1];
-        }
-        sorted_[j] = f;
-        order_[j] = k;
-    }
-}
-
-/// Are the fragments of this pixel, which has the triangles of the one sorted last, in the order of that one, with the
-/// same events?
-bool TileWorker::same_order(int at) const {
-    double before = *lists_.depths(at, order_[0]);
-    for (std::size_t i = 1; i < order_.size(); ++i) {
-        const double depth = *lists_.depths(at, order_[i]);
-        if (sorted_[i].depth == sorted_[i - 1].depth ? depth != before : !(depth < before)) {
-            return false;
-        }
-        before = depth;
-    }
-    return true;
 }
 
 /// Pixels with fewer layers have nothing in the rest of `layers`.

@@ -9,7 +9,7 @@
 #include "goldfeather/lists_cpu.h"
 #include "goldfeather/pixel_walk.h"
 #include "goldfeather/screen_triangles.h"
-#include "goldfeather/tile_lists.h"
+#include "goldfeather/tile_spans.h"
 
 namespace goldfeather {
 
@@ -38,7 +38,8 @@ struct ListsJob {
     std::mutex growing{};  ///< Of out.planes.
 };
 
-/// One thread's. Runs of pixels in a row that meet the same triangles in the same order are sorted and walked once.
+/// One thread's. A row of a tile is swept from left to right: the triangles that cover a pixel are kept sorted by depth
+/// while spans begin and end. Runs of pixels that meet the same triangles in the same order are sorted and walked once.
 class TileWorker {
   public:
     explicit TileWorker(ListsJob& job);
@@ -47,7 +48,7 @@ class TileWorker {
     void run(int tile);
 
     [[nodiscard]] std::uint64_t fragments() const { return fragments_; }
-    [[nodiscard]] std::uint32_t longest_list() const { return longest_list_; }
+    [[nodiscard]] std::size_t longest_list() const { return longest_list_; }
     [[nodiscard]] int most_layers() const { return most_layers_; }
 
   private:
@@ -55,32 +56,40 @@ class TileWorker {
         float* depth;
         glm::uvec2* surface;
     };
-    /// A run of pixels in a row: `at` in the lists, `layers_at` in the tile, `target` in the picture.
-    struct Run {
-        int at, layers_at;
-        std::size_t target;
-        int length;
+    /// A triangle in the row: its depth at the sample x is `slope` · x + `base`, kept between `least` and
+    /// `most`.
+    struct Slot {
+        double slope, base, least, most;
+        int last;  ///< The last pixel, from the tile's corner.
     };
     void fill(const TileBox& box, std::span<const std::uint32_t> triangles);
     void row(const TileBox& box, int y);
-    /// Draws as much of the run as has the order of its first pixel, and gives how much that was.
-    int draw(const Run& run, std::uint32_t count);
-    void sort(int at, std::uint32_t count);
-    [[nodiscard]] bool same_order(int at) const;
+    void enter(std::uint32_t triangle, int last, int y);
+    /// Makes sorted_ the fragments of the pixel at `x` in the picture, `at` from the tile's corner.
+    void advance(int x, int at);
+    void sort(std::size_t entered);
+    /// The pixels from x on, at most `length`, that have the order and the events of the first.
+    [[nodiscard]] int same_order(int x, int length) const;
+    [[nodiscard]] bool same_order(int x) const;
+    void write(int x, int y, int length);
+    /// `sample`: in pixels from the middle of the picture.
+    [[nodiscard]] static double depth(const Slot& slot, double sample);
     void clear_below(const TileBox& box, int layers);
     void reserve(std::size_t layers);
 
     ListsJob& job_;
-    TileLists lists_;
+    double half_width_, half_height_;  ///< Of the picture, in pixels.
+    TileSpans spans_;
     PixelWalk walk_;
     std::vector<Fragment> sorted_;
-    std::vector<std::uint32_t> order_;  ///< Of sorted_: positions in the pixel's list.
-    std::vector<Target> targets_;       ///< By layer.
-    std::array<int, TileLists::kPixels> layers_{};
+    std::vector<Fragment> entering_;  ///< Of spans that begin in the pixel.
+    std::vector<Slot> slots_;         ///< Of the row.
+    std::vector<Target> targets_;     ///< By layer.
+    std::array<int, TileSpans::kPixels> layers_{};
     int tile_layers_ = 0;
     int most_layers_ = 0;
     std::uint64_t fragments_ = 0;
-    std::uint32_t longest_list_ = 0;
+    std::size_t longest_list_ = 0;
 };
 
 }  // namespace goldfeather

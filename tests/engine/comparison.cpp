@@ -19,6 +19,8 @@ std::string text(const goldfeather::Surface& s) {
                        s.leaving ? "leaving" : "entering");
 }
 
+}  // namespace
+
 bool same(const truth::Surface& expected, const goldfeather::Surface& actual) {
     const auto holds = [](const std::vector<std::uint32_t>& ids, std::uint32_t id) {
         return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -28,8 +30,6 @@ bool same(const truth::Surface& expected, const goldfeather::Surface& actual) {
            std::abs(static_cast<double>(actual.depth) - expected.depth) <= expected.depth_error &&
            holds(expected.planes, actual.plane);
 }
-
-}  // namespace
 
 Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_scene(tree)) {
     csg::solid::SolidCache cache;

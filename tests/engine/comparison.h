@@ -39,6 +39,9 @@ struct Count {
 /// The first `layers` layers of a stack; empty ones where it has fewer.
 [[nodiscard]] std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers);
 
+/// Is it the surface that the truth says, within the bound of its depth?
+[[nodiscard]] bool same(const truth::Surface& expected, const goldfeather::Surface& actual);
+
 /// Empty where the stack agrees with the truth at every pixel outside the band; otherwise what differs first, and
 /// in how many pixels. `most`: layers that the stack was limited to.
 [[nodiscard]] std::string difference(const Subject& subject, const gl::View& view, const goldfeather::HostLayers& stack,

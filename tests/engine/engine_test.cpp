@@ -11,6 +11,7 @@ class Goldfeather : public Engine {
     explicit Goldfeather(std::unique_ptr<gl::Context> context)
         : context_(std::move(context)), peeler_(context_->functions()) {}
     goldfeather::HostLayers peel(const Subject& subject, const gl::View& view, int max_layers) override {
+        context_->make_current();  // Another engine's may have been since.
         auto layers = peel_all(context_->functions(), peeler_, subject, view, max_layers);
         EXPECT_EQ(context_->functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
         return layers;

@@ -1,0 +1,25 @@
+#include "tests/plot/plot.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(Plot, PutsValuesWhereTheyBelong) {
+    plot::Plot p{"t", {"x", true, true}, {"y", false, false}, {{"a", {{100, 0}, {1, 10}}}}, true, 420, 260};
+    const std::string svg = plot::to_svg(p);
+    // Descending: 100 is at the left end, 1 at the right; 0 is at the bottom, 10 at the top.
+    EXPECT_NE(svg.find("M62.0 214.0L406.0 30.0"), std::string::npos) << svg;
+}
+
+TEST(Plot, KeepsZeroOnALogarithmicAxisAndEscapesText) {
+    plot::Plot p{"a < b & c", {"x", false, false}, {"y", true, false}, {{"s", {{0, 0}, {1, 1}}}}, true, 420, 260};
+    const std::string svg = plot::to_svg(p);
+    EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);
+    EXPECT_NE(svg.find("M62.0 214.0L"), std::string::npos) << svg;
+}
+
+TEST(Plot, OfNothingIsAPicture) {
+    EXPECT_NE(plot::to_svg({"", {}, {}, {}, true, 420, 260}).find("</svg>"), std::string::npos);
+}
+
+}  // namespace

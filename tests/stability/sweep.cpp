@@ -1,0 +1,204 @@
+#include "tests/stability/sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#ifdef CSGSCOPE_WITH_OPENCSG
+#include "tests/opencsg/opencsg.h"
+#else
+namespace opencsg {
+class OpenCsg {};
+}  // namespace opencsg
+#endif
+
+namespace stability {
+
+namespace {
+
+using comparison::Subject;
+using goldfeather::HostLayers;
+
+/// More than that and the walk takes minutes on a software renderer.
+constexpr std::size_t kMostLeavesOfTheWalk = 2000;
+
+double now_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The truth of a picture, cast once for all engines.
+struct Truth {
+    Truth(const Subject& subject, const gl::View& v) : view(v), diagonal(subject.geometry.box.diagonal()) {
+        const truth::RayCaster caster(subject.scene, subject.geometry, view);
+        for (int y = 0; y < view.size().y; ++y) {
+            for (int x = 0; x < view.size().x; ++x) {
+                rays.push_back(caster.cast(x, y));
+                pixels += rays.back().hit ? 1 : 0;
+                undecided += rays.back().decided ? 0 : 1;
+            }
+        }
+    }
+    gl::View view;
+    double diagonal;
+    std::vector<truth::Ray> rays;
+    std::size_t pixels = 0, undecided = 0;
+};
+
+/// Depth errors of first surfaces, as they come in.
+class DepthErrors {
+  public:
+    explicit DepthErrors(double diagonal) : diagonal_(std::max(diagonal, 1e-300)) {}
+    void add(double distance, double expected) {
+        const double error = std::abs(distance - expected) / diagonal_;
+        squares_ += error * error;
+        most_ = std::max(most_, error);
+        ++count_;
+    }
+    void store(Errors& errors) const {
+        errors.depth_rms = count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0;
+        errors.depth_most = most_;
+    }
+
+  private:
+    double diagonal_, squares_ = 0, most_ = 0;
+    std::size_t count_ = 0;
+};
+
+Errors compare(const Subject& subject, const Truth& truth, const HostLayers& stack) {
+    Errors errors;
+    errors.drawn = true;
+    DepthErrors depth(truth.diagonal);
+    const auto& planes = subject.geometry.planes.planes();
+    for (std::size_t i = 0; i < truth.rays.size(); ++i) {
+        const truth::Ray& ray = truth.rays[i];
+        const int x = static_cast<int>(i) % stack.size.x, y = static_cast<int>(i) / stack.size.x;
+        std::vector<goldfeather::Surface> actual;
+        for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
+            actual.push_back(stack.at(layer, x, y));
+        }
+        const bool same =
+            std::equal(ray.surfaces.begin(), ray.surfaces.end(), actual.begin(), actual.end(), comparison::same);
+        errors.wrong += ray.decided && !same ? 1 : 0;
+        errors.coverage += ray.surfaces.empty() != actual.empty() ? 1 : 0;
+        errors.layers += ray.surfaces.size() != actual.size() ? 1 : 0;
+        if (!ray.surfaces.empty() && !actual.empty()) {
+            depth.add(truth.view.distance(static_cast<double>(actual[0].depth)), ray.surfaces[0].distance);
+            constexpr double kOneDegree = 0.99984769516;  // its cosine
+            const auto& expected = ray.surfaces[0].planes;
+            errors.normal += std::none_of(expected.begin(), expected.end(),
+                                          [&](std::uint32_t plane) {
+                                              return std::abs(glm::dot(planes[plane].normal,
+                                                                       planes[actual[0].plane].normal)) >= kOneDegree;
+                                          })
+                                 ? 1
+                                 : 0;
+        }
+    }
+    depth.store(errors);
+    return errors;
+}
+
+#ifdef CSGSCOPE_WITH_OPENCSG
+/// OpenCSG gives the depth of the first surface only, with 24 bits between its near and far plane: wrong is what is off
+/// by more than a thousandth of the scene, or lies on no surface at all.
+Errors compare(const Truth& truth, const opencsg::Picture& picture) {
+    Errors errors;
+    errors.drawn = true;
+    DepthErrors depth(truth.diagonal);
+    for (std::size_t i = 0; i < truth.rays.size(); ++i) {
+        const truth::Ray& ray = truth.rays[i];
+        const bool hit = std::isfinite(picture.distance[i]);
+        const bool covered = hit == !ray.surfaces.empty();
+        errors.coverage += covered ? 0 : 1;
+        bool same = covered;
+        if (hit && !ray.surfaces.empty()) {
+            depth.add(picture.distance[i], ray.surfaces[0].distance);
+            same = std::abs(picture.distance[i] - ray.surfaces[0].distance) <= 1e-3 * truth.diagonal;
+        }
+        errors.wrong += ray.decided && !same ? 1 : 0;
+    }
+    depth.store(errors);
+    return errors;
+}
+#endif
+
+}  // namespace
+
+Sweep::Sweep(const SweepOptions& options) : options_(options) {
+    for (const auto& [name, made_as] :
+         {std::pair("goldfeather", "goldfeather_egl"), std::pair("lists-cpu", "lists_cpu")}) {
+        auto made = comparison::make_engine(made_as);
+        if (made.engine) {
+            engines_.push_back({name, std::move(made.engine)});
+        } else {
+            missing_.push_back(std::string(name) + ": " + made.reason);
+        }
+    }
+#ifdef CSGSCOPE_WITH_OPENCSG
+    auto made = opencsg::create(glm::ivec2(options.size));
+    opencsg_ = std::move(made.engine);
+    if (!opencsg_) {
+        missing_.push_back("OpenCSG: " + made.reason);
+    }
+#else
+    missing_.push_back("OpenCSG: the library was missing when this was built");
+#endif
+}
+
+Sweep::~Sweep() = default;
+
+std::vector<Measure> Sweep::run(const Family& family) {
+    std::vector<Measure> measures;
+    std::vector<double> levels = family.levels;
+    if (options_.few_levels && levels.size() > 3) {
+        levels = {levels.front(), levels[levels.size() / 2], levels.back()};
+    }
+    for (const double level : levels) {
+        measure(family, level, measures);
+    }
+    return measures;
+}
+
+void Sweep::measure(const Family& family, double level, std::vector<Measure>& measures) {
+    Case shown = family.make(level);
+    const Subject subject(shown.tree);
+    const std::size_t leaves = subject.scene.leaves.size();
+    if (leaves > options_.most_leaves) {
+        return;
+    }
+    for (const bool orthographic : {false, true}) {
+        shown.camera.projection = orthographic ? gl::Projection::Orthographic : gl::Projection::Perspective;
+        const gl::View view = subject.view(shown.camera, glm::ivec2(options_.size));
+        const Truth truth(subject, view);
+        const auto add = [&](const std::string& engine, const Errors& errors) {
+            measures.push_back({family.name, engine, level, orthographic, truth.pixels, truth.undecided, errors});
+        };
+        for (const Engine& e : engines_) {
+            Errors errors;
+            if (!e.engine->needs_products() || (subject.over_budget == 0 && leaves <= kMostLeavesOfTheWalk)) {
+                const double start = now_ms();
+                const HostLayers stack = e.engine->peel(subject, view);
+                const double spent = now_ms() - start;
+                errors = compare(subject, truth, stack);
+                errors.milliseconds = spent;
+            }
+            add(e.name, errors);
+        }
+#ifdef CSGSCOPE_WITH_OPENCSG
+        if (opencsg_) {
+            Errors errors;
+            if (subject.over_budget == 0 && leaves <= kMostLeavesOfTheWalk) {
+                opencsg_->load(subject.geometry, subject.products, view, opencsg::Algorithm::Automatic);
+                const double start = now_ms();
+                opencsg_->draw();
+                const double spent = now_ms() - start;
+                errors = compare(truth, opencsg_->read());
+                errors.milliseconds = spent;
+            }
+            add("OpenCSG", errors);
+        }
+#endif
+    }
+}
+
+}  // namespace stability
