@@ -6,7 +6,8 @@
 namespace csg::scad {
 
 BuiltinModule find_builtin_module(std::string_view name) {
-    for (const auto& table : {control_modules(), shape_modules(), transform_modules()}) {
+    for (const auto& table :
+         {control_modules(), shape_modules(), flat_modules(), transform_modules(), mesh_modules(), file_modules()}) {
         const auto found =
             std::find_if(table.begin(), table.end(), [&](const ModuleEntry& e) { return e.name == name; });
         if (found != table.end()) {

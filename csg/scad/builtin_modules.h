@@ -34,6 +34,9 @@ struct ModuleEntry {
 
 [[nodiscard]] std::span<const ModuleEntry> control_modules();
 [[nodiscard]] std::span<const ModuleEntry> shape_modules();
+[[nodiscard]] std::span<const ModuleEntry> flat_modules();
+[[nodiscard]] std::span<const ModuleEntry> mesh_modules();
+[[nodiscard]] std::span<const ModuleEntry> file_modules();
 [[nodiscard]] std::span<const ModuleEntry> transform_modules();
 
 /// Null where there is none of that name.

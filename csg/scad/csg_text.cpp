@@ -5,45 +5,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "csg/scad/node_text.h"
+
 namespace csg::scad {
 
 namespace {
-
-/// As C++ streams print it: six significant digits.
-std::string number(double value) {
-    return fmt::format("{:g}", value);
-}
-
-std::string vector(const glm::dvec3& v) {
-    return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
-}
-
-std::string fineness(const Fineness& f) {
-    return fmt::format("$fn = {:g}, $fa = {:g}, $fs = {:g}", f.fn, f.fa, f.fs);
-}
-
-struct ShapeText {
-    std::string operator()(const Cube& c) const {
-        return fmt::format("cube(size = {}, center = {})", vector(c.size), c.center);
-    }
-    std::string operator()(const Sphere& s) const {
-        return fmt::format("sphere({}, r = {})", fineness(s.fineness), number(s.radius));
-    }
-    std::string operator()(const Cylinder& c) const {
-        return fmt::format("cylinder({}, h = {}, r1 = {}, r2 = {}, center = {})", fineness(c.fineness),
-                           number(c.height), number(c.radius1), number(c.radius2), c.center);
-    }
-    std::string operator()(const std::shared_ptr<const Polyhedron>& p) const {
-        std::string points, faces;
-        for (const glm::dvec3& point : p->points) {
-            points += (points.empty() ? "" : ", ") + vector(point);
-        }
-        for (const auto& face : p->faces) {
-            faces += fmt::format("{}[{}]", faces.empty() ? "" : ", ", fmt::join(face, ", "));
-        }
-        return fmt::format("polyhedron(points = [{}], faces = [{}], convexity = {})", points, faces, p->convexity);
-    }
-};
 
 std::string matrix(const glm::dmat4& m) {
     std::string rows;
@@ -71,7 +37,9 @@ std::string head(const Tree& tree, NodeId id) {
             return fmt::format("color([{:g}, {:g}, {:g}, {:g}])", c.r, c.g, c.b, c.a);
         }
         case Operation::Leaf:
-            return std::visit(ShapeText{}, tree.shape(id));
+            return leaf_text(tree.shape(id));
+        case Operation::Mesh:
+            return mesh_text(tree.mesh(id));
     }
     return {};
 }

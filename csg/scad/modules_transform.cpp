@@ -20,13 +20,6 @@ void run_combination(const ModuleContext& c, Nodes& out) {
     out.push_back(c.evaluator.builder().combine(kOperation, c.children(), c.location(), c.modifiers));
 }
 
-/// The result is known to be needed as a mesh only later; until then it is what its children are.
-void run_render(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"convexity"};
-    const ModuleArguments arguments(c, kParameters);
-    out.push_back(c.evaluator.builder().combine(Operation::Group, c.children(), c.location(), c.modifiers));
-}
-
 void add_transform(const ModuleContext& c, const Axes& axes, const glm::dvec3& offset, Nodes& out) {
     glm::dmat4 matrix(1.0);
     for (int column = 0; column < 3; ++column) {
@@ -241,7 +234,6 @@ constexpr std::array kTransforms{
     ModuleEntry{"union", run_combination<Operation::Union>},
     ModuleEntry{"difference", run_combination<Operation::Difference>},
     ModuleEntry{"intersection", run_combination<Operation::Intersection>},
-    ModuleEntry{"render", run_render},
     ModuleEntry{"translate", run_translate},
     ModuleEntry{"rotate", run_rotate},
     ModuleEntry{"scale", run_scale},

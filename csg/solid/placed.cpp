@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "csg/solid/located.h"
+
 namespace csg::solid {
 namespace {
 
@@ -17,10 +19,11 @@ bool affine(const glm::dmat4& m) {
     return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] != 0;
 }
 
-std::string located(const Tree& tree, const SourceLocation& where, const std::string& text) {
-    if (where.file >= tree.files().size())
-        return text;
-    return tree.files()[where.file] + ":" + std::to_string(where.line) + ": " + text;
+/// Gives a matrix for outlines a third column of length 1 across the first two.
+void stand_upright(glm::dmat4& m) {
+    const glm::dvec3 across = glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1]));
+    const double length = glm::length(across);
+    m[2] = length > 0 && std::isfinite(length) ? glm::dvec4(across / length, 0.0) : glm::dvec4(0.0);
 }
 
 void place_leaf(const Tree& tree, const LeafInstance& instance, PlacedLeaf& leaf, std::vector<std::string>& warnings) {
@@ -29,7 +32,9 @@ void place_leaf(const Tree& tree, const LeafInstance& instance, PlacedLeaf& leaf
             located(tree, instance.where, "transformation is not finite or not affine; the object is left out"));
         return;
     }
-    const glm::dmat4 m = instance.to_world * (1.0 / instance.to_world[3][3]);
+    glm::dmat4 m = instance.to_world * (1.0 / instance.to_world[3][3]);
+    if (leaf.solid->flat)
+        stand_upright(m);
     const double determinant = glm::determinant(glm::dmat3(m));
     if (leaf.solid->triangles.empty() || determinant == 0 || !std::isfinite(determinant))
         return;
@@ -82,28 +87,15 @@ void assign_planes(Geometry& geometry) {
 
 }  // namespace
 
-std::shared_ptr<const Solid> SolidCache::get(const LeafShape& shape) {
-    const std::uint64_t key = content_hash(shape);
-    std::shared_ptr<const Solid>& solid = solids_[key];
-    if (!solid)
-        solid = make_solid(shape);
-    return solid;
-}
-
-void SolidCache::trim() {
-    std::erase_if(solids_, [](const auto& entry) { return entry.second.use_count() == 1; });
-}
-
 Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache) {
     Geometry geometry;
+    const std::vector<Dimension> by_node = dimensions(tree);
     geometry.leaves.resize(scene.leaves.size());
     double largest = 0;
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
         const LeafInstance& instance = scene.leaves[i];
         PlacedLeaf& leaf = geometry.leaves[i];
-        leaf.solid = cache.get(tree.shape(instance.node));
-        for (const std::string& warning : leaf.solid->warnings)
-            geometry.warnings.push_back(located(tree, instance.where, warning));
+        leaf.solid = cache.get(tree, instance.node, by_node, geometry.warnings);
         place_leaf(tree, instance, leaf, geometry.warnings);
         if (leaf.box.empty())
             continue;

@@ -5,8 +5,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "csg/solid/mesh_operations.h"
 #include "csg/solid/plane_table.h"
 #include "csg/solid/solid.h"
+#include "csg/tree/dimension.h"
 #include "csg/tree/scene.h"
 
 namespace csg::solid {
@@ -29,19 +31,44 @@ struct Geometry {
     std::vector<std::string> warnings;  ///< With file:line where known.
 };
 
-/// Keeps solids by content hash, so that an edit rebuilds only what changed.
+struct NodeGeometry;
+struct Tools;
+class FontLibrary;
+
+/// Keeps solids and the geometry of nodes by content hash, so that an edit rebuilds only what changed. For one thread
+/// at a time.
 class SolidCache {
   public:
+    /// Without `operations`, what needs booleans of meshes is left out, with a warning.
+    explicit SolidCache(std::shared_ptr<const MeshOperations> operations = nullptr);
+    ~SolidCache();
+    SolidCache(const SolidCache&) = delete;
+    SolidCache& operator=(const SolidCache&) = delete;
+
+    /// Of a shape that is solid by itself: cube, sphere, cylinder, polyhedron.
     std::shared_ptr<const Solid> get(const LeafShape& shape);
-    /// Forgets solids that nobody else holds.
+    /// Of any node; `by_node` are the dimensions of the tree's nodes. Warnings of it and of what is below it are
+    /// appended, with file:line.
+    std::shared_ptr<const Solid> get(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
+                                     std::vector<std::string>& warnings);
+    /// Forgets what was not asked for since the last trim.
     void trim();
 
   private:
-    std::unordered_map<std::uint64_t, std::shared_ptr<const Solid>> solids_;
+    struct Entry;
+    const NodeGeometry& geometry(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
+                                 std::vector<std::string>& warnings);
+    [[nodiscard]] Tools tools();
+
+    std::shared_ptr<const MeshOperations> operations_;
+    std::unique_ptr<FontLibrary> fonts_;
+    std::unordered_map<std::uint64_t, Entry> entries_;
+    std::uint32_t generation_ = 0;
 };
 
 /// Places every leaf. Transforms run in double precision; a matrix that is not finite or is projective makes the leaf
-/// empty, with a warning; one with zero determinant makes it a leaf without volume.
+/// empty, with a warning; one with zero determinant makes it a leaf without volume. Outlines keep their thickness of 1
+/// and stand upright on the transformed plane.
 [[nodiscard]] Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache);
 
 }  // namespace csg::solid

@@ -147,6 +147,10 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
         solid.warnings.emplace_back("polyhedron has a face with a point index that is out of bounds; it is ignored");
 }
 
+/// Outlines and what comes from files are made elsewhere (node_geometry.h).
+template <typename Shape>
+void build(const Shape&, Solid&) {}
+
 }  // namespace
 
 int circle_segments(double r, const Fineness& fineness) {

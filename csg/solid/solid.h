@@ -20,6 +20,7 @@ struct Solid {
     std::vector<glm::uvec3> triangles;
     Box box;
     bool convex = false;  ///< Computed, never declared. A convex solid is closed and oriented outwards.
+    bool flat = false;    ///< An outline, drawn as a slab about z = 0; it stays 1 thick whatever its transform.
     bool closed = false;  ///< Every directed edge has exactly one opposite.
     std::vector<std::string> warnings;
 };
@@ -28,7 +29,7 @@ struct Solid {
 [[nodiscard]] int circle_segments(double r, const Fineness& fineness);
 
 /// Tessellates `shape` exactly as OpenSCAD does (same vertices, in double precision with exact degree
-/// trigonometry). A shape without volume gives a Solid without triangles.
+/// trigonometry). A shape without volume gives a Solid without triangles, and so do outlines and files: see placed.h.
 [[nodiscard]] std::shared_ptr<const Solid> make_solid(const LeafShape& shape);
 
 }  // namespace csg::solid

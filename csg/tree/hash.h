@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <string_view>
 
 namespace csg {
 
@@ -17,6 +18,13 @@ namespace csg {
 /// Zeros of either sign hash alike, as they compare equal.
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t seed, double value) {
     return mix(seed, std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value));
+}
+
+[[nodiscard]] constexpr std::uint64_t mix(std::uint64_t seed, std::string_view text) {
+    seed = mix(seed, std::uint64_t{text.size()});
+    for (const char c : text)
+        seed = mix(seed, std::uint64_t{static_cast<unsigned char>(c)});
+    return seed;
 }
 
 }  // namespace csg

@@ -9,6 +9,24 @@ std::uint64_t mix(std::uint64_t seed, const glm::dvec3& v) {
     return csg::mix(csg::mix(csg::mix(seed, v.x), v.y), v.z);
 }
 
+std::uint64_t mix(std::uint64_t seed, const glm::dvec2& v) {
+    return csg::mix(csg::mix(seed, v.x), v.y);
+}
+
+std::uint64_t mix(std::uint64_t seed, const FileStamp& f) {
+    const std::uint64_t h = csg::mix(csg::mix(seed, std::string_view(f.path)), std::string_view(f.shown));
+    return csg::mix(csg::mix(h, static_cast<std::uint64_t>(f.modified)), f.bytes);
+}
+
+std::uint64_t mix(std::uint64_t seed, const std::vector<std::vector<std::uint32_t>>& loops) {
+    for (const auto& loop : loops) {
+        seed = csg::mix(seed, std::uint64_t{loop.size()});
+        for (const std::uint32_t index : loop)
+            seed = csg::mix(seed, std::uint64_t{index});
+    }
+    return seed;
+}
+
 std::uint64_t mix(std::uint64_t seed, const Fineness& f) {
     return csg::mix(csg::mix(csg::mix(seed, f.fn), f.fa), f.fs);
 }
@@ -26,16 +44,54 @@ struct Hasher {
         std::uint64_t h = csg::mix(seed, std::uint64_t{p->points.size()});
         for (const glm::dvec3& point : p->points)
             h = mix(h, point);
-        for (const auto& face : p->faces) {
-            h = csg::mix(h, std::uint64_t{face.size()});
-            for (const std::uint32_t index : face)
-                h = csg::mix(h, std::uint64_t{index});
-        }
-        return csg::mix(h, std::uint64_t{p->convexity});
+        return csg::mix(mix(h, p->faces), std::uint64_t{p->convexity});
+    }
+    std::uint64_t operator()(const Square& s) const { return csg::mix(mix(seed, s.size), std::uint64_t{s.center}); }
+    std::uint64_t operator()(const Circle& c) const { return mix(csg::mix(seed, c.radius), c.fineness); }
+    std::uint64_t operator()(const std::shared_ptr<const Polygon>& p) const {
+        std::uint64_t h = csg::mix(seed, std::uint64_t{p->points.size()} << 1 | std::uint64_t{p->has_paths});
+        for (const glm::dvec2& point : p->points)
+            h = mix(h, point);
+        return csg::mix(mix(h, p->paths), std::uint64_t{p->convexity});
+    }
+    std::uint64_t operator()(const std::shared_ptr<const Text>& t) const {
+        std::uint64_t h = csg::mix(csg::mix(seed, t->size), t->spacing);
+        for (const std::string* s :
+             {&t->text, &t->font, &t->direction, &t->language, &t->script, &t->halign, &t->valign})
+            h = csg::mix(h, std::string_view(*s));
+        for (const std::string& file : t->font_files)
+            h = csg::mix(h, std::string_view(file));
+        return mix(h, t->fineness);
+    }
+    std::uint64_t operator()(const std::shared_ptr<const Import>& i) const {
+        std::uint64_t h = mix(mix(seed, i->file), i->origin);
+        h = csg::mix(csg::mix(h, std::string_view(i->layer)), std::string_view(i->id));
+        h = csg::mix(csg::mix(h, i->scale), i->dpi);
+        return mix(csg::mix(h, std::uint64_t{i->convexity} << 1 | std::uint64_t{i->center}), i->fineness);
+    }
+    std::uint64_t operator()(const std::shared_ptr<const Surface>& s) const {
+        return csg::mix(mix(seed, s->file), std::uint64_t{s->center} | std::uint64_t{s->invert} << 1);
     }
 };
 
+bool is_outline_file(std::string_view name) {
+    if (name.size() < 4)
+        return false;
+    std::string end(name.substr(name.size() - 4));
+    for (char& c : end)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return end == ".dxf" || end == ".svg";
+}
+
 }  // namespace
+
+bool is_flat(const LeafShape& shape) {
+    if (const auto* file = std::get_if<std::shared_ptr<const Import>>(&shape))
+        return is_outline_file((*file)->file.path);
+    return std::holds_alternative<Square>(shape) || std::holds_alternative<Circle>(shape) ||
+           std::holds_alternative<std::shared_ptr<const Polygon>>(shape) ||
+           std::holds_alternative<std::shared_ptr<const Text>>(shape);
+}
 
 std::uint64_t content_hash(const LeafShape& shape) {
     return std::visit(Hasher{csg::mix(std::uint64_t{0x1eaf}, std::uint64_t{shape.index()})}, shape);

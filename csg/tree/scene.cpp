@@ -3,6 +3,8 @@
 #include <deque>
 #include <utility>
 
+#include "csg/tree/dimension.h"
+
 namespace csg {
 namespace {
 
@@ -26,7 +28,7 @@ struct Frame {
 
 class SceneMaker {
   public:
-    explicit SceneMaker(const Tree& tree) : tree_(tree) {}
+    explicit SceneMaker(const Tree& tree) : tree_(tree), dimensions_(dimensions(tree)) {}
 
     Scene make() {
         if (tree_.root() == kNoNode)
@@ -50,12 +52,12 @@ class SceneMaker {
         stack.push_back(enter(from.node, from.to_world, from.color, true));
         for (;;) {
             Frame& frame = stack.back();
-            const auto children = tree_.children(frame.node);
+            const auto children = is_leaf(frame.node) ? std::span<const NodeId>() : tree_.children(frame.node);
             if (frame.next_child < children.size()) {
                 const NodeId child = children[frame.next_child++];
                 if (set_aside(child, frame, from.kind))
                     continue;
-                const bool top = frame.top_level && is_union(tree_.node(frame.node).operation);
+                const bool top = frame.top_level && is_union(frame.node);
                 stack.push_back(enter(child, frame.to_world, frame.color, top));
                 continue;
             }
@@ -75,8 +77,33 @@ class SceneMaker {
         scene_.parts.push_back(part);
     }
 
-    static bool is_union(Operation op) {
-        return op == Operation::Group || op == Operation::Union || op == Operation::Transform || op == Operation::Color;
+    /// Drawn as one: a shape, what makes a mesh of its children, and differences and intersections in the plane.
+    [[nodiscard]] bool is_leaf(NodeId id) const {
+        const Operation op = tree_.node(id).operation;
+        if (op == Operation::Mesh)
+            return !std::holds_alternative<Render>(tree_.mesh(id));
+        return op == Operation::Leaf ||
+               ((op == Operation::Difference || op == Operation::Intersection) && dimensions_[id] == Dimension::Flat);
+    }
+
+    [[nodiscard]] bool is_union(NodeId id) const {
+        const Operation op = tree_.node(id).operation;
+        return op == Operation::Group || op == Operation::Union || op == Operation::Transform ||
+               op == Operation::Color || (op == Operation::Mesh && !is_leaf(id));
+    }
+
+    /// Of a difference in the plane, the first colour on the way to its first shape stands for all. What makes a mesh
+    /// does not look below, as in OpenSCAD.
+    [[nodiscard]] Rgba color_of_leaf(NodeId id, Rgba color) const {
+        while (!color.given() && tree_.node(id).operation != Operation::Mesh) {
+            if (tree_.node(id).operation == Operation::Color)
+                color = tree_.color(id);
+            const auto children = tree_.children(id);
+            if (children.empty())
+                break;
+            id = children.front();
+        }
+        return color;
     }
 
     Frame enter(NodeId id, const glm::dmat4& to_world, const Rgba& color, bool top_level) const {
@@ -100,7 +127,7 @@ class SceneMaker {
         if (node.modifiers.highlight && kind != PartKind::Highlight && kind != PartKind::Background)
             waiting_.push_back({PartKind::Highlight, child, parent.to_world, parent.color});
         if (kind == PartKind::Solid && node.operation == Operation::Color && !parent.color.given() &&
-            tree_.color(child).a < 1 && parent.top_level && is_union(tree_.node(parent.node).operation)) {
+            tree_.color(child).a < 1 && parent.top_level && is_union(parent.node)) {
             waiting_.push_back({PartKind::Translucent, child, parent.to_world, parent.color});
             return true;
         }
@@ -110,11 +137,11 @@ class SceneMaker {
     std::uint32_t leave(const Frame& frame) {
         const Operation op = tree_.node(frame.node).operation;
         Expression e;
-        if (op == Operation::Leaf) {
+        if (is_leaf(frame.node)) {
             e.kind = ExpressionKind::Leaf;
             e.leaf = static_cast<LeafId>(scene_.leaves.size());
-            scene_.leaves.push_back({frame.node, frame.to_world, frame.color, tree_.node(frame.node).where,
-                                     static_cast<PartId>(scene_.parts.size())});
+            scene_.leaves.push_back({frame.node, frame.to_world, color_of_leaf(frame.node, frame.color),
+                                     tree_.node(frame.node).where, static_cast<PartId>(scene_.parts.size())});
         } else {
             if (frame.built.size() == 1)
                 return frame.built[0];
@@ -130,6 +157,7 @@ class SceneMaker {
     }
 
     const Tree& tree_;
+    const std::vector<Dimension> dimensions_;
     Scene scene_;
     std::deque<PartRoot> waiting_;
 };

@@ -15,9 +15,10 @@ namespace csg {
 using LeafId = std::uint32_t;  ///< Index of a leaf occurrence, in document order.
 using PartId = std::uint32_t;
 
-/// One occurrence of a leaf of the tree. Leaves are numbered in document order.
+/// One occurrence of a leaf of the tree: of a shape, of an operation that makes a mesh (render() makes none), or of a
+/// difference or an intersection in the plane, which is drawn as one flat leaf. Leaves are numbered in document order.
 struct LeafInstance {
-    NodeId node = kNoNode;     ///< The leaf in the tree.
+    NodeId node = kNoNode;     ///< The leaf in the tree: a shape, or a node that is one mesh.
     glm::dmat4 to_world{1.0};  ///< Leaf coordinates to world coordinates.
     Rgba color;                ///< As given by the outermost color(); `given()` is false where there is none.
     SourceLocation where;

@@ -80,6 +80,18 @@ NodeId TreeBuilder::color(const Rgba& color, std::span<const NodeId> children, S
     return id;
 }
 
+NodeId TreeBuilder::mesh(const MeshOperation& operation, std::span<const NodeId> children, SourceLocation where,
+                         Modifiers modifiers) {
+    Node n{Operation::Mesh, modifiers, where};
+    n.hash = content_hash(operation);
+    n.payload = static_cast<std::uint32_t>(tree_.meshes_.size());
+    tree_.meshes_.push_back(operation);
+    const NodeId id = add(n, children);
+    if (tree_.nodes_[id].payload != n.payload)
+        tree_.meshes_.pop_back();
+    return id;
+}
+
 NodeId TreeBuilder::add(Node node, std::span<const NodeId> children) {
     Tree& t = tree_;
     std::uint64_t h = mix(node.hash, static_cast<std::uint64_t>(node.operation));

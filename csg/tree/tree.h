@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "csg/tree/leaf_shape.h"
+#include "csg/tree/mesh_operation.h"
 #include "csg/tree/source_location.h"
 
 namespace csg {
@@ -23,6 +24,7 @@ enum class Operation : std::uint8_t {
     Transform,     ///< Union of its children, transformed by a matrix.
     Color,         ///< Union of its children, coloured where they have no colour from further up.
     Leaf,          ///< A shape; no children.
+    Mesh,          ///< Makes one mesh or outline of its children: linear_extrude, hull, offset, …
 };
 
 /// OpenSCAD's modifier characters. `*` leaves no node. `!` decides the root before the tree is finished.
@@ -46,7 +48,7 @@ struct Node {
     SourceLocation where;
     std::uint32_t first_child = 0;  ///< Index into the arena's child list; see Tree::children.
     std::uint32_t child_count = 0;
-    std::uint32_t payload = 0;  ///< Index of the matrix, colour or shape of this kind of node.
+    std::uint32_t payload = 0;  ///< Index of the matrix, colour, shape or mesh operation of this kind of node.
     std::uint64_t hash = 0;     ///< Of the content below, source locations left out.
 };
 
@@ -66,6 +68,8 @@ class Tree {
     [[nodiscard]] const Rgba& color(NodeId id) const { return colors_[nodes_[id].payload]; }
     /// For Operation::Leaf.
     [[nodiscard]] const LeafShape& shape(NodeId id) const { return shapes_[nodes_[id].payload]; }
+    /// For Operation::Mesh.
+    [[nodiscard]] const MeshOperation& mesh(NodeId id) const { return meshes_[nodes_[id].payload]; }
     /// Source file names, indexed by SourceLocation::file.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
@@ -76,6 +80,7 @@ class Tree {
     std::vector<glm::dmat4> matrices_;
     std::vector<Rgba> colors_;
     std::vector<LeafShape> shapes_;
+    std::vector<MeshOperation> meshes_;
     std::vector<std::string> files_;
     NodeId root_ = kNoNode;
 };
@@ -93,6 +98,9 @@ class TreeBuilder {
     NodeId transform(const glm::dmat4& matrix, std::span<const NodeId> children, SourceLocation where,
                      Modifiers modifiers = {});
     NodeId color(const Rgba& color, std::span<const NodeId> children, SourceLocation where, Modifiers modifiers = {});
+
+    NodeId mesh(const MeshOperation& operation, std::span<const NodeId> children, SourceLocation where,
+                Modifiers modifiers = {});
 
     [[nodiscard]] const Node& node(NodeId id) const { return tree_.nodes_[id]; }
     [[nodiscard]] std::span<const NodeId> children(NodeId id) const { return tree_.children(id); }

@@ -1,0 +1,132 @@
+// Built-in modules that take their shape from a file. The file is read later, when the shape is needed.
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "csg/scad/builtin_modules.h"
+
+namespace csg::scad {
+
+namespace {
+
+using Names = std::string_view;
+namespace fs = std::filesystem;
+
+void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out) {
+    out.push_back(c.evaluator.builder().leaf(std::move(shape), c.location(), c.modifiers));
+}
+
+bool is_true(const Value& value) {
+    return value.is_bool() && value.boolean();
+}
+
+fs::path folder_of(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+}
+
+/// Seconds since 1970; 0 for a file that there is not.
+std::int64_t modified(const fs::path& path) {
+    std::error_code error;
+    const auto time = fs::last_write_time(path, error);
+    if (error) {
+        return 0;
+    }
+    const auto system = std::chrono::file_clock::to_sys(time);
+    return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
+}
+
+/// Beside the file whose text names it, or (as of old) beside the main file.
+FileStamp stamp(const ModuleContext& c, const std::string& name) {
+    FileStamp file;
+    if (name.empty()) {
+        return file;
+    }
+    std::error_code error;
+    const fs::path main = folder_of(c.evaluator.program().sources[0].name());
+    const fs::path beside = folder_of(c.evaluator.program().sources[c.where().file].name());
+    fs::path path = fs::path(name).is_absolute() ? fs::path(name) : beside / name;
+    if (!fs::exists(path, error) && fs::exists(main / name, error)) {
+        c.evaluator.emit(Severity::Deprecated, {},
+                         fmt::format("Imported file ({}) found in document root instead of relative to the importing "
+                                     "module. This behavior is deprecated",
+                                     name));
+        path = main / name;
+    }
+    file.path = path.lexically_normal().string();
+    file.shown = fs::exists(path, error) ? fs::proximate(path, main, error).generic_string() : name;
+    file.modified = modified(path);
+    const auto bytes = fs::file_size(path, error);
+    file.bytes = error ? 0 : bytes;
+    return file;
+}
+
+std::string text_of(const ModuleArguments& arguments, Names parameter, Names old_name) {
+    const Value& value = arguments[arguments[parameter].is_undef() ? old_name : parameter];
+    return value.is_string() ? value.string() : std::string();
+}
+
+void run_import(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 5> kParameters{"file", "layer", "convexity", "origin", "scale"};
+    static constexpr std::array<Names, 7> kNamed{"width", "height", "filename", "layername", "center", "dpi", "id"};
+    c.expect_no_children();
+    const ModuleArguments arguments(c, kParameters, kNamed);
+    auto import = std::make_shared<Import>();
+    import->file = stamp(c, text_of(arguments, "file", "filename"));
+    import->layer = text_of(arguments, "layer", "layername");
+    import->id = text_of(arguments, "id", "id");
+    import->fineness = c.evaluator.fineness(c.where());
+    const double convexity = arguments.number("convexity").value_or(1);
+    import->convexity = convexity >= 1 && convexity < 4294967296.0 ? static_cast<unsigned>(convexity) : 1;
+    if (const Value& origin = arguments["origin"]; !origin.is_undef()) {
+        const auto xy = origin.is_vector() ? origin.elements() : std::span<const Value>();
+        if (xy.size() == 2 && xy[0].is_number() && xy[1].is_number() && std::isfinite(xy[0].number()) &&
+            std::isfinite(xy[1].number())) {
+            import->origin = {xy[0].number(), xy[1].number()};
+        } else {
+            c.warn(fmt::format("Unable to convert import(..., origin={}) parameter to vec2", origin.echo_text()));
+        }
+    }
+    import->scale = arguments.number("scale").value_or(1);
+    if (!(import->scale > 0) || !std::isfinite(import->scale)) {
+        import->scale = 1;
+    }
+    import->center = is_true(arguments["center"]);
+    if (const auto dpi = arguments.number("dpi")) {
+        if (*dpi >= 0.001 && std::isfinite(*dpi)) {
+            import->dpi = *dpi;
+        } else {
+            c.warn(
+                fmt::format("Invalid dpi value giving, using default of 72 dpi. Value must be positive and >= "
+                            "0.001, file '{}'",
+                            import->file.shown));
+        }
+    }
+    add_leaf(c, std::shared_ptr<const Import>(std::move(import)), out);
+}
+
+void run_surface(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 3> kParameters{"file", "center", "convexity"};
+    static constexpr std::array<Names, 1> kNamed{"invert"};
+    c.expect_no_children();
+    const ModuleArguments arguments(c, kParameters, kNamed);
+    auto surface = std::make_shared<Surface>();
+    surface->file = stamp(c, text_of(arguments, "file", "file"));
+    surface->center = is_true(arguments["center"]);
+    surface->invert = is_true(arguments["invert"]);
+    add_leaf(c, std::shared_ptr<const Surface>(std::move(surface)), out);
+}
+
+constexpr std::array kFile{
+    ModuleEntry{"import", run_import},
+    ModuleEntry{"surface", run_surface},
+};
+
+}  // namespace
+
+std::span<const ModuleEntry> file_modules() {
+    return kFile;
+}
+
+}  // namespace csg::scad

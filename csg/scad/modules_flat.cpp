@@ -1,0 +1,211 @@
+// Built-in modules that make outlines in the plane.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "csg/scad/builtin_modules.h"
+#include "csg/scad/writing_system.h"
+
+namespace csg::scad {
+
+namespace {
+
+using Names = std::string_view;
+
+void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out) {
+    out.push_back(c.evaluator.builder().leaf(std::move(shape), c.location(), c.modifiers));
+}
+
+bool is_positive(double x) {
+    return x > 0 && std::isfinite(x);
+}
+
+/// Two numbers, the first two of more where `more` allows it.
+bool to_vec2(const Value& value, glm::dvec2& out, bool more = false) {
+    const auto elements = value.is_vector() ? value.elements() : std::span<const Value>();
+    if (elements.size() < 2 || (elements.size() > 2 && !more) || !elements[0].is_number() || !elements[1].is_number()) {
+        return false;
+    }
+    out = {elements[0].number(), elements[1].number()};
+    return true;
+}
+
+unsigned convexity_of(const ModuleArguments& arguments) {
+    const double convexity = arguments.number("convexity").value_or(1);
+    return convexity >= 1 && convexity < 4294967296.0 ? static_cast<unsigned>(convexity) : 1;
+}
+
+void run_square(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 2> kParameters{"size", "center"};
+    c.expect_no_children();
+    const ModuleArguments arguments(c, kParameters);
+    Square square;
+    const Value& size = arguments["size"];
+    if (size.is_number()) {
+        square.size = glm::dvec2(size.number());
+    } else if (!size.is_undef() && !to_vec2(size, square.size)) {
+        c.warn(fmt::format("Unable to convert square(size={}, ...) parameter to a number or a vec2 of numbers",
+                           size.echo_text()));
+    }
+    if ((!is_positive(square.size.x) || !is_positive(square.size.y)) && c.evaluator.request().check_ranges) {
+        c.warn(fmt::format("square(size={}, ...)", size.echo_text()));
+    }
+    square.center = arguments["center"].is_bool() && arguments["center"].boolean();
+    add_leaf(c, square, out);
+}
+
+void run_circle(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 1> kParameters{"r"};
+    static constexpr std::array<Names, 1> kNamed{"d"};
+    c.expect_no_children();
+    const ModuleArguments arguments(c, kParameters, kNamed);
+    Circle circle;
+    circle.fineness = c.evaluator.fineness(c.where());
+    const auto r = arguments.number("r"), d = arguments.number("d");
+    if (r && d) {
+        c.warn("Ignoring radius variable \"r\" as diameter \"d\" is defined too.");
+    }
+    circle.radius = d ? *d / 2 : r.value_or(1);
+    if (!is_positive(circle.radius) && c.evaluator.request().check_ranges) {
+        c.warn(fmt::format("circle(r={})", number_text(circle.radius)));
+    }
+    add_leaf(c, circle, out);
+}
+
+std::vector<glm::dvec2> points_of(const ModuleContext& c, const Value& value) {
+    if (!value.is_vector()) {
+        c.warn(fmt::format("Unable to convert points = {} to a vector of coordinates", value.echo_text()));
+        return {};
+    }
+    std::vector<glm::dvec2> points;
+    points.reserve(value.elements().size());
+    for (const Value& element : value.elements()) {
+        glm::dvec2 point(0.0);
+        if (!to_vec2(element, point) || !std::isfinite(point.x) || !std::isfinite(point.y)) {
+            c.warn(fmt::format("Unable to convert points[{}] = {} to a vec2 of numbers", points.size(),
+                               element.echo_text()));
+            point = glm::dvec2(0.0);
+        }
+        points.push_back(point);
+    }
+    return points;
+}
+
+std::vector<std::uint32_t> path_of(const ModuleContext& c, std::size_t path, const Value& value, std::size_t count) {
+    std::vector<std::uint32_t> indices;
+    if (!value.is_vector()) {
+        c.warn(fmt::format("Unable to convert paths[{}] = {} to a vector of numbers", path, value.echo_text()));
+        return indices;
+    }
+    const auto elements = value.elements();
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (!elements[i].is_number()) {
+            c.warn(fmt::format("Unable to convert paths[{}][{}] = {} to a number", path, i, elements[i].echo_text()));
+        } else if (const double whole = std::trunc(elements[i].number());
+                   whole >= 0 && whole < static_cast<double>(count)) {
+            indices.push_back(static_cast<std::uint32_t>(whole));
+        } else {
+            c.warn(fmt::format("Point index {} is out of bounds (from paths[{}][{}])", number_text(whole), path, i));
+        }
+    }
+    return indices;
+}
+
+void run_polygon(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 3> kParameters{"points", "paths", "convexity"};
+    c.expect_no_children();
+    const ModuleArguments arguments(c, kParameters);
+    auto polygon = std::make_shared<Polygon>();
+    polygon->points = points_of(c, arguments["points"]);
+    const Value& paths = arguments["paths"];
+    if (paths.is_vector()) {
+        const auto given = paths.elements();
+        // A list of numbers is one path.
+        if (!given.empty() && given.front().is_number()) {
+            polygon->paths.push_back(path_of(c, 0, paths, polygon->points.size()));
+        } else {
+            for (std::size_t i = 0; i < given.size(); ++i) {
+                polygon->paths.push_back(path_of(c, i, given[i], polygon->points.size()));
+            }
+        }
+        polygon->has_paths = !polygon->paths.empty();
+    } else if (!paths.is_undef()) {
+        c.warn(fmt::format("Unable to convert paths = {} to a vector of vector of point indices", paths.echo_text()));
+    }
+    polygon->convexity = convexity_of(arguments);
+    add_leaf(c, std::shared_ptr<const Polygon>(std::move(polygon)), out);
+}
+
+/// The parameter's text; a value that is none gives a warning and what was there before.
+void read_text(const ModuleContext& c, const ModuleArguments& arguments, Names parameter, std::string& text) {
+    const Value& value = arguments[parameter];
+    if (value.is_string()) {
+        text = value.string();
+    } else if (!value.is_undef()) {
+        c.warn(fmt::format("{}(..., {}={}) Invalid type: expected string, found {}", c.name(), parameter,
+                           value.echo_text(), type_name(value.type())));
+    }
+}
+
+void read_number(const ModuleContext& c, const ModuleArguments& arguments, Names parameter, double& number) {
+    const Value& value = arguments[parameter];
+    if (value.is_number()) {
+        number = value.number();
+    } else if (!value.is_undef()) {
+        c.warn(fmt::format("{}(..., {}={}) Invalid type: expected number, found {}", c.name(), parameter,
+                           value.echo_text(), type_name(value.type())));
+    }
+}
+
+std::vector<std::string> fonts_in_use(const Program& program) {
+    std::vector<std::string> files;
+    for (const Unit& unit : program.units) {
+        for (const Use& use : unit.uses) {
+            if (use.font && std::find(files.begin(), files.end(), use.path) == files.end()) {
+                files.push_back(use.path);
+            }
+        }
+    }
+    return files;
+}
+
+void run_text(const ModuleContext& c, Nodes& out) {
+    static constexpr std::array<Names, 3> kParameters{"text", "size", "font"};
+    static constexpr std::array<Names, 6> kNamed{"direction", "language", "script", "halign", "valign", "spacing"};
+    c.expect_no_children();
+    const ModuleArguments arguments(c, kParameters, kNamed);
+    auto text = std::make_shared<Text>();
+    text->fineness = c.evaluator.fineness(c.where());
+    read_text(c, arguments, "text", text->text);
+    read_number(c, arguments, "size", text->size);
+    read_text(c, arguments, "font", text->font);
+    text->direction.clear();
+    read_text(c, arguments, "direction", text->direction);
+    read_text(c, arguments, "language", text->language);
+    read_text(c, arguments, "script", text->script);
+    read_text(c, arguments, "halign", text->halign);
+    read_text(c, arguments, "valign", text->valign);
+    read_number(c, arguments, "spacing", text->spacing);
+    text->script = text->script.empty() ? script_of_text(text->text) : script_tag(text->script);
+    static constexpr std::array<Names, 4> kDirections{"ltr", "rtl", "ttb", "btt"};
+    if (std::find(kDirections.begin(), kDirections.end(), text->direction) == kDirections.end()) {
+        text->direction = is_right_to_left(text->script) ? "rtl" : "ltr";
+    }
+    text->font_files = fonts_in_use(c.evaluator.program());
+    add_leaf(c, std::shared_ptr<const Text>(std::move(text)), out);
+}
+
+constexpr std::array kFlat{
+    ModuleEntry{"square", run_square},
+    ModuleEntry{"circle", run_circle},
+    ModuleEntry{"polygon", run_polygon},
+    ModuleEntry{"text", run_text},
+};
+
+}  // namespace
+
+std::span<const ModuleEntry> flat_modules() {
+    return kFlat;
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,107 @@
+#include "csg/solid/extrude.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "csg/solid/mesh_checks.h"
+#include "csg/solid/slices.h"
+#include "csg/solid/triangulate_region.h"
+#include "csg/tree/degrees.h"
+
+namespace csg::solid {
+namespace {
+
+constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
+
+std::size_t corner_count(const Outline& outline) {
+    std::size_t sum = 0;
+    for (const Loop& loop : outline.loops)
+        sum += loop.size();
+    return sum;
+}
+
+/// The outline turned clockwise by `degrees`, then scaled.
+void add_ring(Solid& solid, const Outline& outline, const glm::dvec3& offset, double degrees, const glm::dvec2& scale) {
+    const double c = cos_degrees(-degrees), s = sin_degrees(-degrees);
+    for (const Loop& loop : outline.loops) {
+        for (const glm::dvec2& p : loop) {
+            const glm::dvec2 turned = degrees == 0 ? p : glm::dvec2(c * p.x - s * p.y, s * p.x + c * p.y);
+            solid.points.push_back(offset + glm::dvec3(turned * scale, 0.0));
+        }
+    }
+}
+
+/// The quadrilateral a, b (below), c, d (above), split along its shorter diagonal.
+void add_quad(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    const glm::dvec3 ac = solid.points[c] - solid.points[a], bd = solid.points[d] - solid.points[b];
+    if (glm::dot(ac, ac) <= glm::dot(bd, bd)) {
+        solid.triangles.emplace_back(a, b, c);
+        solid.triangles.emplace_back(a, c, d);
+    } else {
+        solid.triangles.emplace_back(a, b, d);
+        solid.triangles.emplace_back(b, c, d);
+    }
+}
+
+}  // namespace
+
+void finish(Solid& solid) {
+    solid.box = {};
+    for (const glm::dvec3& p : solid.points)
+        solid.box = enclose(solid.box, p);
+    if (solid.triangles.empty())
+        return;
+    const std::vector<std::string> warnings = std::move(solid.warnings);
+    check_mesh(solid);
+    solid.warnings = warnings;  // What check_mesh tells is about meshes given by hand.
+}
+
+std::shared_ptr<Solid> linear_extrude(const Outline& outline, const LinearExtrude& how) {
+    auto solid = std::make_shared<Solid>();
+    const std::size_t corners = corner_count(outline);
+    if (corners == 0 || !(how.height > 0) || !std::isfinite(how.height))
+        return solid;
+    std::size_t slices = slice_count(outline, how);
+    if (slices > kMostTriangles / corners / 2) {
+        slices = std::max<std::size_t>(1, kMostTriangles / corners / 2);
+        solid->warnings.push_back("linear_extrude() has too many slices; there are fewer");
+    }
+    const glm::dvec3 way = how.direction * how.height;
+    const glm::dvec3 begin = how.center ? way * -0.5 : glm::dvec3(0.0);
+    for (std::size_t i = 0; i <= slices; ++i) {
+        const double t = static_cast<double>(i) / static_cast<double>(slices);
+        const glm::dvec3 end = how.center ? way * 0.5 : way;
+        add_ring(*solid, outline, i == slices ? end : begin + way * t, how.twist.value_or(0) * t,
+                 glm::dvec2(1.0) + (how.scale - glm::dvec2(1.0)) * t);
+    }
+    const auto n = static_cast<std::uint32_t>(corners);
+    const auto top = static_cast<std::uint32_t>(slices * corners);
+    for (const glm::uvec3& t : triangulate_region(outline)) {
+        solid->triangles.emplace_back(t.x, t.z, t.y);
+        solid->triangles.push_back(t + top);
+    }
+    for (std::uint32_t i = 0; i < slices; ++i) {
+        std::uint32_t first = i * n;
+        for (const Loop& loop : outline.loops) {
+            const auto size = static_cast<std::uint32_t>(loop.size());
+            for (std::uint32_t j = 0; j < size; ++j) {
+                const std::uint32_t a = first + j, b = first + (j + 1) % size;
+                add_quad(*solid, a, b, b + n, a + n);
+            }
+            first += size;
+        }
+    }
+    finish(*solid);
+    return solid;
+}
+
+std::shared_ptr<Solid> slab(const Outline& outline) {
+    LinearExtrude how;
+    how.height = 1;
+    how.center = true;
+    auto solid = linear_extrude(outline, how);
+    solid->flat = true;
+    return solid;
+}
+
+}  // namespace csg::solid

@@ -1,0 +1,216 @@
+// AMF and 3MF: meshes in XML; 3MF is a zip archive of it.
+#include <fmt/format.h>
+#include <zip.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "csg/solid/file_text.h"
+#include "csg/solid/import_mesh.h"
+#include "csg/solid/xml.h"
+
+namespace csg::solid {
+namespace {
+
+constexpr std::size_t kMostUnpacked = std::size_t{256} << 20;
+
+std::string value(const Attributes& attributes, std::string_view name) {
+    const auto found = attributes.find(name);
+    return found == attributes.end() ? std::string() : found->second;
+}
+
+double number(const std::string& text) {
+    return to_number(text).value_or(0);
+}
+
+std::optional<std::uint32_t> index(const std::string& text, std::size_t first, std::size_t count) {
+    const auto number = to_number(text);
+    if (!number || *number < 0 || *number >= static_cast<double>(count))
+        return std::nullopt;
+    return static_cast<std::uint32_t>(first + static_cast<std::size_t>(*number));
+}
+
+/// Adds the face where all of its indices are good.
+bool add_face(FileMesh& mesh, const std::array<std::string, 3>& words, std::size_t first) {
+    std::vector<std::uint32_t> face;
+    for (const std::string& word : words) {
+        if (const auto i = index(word, first, mesh.points.size() - first))
+            face.push_back(*i);
+    }
+    if (face.size() != 3 || mesh.faces.size() >= kMostFaces)
+        return false;
+    mesh.faces.push_back(std::move(face));
+    return true;
+}
+
+/// A transform of 3MF: twelve numbers, four rows of three for row vectors.
+glm::dmat4 matrix(const std::string& text) {
+    glm::dmat4 m(1.0);
+    Words words(text);
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const auto n = words.number();
+            if (!n)
+                return glm::dmat4(1.0);
+            m[row][column] = *n;
+        }
+    }
+    return m;
+}
+
+/// What of a model file is needed: meshes by object, components, and what is built.
+class Model3mf {
+  public:
+    void open(const std::string& name, const Attributes& a) {
+        if (name == "model") {
+            const std::string unit = value(a, "unit");
+            scale_ = unit == "micron"       ? 0.001
+                     : unit == "centimeter" ? 10
+                     : unit == "inch"       ? 25.4
+                     : unit == "foot"       ? 304.8
+                     : unit == "meter"      ? 1000
+                                            : 1;
+        } else if (name == "object") {
+            object_ = &objects_[value(a, "id")];
+        } else if (name == "vertex" && object_ != nullptr) {
+            object_->mesh.points.emplace_back(number(value(a, "x")), number(value(a, "y")), number(value(a, "z")));
+        } else if (name == "triangle" && object_ != nullptr) {
+            bad_ |= !add_face(object_->mesh, {value(a, "v1"), value(a, "v2"), value(a, "v3")}, 0);
+        } else if (name == "component" && object_ != nullptr) {
+            object_->components.push_back({value(a, "objectid"), matrix(value(a, "transform"))});
+        } else if (name == "item") {
+            items_.push_back({value(a, "objectid"), matrix(value(a, "transform"))});
+        }
+    }
+
+    void build(FileMesh& mesh, std::vector<std::string>& warnings) const {
+        glm::dmat4 unit(1.0);
+        unit[0][0] = unit[1][1] = unit[2][2] = scale_;
+        unsigned made = 0;
+        for (const Reference& item : items_)
+            add({item.object, unit * item.placed}, mesh, 0, made);
+        if (bad_)
+            warnings.emplace_back("3MF file has triangles whose indices are out of bounds; they are ignored");
+        if (made >= kMostObjects)
+            warnings.emplace_back("3MF file has more than 100000 components; the rest is left out");
+    }
+
+  private:
+    struct Reference {
+        std::string object;
+        glm::dmat4 placed;
+    };
+    struct Object {
+        FileMesh mesh;
+        std::vector<Reference> components;
+    };
+    static constexpr unsigned kMostObjects = 100'000;
+    static constexpr int kDeepest = 32;
+
+    void add(const Reference& reference, FileMesh& mesh, int depth, unsigned& made) const {
+        const auto found = objects_.find(reference.object);
+        if (found == objects_.end() || depth > kDeepest || ++made > kMostObjects)
+            return;
+        const Object& object = found->second;
+        if (mesh.faces.size() + object.mesh.faces.size() > kMostFaces)
+            return;
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        for (const glm::dvec3& p : object.mesh.points)
+            mesh.points.emplace_back(reference.placed * glm::dvec4(p, 1.0));
+        for (const auto& face : object.mesh.faces)
+            mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+        for (const Reference& component : object.components)
+            add({component.object, reference.placed * component.placed}, mesh, depth + 1, made);
+    }
+
+    std::map<std::string, Object> objects_;
+    Object* object_ = nullptr;
+    std::vector<Reference> items_;
+    double scale_ = 1;
+    bool bad_ = false;
+};
+
+/// The text of the first `.model` file in the archive.
+std::optional<std::string> model_of(const std::string& path, std::vector<std::string>& warnings) {
+    int error = 0;
+    const std::unique_ptr<zip_t, void (*)(zip_t*)> archive(zip_open(path.c_str(), ZIP_RDONLY, &error), zip_discard);
+    if (!archive) {
+        warnings.push_back(fmt::format("Can't open import file '{}' as a 3MF archive", path));
+        return std::nullopt;
+    }
+    const zip_int64_t entries = zip_get_num_entries(archive.get(), 0);
+    for (zip_int64_t i = 0; i < entries; ++i) {
+        const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
+        if (name == nullptr || !std::string_view(name).ends_with(".model"))
+            continue;
+        const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+            zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(i), 0), zip_fclose);
+        std::string text;
+        std::array<char, 65536> buffer{};
+        while (file) {
+            const zip_int64_t got = zip_fread(file.get(), buffer.data(), buffer.size());
+            if (got <= 0)
+                return text;
+            text.append(buffer.data(), static_cast<std::size_t>(got));
+            if (text.size() > kMostUnpacked) {
+                warnings.push_back(
+                    fmt::format("'{}' unpacks to more than {} bytes; it is left out", path, kMostUnpacked));
+                return std::nullopt;
+            }
+        }
+    }
+    warnings.push_back(fmt::format("3MF file '{}' holds no model", path));
+    return std::nullopt;
+}
+
+}  // namespace
+
+void read_amf(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
+    std::size_t first = 0;
+    double scale = 1;
+    std::array<std::string, 3> corners;
+    glm::dvec3 point(0.0);
+    bool bad = false;
+    XmlEvents events;
+    events.open = [&](const std::string& name, const Attributes& attributes) {
+        if (name == "amf") {
+            const std::string unit = value(attributes, "unit");
+            scale = unit == "inch"     ? 25.4
+                    : unit == "feet"   ? 304.8
+                    : unit == "meter"  ? 1000
+                    : unit == "micron" ? 0.001
+                                       : 1;
+        } else if (name == "mesh") {
+            first = mesh.points.size();
+        } else if (name == "triangle") {
+            corners = {};
+        }
+    };
+    events.close = [&](const std::string& name, const std::string& content) {
+        if (name == "x" || name == "y" || name == "z")
+            point[name[0] - 'x'] = Words(content).number().value_or(0) * scale;
+        else if (name == "vertex")
+            mesh.points.push_back(point);
+        else if (name == "v1" || name == "v2" || name == "v3")
+            corners[static_cast<std::size_t>(name[1] - '1')] = std::string(Words(content).next());
+        else if (name == "triangle")
+            bad |= !add_face(mesh, corners, first);
+    };
+    read_xml(text, events, warnings);
+    if (bad)
+        warnings.emplace_back("AMF file has triangles whose indices are out of bounds; they are ignored");
+}
+
+void read_3mf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings) {
+    const auto text = model_of(path, warnings);
+    if (!text)
+        return;
+    Model3mf model;
+    XmlEvents events;
+    events.open = [&](const std::string& name, const Attributes& attributes) { model.open(name, attributes); };
+    read_xml(*text, events, warnings);
+    model.build(mesh, warnings);
+}
+
+}  // namespace csg::solid

@@ -1,0 +1,312 @@
+#include "csg/solid/node_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "csg/solid/clip_grid.h"
+#include "csg/solid/extrude.h"
+#include "csg/solid/files.h"
+#include "csg/solid/text_outline.h"
+
+namespace csg::solid {
+namespace {
+
+using Outlines = std::vector<std::shared_ptr<const Outline>>;
+using Children = std::span<const NodeGeometry* const>;
+
+std::shared_ptr<const Outline> share(Outline outline) {
+    return std::make_shared<const Outline>(std::move(outline));
+}
+
+bool is_empty(const NodeGeometry& geometry) {
+    return geometry.outline ? geometry.outline->empty() : geometry.pieces.empty();
+}
+
+/// The children that are outlines; warns of others.
+Outlines outlines_of(Children children, NodeGeometry& result, const char* problem) {
+    Outlines outlines;
+    for (const NodeGeometry* child : children) {
+        if (child->outline)
+            outlines.push_back(child->outline);
+        else if (!child->pieces.empty())
+            result.warnings.emplace_back(problem);
+    }
+    return outlines;
+}
+
+constexpr const char* kMixed = "Mixing 2D and 3D objects is not supported";
+constexpr const char* kSolidIgnored = "Ignoring 3D child object for 2D operation";
+constexpr const char* kFlatIgnored = "Ignoring 2D child object for 3D operation";
+
+/// The pieces of all children that are solid; warns of others.
+std::vector<Piece> pieces_of(Children children, NodeGeometry& result, const char* problem) {
+    std::vector<Piece> pieces;
+    for (const NodeGeometry* child : children) {
+        if (child->outline && !child->outline->empty())
+            result.warnings.emplace_back(problem);
+        pieces.insert(pieces.end(), child->pieces.begin(), child->pieces.end());
+    }
+    return pieces;
+}
+
+unsigned depth_of(std::span<const Piece> pieces) {
+    unsigned depth = 0;
+    for (const Piece& piece : pieces) {
+        if (piece.boolean)
+            depth = std::max(depth, piece.boolean->depth);
+    }
+    return depth;
+}
+
+void add(NodeGeometry& result, std::shared_ptr<const Solid> solid) {
+    result.warnings.insert(result.warnings.end(), solid->warnings.begin(), solid->warnings.end());
+    if (!solid->triangles.empty())
+        result.pieces.push_back({std::move(solid), nullptr, glm::dmat4(1.0)});
+}
+
+Mesh ask(MeshResult result) {
+    if (!result.problem.empty())
+        throw GeometryError(result.problem);
+    return std::move(result.mesh);
+}
+
+const MeshOperations& need(const Tools& tools) {
+    if (tools.operations == nullptr)
+        throw GeometryError("it needs exact meshes, which this build has not");
+    return *tools.operations;
+}
+
+/// A node that unites its children, under a matrix.
+void unite(Children children, Dimension dimension, const glm::dmat4* matrix, NodeGeometry& result) {
+    if (dimension == Dimension::Flat) {
+        Outline all = combine(BooleanKind::Union, outlines_of(children, result, kMixed));
+        result.outline = share(matrix ? transform(all, *matrix) : std::move(all));
+        return;
+    }
+    result.pieces = pieces_of(children, result, kMixed);
+    if (matrix == nullptr)
+        return;
+    const double determinant = glm::determinant(glm::dmat3(*matrix));
+    if (determinant == 0 || !std::isfinite(determinant)) {
+        result.pieces.clear();
+        return;
+    }
+    for (Piece& piece : result.pieces)
+        piece.placed = *matrix * piece.placed;
+}
+
+void combine_children(Children children, BooleanKind kind, Dimension dimension, NodeGeometry& result) {
+    if (dimension == Dimension::Flat) {
+        result.outline = share(combine(kind, outlines_of(children, result, kMixed)));
+        return;
+    }
+    auto node = std::make_shared<BooleanNode>();
+    node->kind = kind;
+    for (const NodeGeometry* child : children) {
+        if (child->outline && !child->outline->empty())
+            result.warnings.emplace_back(kMixed);
+        if (kind == BooleanKind::Difference && child->pieces.empty()) {
+            if (node->operands.empty())
+                return;  // Nothing minus anything.
+            continue;
+        }
+        node->operands.push_back(child->pieces);
+        node->depth = std::max(node->depth, depth_of(child->pieces) + 1);
+    }
+    if (node->operands.size() == 1)
+        result.pieces = node->operands[0];
+    else if (!node->operands.empty() && std::none_of(node->operands.begin(), node->operands.end(),
+                                                     [](const auto& operand) { return operand.empty(); }))
+        result.pieces.push_back({nullptr, std::move(node), glm::dmat4(1.0)});
+}
+
+/// The factors of resize().
+glm::dvec3 factors(const Resize& how, const glm::dvec3& size) {
+    glm::dvec3 factor(1.0);
+    double largest = 1;
+    int of = -1;
+    for (int i = 0; i < 3; ++i) {
+        if (how.size[i] > 0 && size[i] > 0) {
+            factor[i] = how.size[i] / size[i];
+            if (of < 0 || how.size[i] > how.size[of]) {
+                of = i;
+                largest = factor[i];
+            }
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (how.automatic[static_cast<std::size_t>(i)] && how.size[i] == 0)
+            factor[i] = largest;
+    }
+    return factor;
+}
+
+glm::dmat4 scaling(const glm::dvec3& factor) {
+    glm::dmat4 matrix(1.0);
+    for (int i = 0; i < 3; ++i)
+        matrix[i][i] = factor[i];
+    return matrix;
+}
+
+class MeshMaker {
+  public:
+    MeshMaker(Children children, Dimension dimension, const Tools& tools, NodeGeometry& result)
+        : children_(children), dimension_(dimension), tools_(tools), result_(result) {}
+
+    void operator()(const LinearExtrude& how) const { add(result_, linear_extrude(flat_children(), how)); }
+    void operator()(const RotateExtrude& how) const { add(result_, rotate_extrude(flat_children(), how)); }
+    void operator()(const Offset& how) const { result_.outline = share(offset(flat_children(), how)); }
+    void operator()(const Fill&) const { result_.outline = share(fill(flat_children())); }
+    void operator()(const Render&) const { unite(children_, dimension_, nullptr, result_); }
+    void operator()(const Roof& how) const { add(result_, to_solid(ask(need(tools_).roof(flat_children(), how)))); }
+
+    void operator()(const Projection& how) const {
+        const std::vector<Piece> pieces = pieces_of(children_, result_, kFlatIgnored);
+        result_.outline = std::make_shared<Outline>();
+        result_.outline = share(how.cut ? cut(pieces) : shadow(meshes_of(pieces, tools_)));
+    }
+
+    void operator()(const Hull&) const {
+        if (dimension_ == Dimension::Flat) {
+            std::vector<glm::dvec2> points;
+            for (const auto& outline : outlines_of(children_, result_, kMixed)) {
+                for (const Loop& loop : outline->loops)
+                    points.insert(points.end(), loop.begin(), loop.end());
+            }
+            result_.outline = share(hull(points));
+            return;
+        }
+        std::vector<glm::dvec3> points;
+        for (const Mesh& mesh : meshes_of(pieces_of(children_, result_, kMixed), tools_))
+            points.insert(points.end(), mesh.points.begin(), mesh.points.end());
+        if (!points.empty())
+            add(result_, to_solid(ask(need(tools_).hull(points))));
+    }
+
+    void operator()(const Minkowski&) const {
+        if (dimension_ == Dimension::Flat) {
+            const Outlines operands = outlines_of(children_, result_, kMixed);
+            std::shared_ptr<const Outline> sum = operands.empty() ? share({}) : operands[0];
+            for (std::size_t i = 1; i < operands.size(); ++i)
+                sum = share(minkowski(*sum, *operands[i]));
+            result_.outline = sum;
+            return;
+        }
+        std::vector<Mesh> operands;
+        for (const NodeGeometry* child : children_) {
+            if (child->outline && !child->outline->empty())
+                result_.warnings.emplace_back(kMixed);
+            else if (!is_empty(*child))
+                operands.push_back(united(meshes_of(child->pieces, tools_), tools_));
+        }
+        if (operands.empty())
+            return;
+        Mesh sum = std::move(operands[0]);
+        for (std::size_t i = 1; i < operands.size(); ++i)
+            sum = ask(need(tools_).minkowski(sum, operands[i]));
+        add(result_, to_solid(std::move(sum)));
+    }
+
+    void operator()(const Resize& how) const {
+        unite(children_, dimension_, nullptr, result_);
+        if (result_.outline) {
+            Box box;
+            for (const Loop& loop : result_.outline->loops) {
+                for (const glm::dvec2& p : loop)
+                    box = enclose(box, glm::dvec3(p, 0.0));
+            }
+            const glm::dvec3 factor = factors(how, box.size());
+            result_.outline = share(transform(*result_.outline, scaling({factor.x, factor.y, 1.0})));
+            return;
+        }
+        const Box box = bounds_of(meshes_of(result_.pieces, tools_));
+        const glm::dmat4 matrix = scaling(factors(how, box.size()));
+        for (Piece& piece : result_.pieces)
+            piece.placed = matrix * piece.placed;
+    }
+
+  private:
+    [[nodiscard]] Outline flat_children() const {
+        return combine(BooleanKind::Union, outlines_of(children_, result_, kSolidIgnored));
+    }
+
+    Children children_;
+    Dimension dimension_;
+    const Tools& tools_;
+    NodeGeometry& result_;
+};
+
+void make_leaf(const LeafShape& shape, const Tools& tools, NodeGeometry& result) {
+    if (const auto* square = std::get_if<Square>(&shape)) {
+        result.outline = share(make_outline(*square));
+    } else if (const auto* circle = std::get_if<Circle>(&shape)) {
+        result.outline = share(make_outline(*circle));
+    } else if (const auto* polygon = std::get_if<std::shared_ptr<const Polygon>>(&shape)) {
+        result.outline = share(make_outline(**polygon));
+    } else if (const auto* text = std::get_if<std::shared_ptr<const Text>>(&shape)) {
+        result.outline = share(text_outline(**text, tools.fonts, result.warnings));
+    } else if (const auto* import = std::get_if<std::shared_ptr<const Import>>(&shape)) {
+        if (is_flat(shape))
+            result.outline = share(import_outline(**import, result.warnings));
+        else
+            add(result, import_solid(**import));
+    } else if (const auto* surface = std::get_if<std::shared_ptr<const Surface>>(&shape)) {
+        add(result, surface_solid(**surface));
+    } else {
+        add(result, tools.solid_of(shape));
+    }
+}
+
+void make(const Tree& tree, NodeId id, Dimension dimension, Children children, const Tools& tools,
+          NodeGeometry& result) {
+    switch (tree.node(id).operation) {
+        case Operation::Leaf:
+            return make_leaf(tree.shape(id), tools, result);
+        case Operation::Mesh:
+            return std::visit(MeshMaker(children, dimension, tools, result), tree.mesh(id));
+        case Operation::Difference:
+            return combine_children(children, BooleanKind::Difference, dimension, result);
+        case Operation::Intersection:
+            return combine_children(children, BooleanKind::Intersection, dimension, result);
+        case Operation::Transform:
+            return unite(children, dimension, &tree.matrix(id), result);
+        case Operation::Group:
+        case Operation::Union:
+        case Operation::Color:
+            return unite(children, dimension, nullptr, result);
+    }
+}
+
+}  // namespace
+
+NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension, Children children, const Tools& tools) {
+    NodeGeometry result;
+    try {
+        make(tree, id, dimension, children, tools, result);
+    } catch (const GeometryError& error) {
+        result.warnings.push_back(std::string("this object is left out: ") + error.what());
+        result.pieces.clear();
+    } catch (const OutlineError& error) {
+        result.warnings.push_back(std::string("this object is left out: ") + error.what());
+        result.pieces.clear();
+    }
+    if (dimension == Dimension::Flat && !result.outline)
+        result.outline = std::make_shared<Outline>();
+    return result;
+}
+
+std::shared_ptr<const Solid> as_solid(const NodeGeometry& geometry, const Tools& tools) {
+    if (geometry.outline)
+        return slab(*geometry.outline);
+    if (geometry.pieces.size() == 1 && geometry.pieces[0].solid && geometry.pieces[0].placed == glm::dmat4(1.0))
+        return geometry.pieces[0].solid;
+    try {
+        return to_solid(united(meshes_of(geometry.pieces, tools), tools));
+    } catch (const GeometryError& error) {
+        auto nothing = std::make_shared<Solid>();
+        nothing->warnings.push_back(std::string("this object is left out: ") + error.what());
+        return nothing;
+    }
+}
+
+}  // namespace csg::solid

@@ -1,0 +1,76 @@
+// What a node of the tree is: outlines, or a union of solids that may still have to be computed.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "csg/solid/mesh_operations.h"
+#include "csg/solid/solid.h"
+#include "csg/tree/dimension.h"
+
+namespace csg::solid {
+
+struct BooleanNode;
+
+/// A solid somewhere; either a mesh or a difference or intersection that nobody has needed as a mesh yet.
+struct Piece {
+    std::shared_ptr<const Solid> solid;
+    std::shared_ptr<const BooleanNode> boolean;  ///< Where there is no `solid`.
+    glm::dmat4 placed{1.0};
+};
+
+/// Operands are unions of pieces.
+struct BooleanNode {
+    BooleanKind kind = BooleanKind::Difference;
+    std::vector<std::vector<Piece>> operands;
+    unsigned depth = 0;                             ///< Of such nodes below each other.
+    mutable std::shared_ptr<const Solid> computed;  ///< Filled when it was asked for; not for several threads.
+};
+
+struct NodeGeometry {
+    std::shared_ptr<const Outline> outline;  ///< In the plane; null where it is solid.
+    std::vector<Piece> pieces;               ///< Their union.
+    std::vector<std::string> warnings;       ///< Of this node alone.
+};
+
+class FontLibrary;
+
+/// What making geometry needs besides the tree.
+struct Tools {
+    const MeshOperations* operations = nullptr;  ///< May be missing: what needs it then gives nothing, and a warning.
+    FontLibrary& fonts;
+    std::function<std::shared_ptr<const Solid>(const LeafShape&)> solid_of;
+};
+
+/// Of one node from its children (in the order of the tree, `%` children left out). Never throws for what the user
+/// wrote: whatever cannot be made is empty, with a warning.
+[[nodiscard]] NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension,
+                                         std::span<const NodeGeometry* const> children, const Tools& tools);
+
+/// One mesh: outlines as slabs, several pieces as their union.
+[[nodiscard]] std::shared_ptr<const Solid> as_solid(const NodeGeometry& geometry, const Tools& tools);
+
+// pieces.cpp
+
+/// Something cannot be computed, for the reason given.
+class GeometryError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Each piece as a mesh in the coordinates of the node. Throws GeometryError.
+[[nodiscard]] std::vector<Mesh> meshes_of(std::span<const Piece> pieces, const Tools& tools);
+/// All as one closed mesh; meshes whose boxes are apart are only put together.
+[[nodiscard]] Mesh united(std::vector<Mesh> meshes, const Tools& tools);
+[[nodiscard]] std::shared_ptr<Solid> to_solid(Mesh mesh);
+[[nodiscard]] Box bounds_of(std::span<const Mesh> meshes);
+
+/// The cut of the pieces by z = 0, needing no boolean of meshes: what is inside just above or just below the plane.
+[[nodiscard]] Outline cut(std::span<const Piece> pieces);
+/// The shadow on z = 0 of meshes.
+[[nodiscard]] Outline shadow(std::span<const Mesh> meshes);
+
+}  // namespace csg::solid

@@ -1,0 +1,63 @@
+// Regions of the plane by their outlines, and what can be done with them (on Clipper).
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "csg/tree/leaf_shape.h"
+#include "csg/tree/mesh_operation.h"
+
+namespace csg::solid {
+
+using Loop = std::vector<glm::dvec2>;
+
+/// A region: loops that do not cross, counter-clockwise around what is inside, clockwise around holes.
+struct Outline {
+    std::vector<Loop> loops;
+
+    [[nodiscard]] bool empty() const { return loops.empty(); }
+    /// Square units; holes count against it.
+    [[nodiscard]] double area() const;
+};
+
+/// Twice the signed area of a loop: positive where it is counter-clockwise.
+[[nodiscard]] double area2(const Loop& loop);
+
+enum class FillRule : std::uint8_t { EvenOdd, NonZero };
+
+// All of these round coordinates to a grid of 2^-40 of the largest of them while they work, far below what makes faces
+// distinct (plane_table.h); vertices that were there before come back with all their bits. OpenSCAD's grid is 2^-16
+// units wide. Loops with a coordinate that is not finite are left out. Each throws OutlineError where coordinates are
+// beyond what can be worked with.
+
+/// The region that loops of any kind enclose.
+[[nodiscard]] Outline clean(std::span<const Loop> loops, FillRule rule);
+
+enum class BooleanKind : std::uint8_t { Union, Difference, Intersection };
+/// The first with all others. A difference is the first minus the others; none of any gives nothing.
+[[nodiscard]] Outline combine(BooleanKind kind, std::span<const std::shared_ptr<const Outline>> operands);
+
+/// OpenSCAD's offset().
+[[nodiscard]] Outline offset(const Outline& outline, const Offset& how);
+
+/// Without holes.
+[[nodiscard]] Outline fill(const Outline& outline);
+
+/// The convex hull of all points.
+[[nodiscard]] Outline hull(std::span<const glm::dvec2> points);
+
+/// The Minkowski sum of two regions.
+[[nodiscard]] Outline minkowski(const Outline& a, const Outline& b);
+
+/// By the upper left of the matrix; a mirrored region is turned around again. One that collapses is empty.
+[[nodiscard]] Outline transform(const Outline& outline, const glm::dmat4& matrix);
+
+/// Square, circle or polygon; `segments` as OpenSCAD makes them.
+[[nodiscard]] Outline make_outline(const Square& square);
+[[nodiscard]] Outline make_outline(const Circle& circle);
+[[nodiscard]] Outline make_outline(const Polygon& polygon);
+
+}  // namespace csg::solid

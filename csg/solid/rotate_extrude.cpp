@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "csg/solid/extrude.h"
+#include "csg/solid/triangulate_region.h"
+#include "csg/tree/degrees.h"
+
+namespace csg::solid {
+namespace {
+
+constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
+
+struct Sweep {
+    double start, angle;
+    std::uint32_t steps;
+    bool closed;  ///< All around: the last ring is the first.
+
+    [[nodiscard]] std::uint32_t rings() const { return closed ? steps : steps + 1; }
+};
+
+/// Indices of the corners by ring. Corners on the axis are one point for all rings.
+std::vector<std::vector<std::uint32_t>> add_rings(Solid& solid, const std::vector<glm::dvec2>& corners,
+                                                  const Sweep& sweep) {
+    std::vector<std::vector<std::uint32_t>> rings(sweep.rings());
+    for (std::uint32_t k = 0; k < sweep.rings(); ++k) {
+        const double angle = sweep.start + sweep.angle * k / sweep.steps;
+        const double c = cos_degrees(angle), s = sin_degrees(angle);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const glm::dvec2& p = corners[i];
+            if (k > 0 && p.x == 0) {
+                rings[k].push_back(rings[0][i]);
+                continue;
+            }
+            rings[k].push_back(static_cast<std::uint32_t>(solid.points.size()));
+            solid.points.emplace_back(p.x * c, p.x * s, p.y);
+        }
+    }
+    return rings;
+}
+
+}  // namespace
+
+std::shared_ptr<Solid> rotate_extrude(const Outline& outline, const RotateExtrude& how) {
+    auto solid = std::make_shared<Solid>();
+    std::vector<glm::dvec2> corners;
+    for (const Loop& loop : outline.loops)
+        corners.insert(corners.end(), loop.begin(), loop.end());
+    if (corners.empty() || how.angle == 0 || !std::isfinite(how.angle) || !std::isfinite(how.start))
+        return solid;
+    double lo = 0, hi = 0;
+    for (const glm::dvec2& p : corners) {
+        lo = std::min(lo, p.x);
+        hi = std::max(hi, p.x);
+    }
+    if (lo < 0 && hi > 0) {
+        solid->warnings.push_back(fmt::format(
+            "all points for rotate_extrude() must have the same X coordinate sign (range is {:.2f} -> {:.2f})", lo,
+            hi));
+        return solid;
+    }
+    const double angle = std::clamp(how.angle, -360.0, 360.0);
+    const int segments = circle_segments(hi - lo, how.fineness);
+    Sweep sweep{how.start, angle, static_cast<std::uint32_t>(std::max(1.0, segments * std::abs(angle) / 360)),
+                std::abs(angle) == 360};
+    if (sweep.steps > kMostTriangles / corners.size() / 2) {
+        sweep.steps = static_cast<std::uint32_t>(std::max<std::size_t>(3, kMostTriangles / corners.size() / 2));
+        solid->warnings.push_back("rotate_extrude() has too many fragments; there are fewer");
+    }
+    const auto rings = add_rings(*solid, corners, sweep);
+    const bool flip = (angle < 0) != (lo < 0);
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if (a != b && b != c && c != a)
+            solid->triangles.push_back(flip ? glm::uvec3(a, c, b) : glm::uvec3(a, b, c));
+    };
+    for (std::uint32_t k = 0; k < sweep.steps; ++k) {
+        const auto &here = rings[k], &there = rings[(k + 1) % rings.size()];
+        std::size_t first = 0;
+        for (const Loop& loop : outline.loops) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const std::size_t p = first + i, q = first + (i + 1) % loop.size();
+                add(here[p], there[p], there[q]);
+                add(here[p], there[q], here[q]);
+            }
+            first += loop.size();
+        }
+    }
+    if (!sweep.closed) {
+        for (const glm::uvec3& t : triangulate_region(outline)) {
+            add(rings.front()[t.x], rings.front()[t.y], rings.front()[t.z]);
+            add(rings.back()[t.x], rings.back()[t.z], rings.back()[t.y]);
+        }
+    }
+    finish(*solid);
+    return solid;
+}
+
+}  // namespace csg::solid

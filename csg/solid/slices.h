@@ -1,0 +1,14 @@
+// How many slices an extrusion has.
+#pragma once
+
+#include <cstddef>
+
+#include "csg/solid/outline.h"
+
+namespace csg::solid {
+
+/// OpenSCAD's rule for linear_extrude(): as given, or so that no edge along the sweep is longer than $fs (or turns by
+/// more than $fa), or $fn for a whole turn; at least three for a whole turn.
+[[nodiscard]] std::size_t slice_count(const Outline& outline, const LinearExtrude& how);
+
+}  // namespace csg::solid

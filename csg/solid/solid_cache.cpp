@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include "csg/solid/located.h"
+#include "csg/solid/node_geometry.h"
+#include "csg/solid/placed.h"
+#include "csg/solid/text_outline.h"
+
+namespace csg::solid {
+
+/// Of one content: as geometry, as a mesh, or both.
+struct SolidCache::Entry {
+    std::unique_ptr<const NodeGeometry> geometry;
+    std::shared_ptr<const Solid> solid;
+    std::uint32_t used = 0;
+};
+
+SolidCache::SolidCache(std::shared_ptr<const MeshOperations> operations)
+    : operations_(std::move(operations)), fonts_(std::make_unique<FontLibrary>()) {}
+SolidCache::~SolidCache() = default;
+
+Tools SolidCache::tools() {
+    return {operations_.get(), *fonts_, [this](const LeafShape& shape) { return get(shape); }};
+}
+
+std::shared_ptr<const Solid> SolidCache::get(const LeafShape& shape) {
+    Entry& entry = entries_[content_hash(shape)];
+    entry.used = generation_;
+    if (!entry.solid)
+        entry.solid = make_solid(shape);
+    return entry.solid;
+}
+
+std::shared_ptr<const Solid> SolidCache::get(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
+                                             std::vector<std::string>& warnings) {
+    if (tree.node(node).operation == Operation::Leaf && by_node[node] == Dimension::Solid) {
+        const LeafShape& shape = tree.shape(node);
+        if (!std::holds_alternative<std::shared_ptr<const Import>>(shape) &&
+            !std::holds_alternative<std::shared_ptr<const Surface>>(shape)) {
+            const auto solid = get(shape);
+            for (const std::string& warning : solid->warnings)
+                warnings.push_back(located(tree, tree.node(node).where, warning));
+            return solid;
+        }
+    }
+    const NodeGeometry& made = geometry(tree, node, by_node, warnings);
+    Entry& entry = entries_[tree.node(node).hash];
+    if (!entry.solid) {
+        entry.solid = as_solid(made, tools());
+        for (const std::string& warning : entry.solid->warnings) {
+            if (std::find(made.warnings.begin(), made.warnings.end(), warning) == made.warnings.end())
+                warnings.push_back(located(tree, tree.node(node).where, warning));
+        }
+    }
+    return entry.solid;
+}
+
+/// All nodes below are visited, children first: their geometry is kept as long as this node's is, and warnings are told
+/// with the places they have in this tree.
+const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std::vector<Dimension>& by_node,
+                                         std::vector<std::string>& warnings) {
+    std::vector<NodeId> nodes{top};
+    std::unordered_set<NodeId> seen{top};
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (const NodeId child : tree.children(nodes[i])) {
+            if (!tree.node(child).modifiers.background && seen.insert(child).second)
+                nodes.push_back(child);
+        }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    std::vector<const NodeGeometry*> children;
+    for (const NodeId id : nodes) {
+        Entry& known = entries_[tree.node(id).hash];
+        known.used = generation_;
+        if (!known.geometry) {
+            children.clear();
+            for (const NodeId child : tree.children(id)) {
+                if (!tree.node(child).modifiers.background)
+                    children.push_back(entries_[tree.node(child).hash].geometry.get());
+            }
+            auto made = std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools()));
+            entries_[tree.node(id).hash].geometry = std::move(made);
+        }
+        for (const std::string& warning : entries_[tree.node(id).hash].geometry->warnings)
+            warnings.push_back(located(tree, tree.node(id).where, warning));
+    }
+    return *entries_[tree.node(top).hash].geometry;
+}
+
+void SolidCache::trim() {
+    std::erase_if(entries_, [this](const auto& entry) { return entry.second.used != generation_; });
+    ++generation_;
+}
+
+}  // namespace csg::solid
