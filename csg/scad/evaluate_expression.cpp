@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/scad/annotations.h"
 #include "csg/scad/evaluator.h"
 #include "csg/scad/expression_text.h"
 #include "csg/scad/operators.h"
@@ -253,10 +254,14 @@ Value Evaluator::evaluate_range(const Expr& e, Scope& scope) {
     if (!std::isfinite(range.begin) || !std::isfinite(range.step) || !std::isfinite(range.end)) {
         return range;  // Whoever goes through it will say so.
     }
-    if (range.step > 0 && range.end < range.begin) {
-        warn(e.where, "begin is greater than the end, but step is positive");
-    } else if (range.step < 0 && range.end > range.begin) {
-        warn(e.where, "begin is smaller than the end, but step is negative");
+    const bool backwards = range.step < 0;
+    if (backwards ? range.end > range.begin : range.step > 0 && range.end < range.begin) {
+        // Only where all three are written as literals: a loop that may go round no time is no mistake.
+        const auto written = [&](std::size_t i) { return e.operand(i) == kNone || is_literal(p_, e.operand(i)); };
+        if (written(0) && written(1) && written(2)) {
+            warn(e.where, backwards ? "begin is smaller than the end, but step is negative"
+                                    : "begin is greater than the end, but step is positive");
+        }
     }
     return range;
 }

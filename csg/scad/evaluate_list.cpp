@@ -23,7 +23,7 @@ void Evaluator::collect(ExprId id, Scope& scope, std::vector<Value>& out) {
             case ExprKind::ListForC: {
                 check_stack(e.where, "evaluating an expression", kNoSymbol, 0);
                 const DynamicMark mark(*this);
-                collect_for_c(e, scope, out);
+                collect_for_c(id, scope, out);
                 return;
             }
             case ExprKind::ListIf:
@@ -85,9 +85,15 @@ void Evaluator::collect_for(const Expr& e, std::span<const Argument> left, Scope
     }
 }
 
-void Evaluator::collect_for_c(const Expr& e, Scope& scope, std::vector<Value>& out) {
+void Evaluator::collect_for_c(ExprId id, Scope& scope, std::vector<Value>& out) {
     constexpr unsigned kMaxRounds = 1'000'000;  // OpenSCAD's limit.
+    const Expr& e = p_[id];
     bind_let(p_.arguments_of(e), scope);
+    if (r_.of_expression[id] != kNone) {
+        for (const CarriedVariable& carried : r_.carried[r_.of_expression[id]]) {
+            scope.locals[carried.slot] = variable(r_.variables[carried.outer], scope);
+        }
+    }
     for (unsigned round = 0; evaluate(e.operand(1), scope); ++round) {
         if (round == kMaxRounds) {
             fail(e.where, "For loop counter exceeded limit");

@@ -229,7 +229,7 @@ class Evaluator {
     // evaluate_list.cpp
     void collect(ExprId element, Scope& scope, std::vector<Value>& out);
     void collect_for(const Expr& e, std::span<const Argument> left, Scope& scope, std::vector<Value>& out);
-    void collect_for_c(const Expr& e, Scope& scope, std::vector<Value>& out);
+    void collect_for_c(ExprId id, Scope& scope, std::vector<Value>& out);
     void collect_each(const Value& value, const SourceRange& where, std::vector<Value>& out);
     void check_memory(const SourceRange& where);
 

@@ -67,6 +67,12 @@ struct LiteralInfo {
     std::uint32_t locals = 0;
 };
 
+/// A variable of a `for (…; …; …)` that begins with the value of one outside.
+struct CarriedVariable {
+    std::uint32_t slot = 0;
+    std::uint32_t outer = kNone;  ///< Into Resolution::variables.
+};
+
 struct ModuleInfo {
     /// Named arguments that calls pass although they are no parameters, with their slots in the body's frame: the body
     /// sees them nevertheless.
@@ -79,9 +85,11 @@ struct ModuleInfo {
 struct Resolution {
     std::vector<std::uint32_t> of_expression;  ///< Identifier: into variables. Call of a name: into calls. Function:
                                                ///< into literals. Vector: number of the constant, where it is one.
+                                               ///< ListForC: into carried.
     std::vector<VariableRef> variables;
     std::vector<CallTarget> calls;
     std::vector<LiteralInfo> literals;
+    std::vector<std::vector<CarriedVariable>> carried;
     std::vector<std::uint32_t> argument_slots;    ///< Of arguments that declare: local, or dynamic index for `$` names.
     std::vector<std::uint32_t> assignment_slots;  ///< Frame slot, or dynamic index.
     std::vector<std::uint32_t> locals_of_function;

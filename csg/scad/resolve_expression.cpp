@@ -113,6 +113,7 @@ ExprId Resolver::resolve_one(ExprId id) {
             const std::uint32_t used = act.used;
             bind(p_.arguments_of(e));
             if (e.kind == ExprKind::ListForC) {
+                carry_in(id, visible);
                 resolve_expression(e.operand(1));
                 resolve_expression(e.operand(0));
                 bind_update(p_.update_of(e), visible);
@@ -138,6 +139,24 @@ ExprId Resolver::resolve_one(ExprId id) {
     }
 }
 
+void Resolver::carry_in(ExprId loop, std::size_t first) {
+    Activation& act = *activation_;
+    std::vector<CarriedVariable> carried;
+    for (const Argument& a : p_.update_of(p_[loop])) {
+        const bool own = std::any_of(act.locals.begin() + static_cast<std::ptrdiff_t>(first), act.locals.end(),
+                                     [&](const Activation::Local& l) { return l.name == a.name; });
+        if (a.name != kNoSymbol && !dynamic_name(a.name) && !own) {
+            const std::uint32_t outer = add(find_variable(a.name));
+            carried.push_back({act.reserve(), outer});
+            act.locals.push_back({a.name, carried.back().slot, false});
+        }
+    }
+    if (!carried.empty()) {
+        r_.of_expression[loop] = static_cast<std::uint32_t>(r_.carried.size());
+        r_.carried.push_back(std::move(carried));
+    }
+}
+
 void Resolver::bind_update(std::span<const Argument> update, std::size_t first) {
     Activation& act = *activation_;
     for (const Argument& a : update) {
@@ -149,13 +168,7 @@ void Resolver::bind_update(std::span<const Argument> update, std::size_t first) 
         for (std::size_t i = first; i < act.locals.size(); ++i) {
             slot = act.locals[i].name == a.name ? act.locals[i].slot : slot;
         }
-        if (dynamic_name(a.name)) {
-            slot = dynamic(a.name);
-        } else if (slot == kNone) {
-            slot = act.reserve();
-            act.locals.push_back({a.name, slot, false});
-        }
-        r_.argument_slots[index_of(a)] = slot;
+        r_.argument_slots[index_of(a)] = dynamic_name(a.name) ? dynamic(a.name) : slot;
     }
 }
 

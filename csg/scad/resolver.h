@@ -78,7 +78,10 @@ class Resolver {
     void resolve_expression(ExprId id);
     /// Resolves all of an expression but one operand, which is returned: chains need no stack.
     ExprId resolve_one(ExprId id);
-    /// Updates assign to the loop's own variables, or declare more, which later updates see.
+    /// A variable that only the updates of a loop assign to hides the one outside from the second round on: it is
+    /// one of the loop's own that begins with the value outside.
+    void carry_in(ExprId loop, std::size_t first);
+    /// Updates assign to the loop's own variables.
     void bind_update(std::span<const Argument> update, std::size_t first);
     void resolve_literal(ExprId id, const Expr& e);
     std::uint32_t add(VariableRef ref);
