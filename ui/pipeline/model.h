@@ -10,7 +10,6 @@
 #include "csg/solid/placed.h"
 #include "csg/tree/scene.h"
 #include "goldfeather/products.h"
-#include "ui/pipeline/mesh_operations.h"
 
 namespace ui {
 
@@ -45,7 +44,7 @@ struct Model {
 /// Builds models; keeps the meshes of leaves from one to the next, so that an edit builds only what it changed.
 class ModelBuilder {
   public:
-    explicit ModelBuilder(goldfeather::Budget budget = {}) : budget_(budget), solids_(mesh_operations()) {}
+    explicit ModelBuilder(goldfeather::Budget budget = {}) : budget_(budget) {}
 
     /// A part with more products than the budget allows is left to the engines that need none. Gives null where `stop`
     /// ended it.
