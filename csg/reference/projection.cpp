@@ -82,7 +82,7 @@ Outlines section(const Mesh& mesh) {
             };
             const glm::dvec2 on_ab = cut(a, b), on_ac = cut(a, c);
             if (on_ab != on_ac)
-                edges.emplace_back(above_a ? on_ac : on_ab, above_a ? on_ab : on_ac);
+                edges.emplace_back(above_a ? on_ab : on_ac, above_a ? on_ac : on_ab);
         }
     }
     return outlines_of(edges);

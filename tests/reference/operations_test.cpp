@@ -79,7 +79,7 @@ TEST(SelfIntersection, IsFound) {
     Mesh mesh = mesh_of("cube(2);");
     EXPECT_EQ(csg::reference::count_self_intersections(mesh, 1e-9), 0u);
     // A second cube put over it without a union.
-    const Mesh other = mesh_of("translate([1, 1, 1]) cube(2);");
+    const Mesh other = mesh_of("translate([1, 0.9, 1.1]) cube(2);");
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
     for (const glm::uvec3& t : other.triangles)
