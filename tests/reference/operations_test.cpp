@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "csg/reference/hull.h"
+#include "csg/reference/mesh_boolean.h"
 #include "csg/reference/nef.h"
 #include "csg/reference/projection.h"
 #include "csg/reference/self_intersection.h"
@@ -73,6 +74,16 @@ TEST(Projection, Cut) {
         mesh_of("difference() { cube(4, center = true); cube([2, 2, 9], center = true); }"), true);
     EXPECT_NEAR(ring.area(), 12, 1e-12);
     EXPECT_EQ(ring.loops.size(), 2u);
+}
+
+TEST(MeshBooleans, OfPlainMeshes) {
+    using csg::ExpressionKind;
+    const Mesh operands[] = {mesh_of("cube(4);"), mesh_of("translate([2, 0, 0]) cube(4);"),
+                             mesh_of("translate([1, 1, -1]) cube([1, 1, 9]);")};
+    EXPECT_NEAR(volume(csg::reference::combine(ExpressionKind::Union, operands).mesh), 96 + 5, 1e-12);
+    EXPECT_NEAR(volume(csg::reference::combine(ExpressionKind::Difference, operands).mesh), 32 - 4, 1e-12);
+    EXPECT_TRUE(csg::reference::combine(ExpressionKind::Intersection, operands).mesh.empty());
+    EXPECT_TRUE(csg::reference::combine(ExpressionKind::Union, {}).mesh.empty());
 }
 
 TEST(SelfIntersection, IsFound) {
