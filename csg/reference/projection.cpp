@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "csg/reference/plane_boolean.h"
+#include "csg/reference/mesh_boolean.h"
 
 namespace csg::reference {
 namespace {
@@ -82,7 +82,7 @@ Outlines section(const Mesh& mesh) {
             };
             const glm::dvec2 on_ab = cut(a, b), on_ac = cut(a, c);
             if (on_ab != on_ac)
-                edges.emplace_back(above_a ? on_ac : on_ab, above_a ? on_ab : on_ac);
+                edges.emplace_back(above_a ? on_ab : on_ac, above_a ? on_ac : on_ab);
         }
     }
     return outlines_of(edges);
@@ -90,47 +90,20 @@ Outlines section(const Mesh& mesh) {
 
 /// The shadow is the lower side of the union of the prisms that stand on the triangles facing up.
 Outlines shadow(const Mesh& mesh) {
-    Scene scene;
-    solid::Geometry geometry;
-    double largest = 1;
+    std::vector<Mesh> operands;
     for (const glm::uvec3& t : mesh.triangles) {
-        glm::dvec2 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
+        const glm::dvec2 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
         if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) <= 0)
             continue;
-        solid::PlacedLeaf leaf;
+        Mesh prism;
         for (const double z : {0.0, 1.0}) {
-            for (const glm::dvec2& p : {a, b, c}) {
-                leaf.points.emplace_back(p, z);
-                leaf.box = enclose(leaf.box, leaf.points.back());
-                largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-            }
+            for (const glm::dvec2& p : {a, b, c})
+                prism.points.emplace_back(p, z);
         }
-        leaf.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
-        auto solid = std::make_shared<solid::Solid>();
-        solid->convex = solid->closed = true;
-        leaf.solid = std::move(solid);
-        geometry.box = enclose(geometry.box, leaf.box);
-        Expression e;
-        e.leaf = static_cast<LeafId>(scene.leaves.size());
-        scene.expressions.push_back(e);
-        scene.expression_children.push_back(e.leaf);
-        scene.leaves.emplace_back();
-        geometry.leaves.push_back(std::move(leaf));
+        prism.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+        operands.push_back(std::move(prism));
     }
-    if (scene.leaves.empty())
-        return {};
-    const auto count = static_cast<std::uint32_t>(scene.leaves.size());
-    Expression all;
-    all.kind = ExpressionKind::Union;
-    all.child_count = count;
-    scene.expressions.push_back(all);
-    scene.parts.push_back({PartKind::Solid, 0, count, 0, count});
-    geometry.planes = solid::PlaneTable(solid::coincidence_tolerance(largest));
-    for (solid::PlacedLeaf& leaf : geometry.leaves) {
-        for (const glm::uvec3& t : leaf.triangles)
-            leaf.planes.push_back(geometry.planes.add(leaf.points[t.x], leaf.points[t.y], leaf.points[t.z]));
-    }
-    const Mesh prisms = plane_boolean(scene, geometry, 0);
+    const Mesh prisms = combine(ExpressionKind::Union, operands).mesh;
     std::vector<std::pair<glm::dvec2, glm::dvec2>> edges;
     for (const glm::uvec3& t : prisms.triangles) {
         if (prisms.points[t.x].z != 0 || prisms.points[t.y].z != 0 || prisms.points[t.z].z != 0)

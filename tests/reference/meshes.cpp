@@ -16,11 +16,11 @@ std::shared_ptr<const ui::Model> model_of(const std::string& program) {
     return ui::ModelBuilder().build(evaluation.tree);
 }
 
-ui::Errors picture_errors(const csg::Scene& scene, const csg::solid::Geometry& geometry,
-                          const csg::reference::Mesh& mesh, int size) {
+PictureErrors picture_errors(const csg::Scene& scene, const csg::solid::Geometry& geometry,
+                             const csg::reference::Mesh& mesh, int size) {
     const ui::SolidScene solid = ui::solid_scene(scene, geometry);
     const csg::Box box = solid.geometry.box;
-    ui::Errors outside;
+    PictureErrors errors;
     constexpr glm::dvec3 turns[6] = {{55, 0, 25}, {0, 0, 0}, {90, 0, 0}, {71, 13, 140}, {152, 0, 77}, {33, 40, 251}};
     for (int i = 0; i < 6; ++i) {
         gl::Camera camera;
@@ -32,11 +32,12 @@ ui::Errors picture_errors(const csg::Scene& scene, const csg::solid::Geometry& g
         goldfeather::CpuLayers layers;
         goldfeather::ListsStats stats;
         goldfeather::peel_lists(lists, view, 0, 1, layers, stats);
-        outside.add(ui::compare_layers(goldfeather::to_host(layers), solid.geometry, mesh, ui::mesh_layers(mesh, view),
-                                       view, box.diagonal())
-                        .outside);
+        const ui::Comparison comparison = ui::compare_layers(goldfeather::to_host(layers), solid.geometry, mesh,
+                                                             ui::mesh_layers(mesh, view), view, box.diagonal());
+        errors.all.add(comparison.all);
+        errors.outside.add(comparison.outside);
     }
-    return outside;
+    return errors;
 }
 
 }  // namespace meshes

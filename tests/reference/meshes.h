@@ -13,8 +13,12 @@ namespace meshes {
 /// The program's model, with $preview false. Throws std::runtime_error where it has errors.
 [[nodiscard]] std::shared_ptr<const ui::Model> model_of(const std::string& program);
 
+struct PictureErrors {
+    ui::Errors all, outside;  ///< Outside: without the band of one pixel along silhouettes and creases.
+};
+
 /// Errors of the CPU engine's picture against the mesh, all layers, from six views, both projections.
-[[nodiscard]] ui::Errors picture_errors(const csg::Scene& scene, const csg::solid::Geometry& geometry,
+[[nodiscard]] PictureErrors picture_errors(const csg::Scene& scene, const csg::solid::Geometry& geometry,
                                         const csg::reference::Mesh& mesh, int size);
 
 }  // namespace meshes

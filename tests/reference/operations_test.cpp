@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "csg/reference/hull.h"
+#include "csg/reference/mesh_boolean.h"
 #include "csg/reference/nef.h"
 #include "csg/reference/projection.h"
 #include "csg/reference/self_intersection.h"
@@ -75,11 +76,21 @@ TEST(Projection, Cut) {
     EXPECT_EQ(ring.loops.size(), 2u);
 }
 
+TEST(MeshBooleans, OfPlainMeshes) {
+    using csg::ExpressionKind;
+    const Mesh operands[] = {mesh_of("cube(4);"), mesh_of("translate([2, 0, 0]) cube(4);"),
+                             mesh_of("translate([1, 1, -1]) cube([1, 1, 9]);")};
+    EXPECT_NEAR(volume(csg::reference::combine(ExpressionKind::Union, operands).mesh), 96 + 5, 1e-12);
+    EXPECT_NEAR(volume(csg::reference::combine(ExpressionKind::Difference, operands).mesh), 32 - 4, 1e-12);
+    EXPECT_TRUE(csg::reference::combine(ExpressionKind::Intersection, operands).mesh.empty());
+    EXPECT_TRUE(csg::reference::combine(ExpressionKind::Union, {}).mesh.empty());
+}
+
 TEST(SelfIntersection, IsFound) {
     Mesh mesh = mesh_of("cube(2);");
     EXPECT_EQ(csg::reference::count_self_intersections(mesh, 1e-9), 0u);
     // A second cube put over it without a union.
-    const Mesh other = mesh_of("translate([1, 1, 1]) cube(2);");
+    const Mesh other = mesh_of("translate([1, 0.9, 1.1]) cube(2);");
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
     for (const glm::uvec3& t : other.triangles)

@@ -8,14 +8,17 @@ namespace ui {
 
 namespace {
 
-/// Positive on the left of a → b in homogeneous pixels. Computed from the same end for both triangles at an edge, so
-/// that a sample is on different sides for the two, whatever the rounding.
-double side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& s) {
+/// Is the sample s on the left of a → b, in homogeneous pixels? Computed from the same end for both triangles at an
+/// edge, so that it is on different sides for the two, whatever the rounding. A sample on the edge is moved a little to
+/// the right, and less upwards, the same for all.
+bool left(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& s) {
     const auto order = [](const glm::dvec3& v) { return std::array{v.x, v.y, v.z}; };
     if (order(b) < order(a)) {
-        return -glm::dot(s, glm::cross(b, a));
+        return !left(b, a, s);
     }
-    return glm::dot(s, glm::cross(a, b));
+    const glm::dvec3 line = glm::cross(a, b);
+    const double side = glm::dot(s, line);
+    return side != 0 ? side > 0 : line.x != 0 ? line.x > 0 : line.y > 0;
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ MeshLayers mesh_layers(const csg::reference::Mesh& mesh, const gl::View& view) {
         for (int y = static_cast<int>(lo.y); y < static_cast<int>(hi.y); ++y) {
             for (int x = static_cast<int>(lo.x); x < static_cast<int>(hi.x); ++x) {
                 const glm::dvec3 s(x + 0.5, y + 0.5, 1.0);
-                const bool u = side(a, b, s) > 0, v = side(b, c, s) > 0, w = side(c, a, s) > 0;
+                const bool u = left(a, b, s), v = left(b, c, s), w = left(c, a, s);
                 if (u != v || v != w) {
                     continue;
                 }
