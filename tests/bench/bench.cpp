@@ -31,7 +31,8 @@ std::vector<std::string> model_names(const Settings& settings) {
     }
     std::ifstream file(std::filesystem::path(settings.models) / "manifest.json");
     std::vector<std::string> names;
-    for (const auto& model : nlohmann::json::parse(file).at("models")) {
+    const auto manifest = nlohmann::json::parse(file);
+    for (const auto& model : manifest.at("models")) {
         names.push_back(std::filesystem::path(model.at("file").get<std::string>()).stem().string());
     }
     return names;
