@@ -8,6 +8,27 @@ namespace stability {
 namespace {
 using Id = Maker::Id;
 const glm::dvec3 kEye(13, -17, 15);
+/// The prisms through a cube of side 8 that make it a Menger sponge of so many levels.
+void menger_holes(Maker& m, int levels, std::vector<Id>& cuts) {
+    for (int level = 1, cells = 1; level <= levels; ++level, cells *= 3) {
+        const double cell = 8.0 / cells, hole = cell / 3;
+        for (int i = 0; i < cells * cells; ++i) {
+            // Cells that a larger hole has taken away need none.
+            bool gone = false;
+            for (int u = i % cells, v = i / cells; u > 0 || v > 0; u /= 3, v /= 3) {
+                gone = gone || (u % 3 == 1 && v % 3 == 1);
+            }
+            if (gone) {
+                continue;
+            }
+            const double u = -4 + cell * (i % cells) + hole, v = -4 + cell * (i / cells) + hole;
+            cuts.push_back(m.box({u, v, -4}, {hole, hole, 8}));
+            cuts.push_back(m.box({u, -4, v}, {hole, 8, hole}));
+            cuts.push_back(m.box({-4, u, v}, {8, hole, hole}));
+        }
+    }
+}
+
 }  // namespace
 
 void add_counts(std::vector<Family>& all) {
@@ -95,6 +116,13 @@ void add_counts(std::vector<Family>& all) {
                                      : m.intersect({body, m.unite({cut, ball})});
              }
              return m.seen(body, kEye, {0, 0, 0});
+         }});
+    all.push_back(
+        {"menger", "A Menger sponge: a cube less prisms with common planes.", "levels", {1, 2, 3}, [](double n) {
+             Maker m;
+             std::vector<Id> sponge{m.box({-4, -4, -4}, {8, 8, 8})};
+             menger_holes(m, static_cast<int>(n), sponge);
+             return m.seen(m.subtract(sponge), kEye, {0, 0, 0});
          }});
     all.push_back({"spheres", "n balls that overlap, less n smaller ones.", "balls", {1, 4, 16, 64, 256}, [](double n) {
                        Maker m;

@@ -122,7 +122,7 @@ std::string to_markdown(const std::vector<FamilyResult>& results, const std::str
     const std::vector<std::string> names = engines(results);
     std::string head = "| family | difficulty | levels | in the band, most |", rule = "| --- | --- | --- | --- |";
     for (const std::string& name : names) {
-        head += " wrong: " + name + " |";
+        head += fmt::format(" wrong: {} |", name);
         rule += " --- |";
     }
     std::string table = head + " depth error, most |\n" + rule + " --- |\n";
@@ -136,7 +136,7 @@ std::string to_markdown(const std::vector<FamilyResult>& results, const std::str
                              r.family.levels.front(), r.family.levels.back(), band);
         for (const std::string& name : names) {
             const Worst w = worst(r, name);
-            table += " " + text(w) + " |";
+            table += fmt::format(" {} |", text(w));
             depth = name == kForeign ? depth : std::max(depth, w.depth);
         }
         table += fmt::format(" {:.1e} |\n", depth);

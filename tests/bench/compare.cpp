@@ -1,0 +1,154 @@
+#include "tests/bench/compare.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "tests/bench/floor.h"
+#include "tests/truth/ray_caster.h"
+
+#ifdef CSGSCOPE_WITH_OPENCSG
+#include "tests/opencsg/opencsg.h"
+#else
+namespace opencsg {
+class OpenCsg {};
+}  // namespace opencsg
+#endif
+
+namespace bench {
+
+namespace {
+
+/// Models with more leaves are too much for engines that take a pass a layer or a literal.
+constexpr std::size_t kMostLeavesOfPasses = 1500;
+
+double peak_megabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// The true distance of the first surface in some of a picture's pixels.
+class FirstSurfaces {
+  public:
+    FirstSurfaces(const Subject& subject, const gl::View& view) : diagonal_(subject.geometry.box.diagonal()) {
+        const truth::RayCaster caster(subject.scene, subject.geometry, view);
+        // A step that is prime to the width visits all columns.
+        const int pixels = view.size().x * view.size().y;
+        const int step = std::max(1, pixels / 1500) | 1;
+        for (int i = step / 2; i < pixels; i += step) {
+            const truth::Ray ray = caster.cast(i % view.size().x, i / view.size().x);
+            if (ray.decided) {
+                samples_.emplace_back(static_cast<std::size_t>(i), ray.surfaces.empty()
+                                                                       ? std::numeric_limits<double>::infinity()
+                                                                       : ray.surfaces[0].distance);
+            }
+        }
+    }
+    /// `distance(pixel)`: what an engine found. Off by more than a thousandth of the scene is wrong.
+    [[nodiscard]] double wrong_percent(const std::function<double(std::size_t)>& distance) const {
+        const auto wrong = std::count_if(samples_.begin(), samples_.end(), [&](const auto& sample) {
+            const double found = distance(sample.first), expected = sample.second;
+            return std::isfinite(found) != std::isfinite(expected) ||
+                   (std::isfinite(found) && std::abs(found - expected) > 1e-3 * diagonal_);
+        });
+        return samples_.empty() ? 0 : 100 * static_cast<double>(wrong) / static_cast<double>(samples_.size());
+    }
+
+  private:
+    double diagonal_;
+    std::vector<std::pair<std::size_t, double>> samples_;
+};
+
+}  // namespace
+
+Comparison::Comparison(gl::Context& context, int largest, int repeat)
+    : context_(context), repeat_(repeat), peeler_(context.functions()) {
+#ifdef CSGSCOPE_WITH_OPENCSG
+    auto made = opencsg::create(glm::ivec2(largest));
+    opencsg_ = std::move(made.engine);
+    missing_ = opencsg_ ? "" : "OpenCSG: " + made.reason;
+#else
+    (void)largest;
+    missing_ = "OpenCSG: the library was missing when this was built";
+#endif
+}
+
+Comparison::~Comparison() = default;
+
+std::vector<Compared> Comparison::run(const Subject& subject, int side) {
+    context_.make_current();
+    const gl::Functions& gl = context_.functions();
+    const gl::View view(subject.camera, glm::ivec2(side), subject.geometry.box.lo, subject.geometry.box.hi);
+    const FirstSurfaces truth(subject, view);
+    const Compared head{subject.name,
+                        subject.size,
+                        side,
+                        subject.scene.leaves.size(),
+                        subject.product_count,
+                        subject.triangles,
+                        {},
+                        false,
+                        {},
+                        0,
+                        0};
+    std::vector<Compared> rows;
+    const auto add = [&](const std::string& engine) -> Compared& {
+        rows.push_back(head);
+        rows.back().engine = engine;
+        return rows.back();
+    };
+    {
+        Compared& row = add("floor");
+        Floor floor(gl, subject.geometry, glm::ivec2(side));
+        row.time = median(4 * repeat_, [&] { floor.draw(view); });
+        row.drawn = true;
+        row.peak = peak_megabytes();
+    }
+    const auto peel = [&](const std::string& name, goldfeather::EngineKind kind, int layers) {
+        Compared& row = add(name);
+        const bool walk = kind == goldfeather::EngineKind::Goldfeather;
+        if (walk && (subject.over_budget || subject.scene.leaves.size() > kMostLeavesOfPasses)) {
+            return;
+        }
+        peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products, kind);
+        peel::WalkStats stats;
+        goldfeather::LayerStack stack;
+        row.time = median(repeat_, [&] {
+            stack = peeler_.peel(view, model, layers, stats);
+            gl.Finish();
+        });
+        row.drawn = true;
+        row.peak = peak_megabytes();
+        const goldfeather::HostLayers host = goldfeather::read_back(gl, stack);
+        row.wrong = truth.wrong_percent([&](std::size_t i) {
+            const auto depth = static_cast<double>(host.surfaces[i].depth);
+            return depth > 0 ? view.distance(depth) : std::numeric_limits<double>::infinity();
+        });
+    };
+    peel("lists-cpu", goldfeather::EngineKind::ListsCpu, 1);
+    peel("lists-cpu all", goldfeather::EngineKind::ListsCpu, peel::kAllLayers);
+    peel("goldfeather", goldfeather::EngineKind::Goldfeather, 1);
+#ifdef CSGSCOPE_WITH_OPENCSG
+    for (const auto& [name, algorithm] : {std::pair("OpenCSG Goldfeather", opencsg::Algorithm::Goldfeather),
+                                          std::pair("OpenCSG SCS", opencsg::Algorithm::Scs)}) {
+        Compared& row = add(name);
+        if (!opencsg_ || subject.over_budget || subject.scene.leaves.size() > kMostLeavesOfPasses) {
+            continue;
+        }
+        opencsg_->load(subject.geometry, subject.products, view, algorithm);
+        row.time = median(repeat_, [&] { opencsg_->draw(); });
+        row.drawn = true;
+        row.peak = peak_megabytes();
+        const opencsg::Picture picture = opencsg_->read();
+        row.wrong = truth.wrong_percent([&](std::size_t i) { return picture.distance[i]; });
+    }
+    context_.make_current();
+#endif
+    return rows;
+}
+
+}  // namespace bench
