@@ -72,7 +72,10 @@ File read(std::string_view text) {
                 in_block = true;
             else if (value == "ENDBLK")
                 in_block = false;
-            entity.kind = value;
+            if (value == "ENDSEC")
+                section.clear();
+            else
+                entity.kind = value;
         } else if (code == 2 && entity.kind == "SECTION") {
             section = value;
             entity.kind.clear();
