@@ -16,8 +16,24 @@ namespace {
 
 constexpr int kLargestSide = 16384;
 constexpr int kMostLayers = 65535;
-const std::array<std::pair<std::string_view, Format>, 4> kFormats{
-    {{"png", Format::Png}, {"csg", Format::Csg}, {"ast", Format::Ast}, {"echo", Format::Echo}}};
+struct NamedFormat {
+    std::string_view name;
+    Format format;
+    MeshFormat mesh = MeshFormat::AsciiStl;
+};
+const std::array<NamedFormat, 12> kFormats{{{"png", Format::Png},
+                                            {"stl", Format::Mesh},
+                                            {"asciistl", Format::Mesh},
+                                            {"binstl", Format::Mesh, MeshFormat::BinaryStl},
+                                            {"off", Format::Mesh, MeshFormat::Off},
+                                            {"obj", Format::Mesh, MeshFormat::Obj},
+                                            {"amf", Format::Mesh, MeshFormat::Amf},
+                                            {"3mf", Format::Mesh, MeshFormat::ThreeMf},
+                                            {"wrl", Format::Mesh, MeshFormat::Wrl},
+                                            {"csg", Format::Csg},
+                                            {"ast", Format::Ast},
+                                            {"echo", Format::Echo}}};
+constexpr const char* kFormatNames = "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, csg, ast and echo";
 
 /// The numbers of "1,2.5,-3", `counts` of them; the decimal point does not depend on the locale.
 std::vector<double> read_numbers(std::string_view option, std::string_view text,
@@ -63,16 +79,16 @@ Value read_name(std::string_view option, const std::string& text,
         fmt::format("{} {}: expected {}.{}", option, text, fmt::join(names, ", "), suggestion(text, names)));
 }
 
-Format read_format(std::string_view option, const std::string& text) {
+Output read_format(std::string_view option, const std::string& path, const std::string& text) {
     std::string name = text;
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const auto& [known, format] : kFormats) {
-        if (name == known) {
-            return format;
+    for (const NamedFormat& known : kFormats) {
+        if (name == known.name) {
+            return {path, known.format, known.mesh};
         }
     }
-    throw UsageError(fmt::format("{}: format \"{}\" is not supported; there are png, csg, ast and echo", option, text));
+    throw UsageError(fmt::format("{}: format \"{}\" is not supported; there are {}", option, text, kFormatNames));
 }
 
 Output read_output(const std::string& path, const std::string& export_format) {
@@ -80,17 +96,17 @@ Output read_output(const std::string& path, const std::string& export_format) {
         throw UsageError("-o: the file's name is empty");
     }
     if (!export_format.empty()) {
-        return {path, read_format("--export-format", export_format)};
+        return read_format("--export-format", path, export_format);
     }
     if (path == "-") {
-        throw UsageError("-o -: say the format of standard output with --export-format png, csg, ast or echo");
+        throw UsageError("-o -: say the format of standard output with --export-format png, stl, csg, …");
     }
     const std::size_t dot = path.rfind('.');
     const std::size_t slash = path.rfind('/');
     if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) {
-        throw UsageError(fmt::format("-o {}: a suffix must tell the format: .png, .csg, .ast or .echo", path));
+        throw UsageError(fmt::format("-o {}: a suffix must tell the format: .png, .stl, .off, .3mf, .csg, …", path));
     }
-    return {path, read_format(fmt::format("-o {}", path), path.substr(dot + 1))};
+    return read_format(fmt::format("-o {}", path), path, path.substr(dot + 1));
 }
 
 gl::Camera read_camera(std::string_view text) {
@@ -143,14 +159,16 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     const char* const in = "Input and output";
     app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("");
     list("-o,--o", raw.outputs,
-         "Write FILE: .png, .csg, .ast or .echo; - is standard output. May be repeated. Without "
-         "it a window opens",
+         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .csg, .ast or .echo; - is standard output. May be "
+         "repeated. Without it a window opens",
          "FILE", in);
-    text("--export-format", raw.export_format, "The format of the outputs, whatever their suffix", "FORMAT", in);
+    text("--export-format", raw.export_format,
+         "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);
     list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
     text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
     text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
-    text("--summary-file", raw.summary_file, "Write camera and bounding box as JSON; - is standard output", "FILE", in);
+    text("--summary-file", raw.summary_file,
+         "Write camera, bounding box and figures of the mesh as JSON; - is standard output", "FILE", in);
     list("--summary", raw.summary, "Print all, camera, bounding-box or time", "WHAT", in);
     app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(in);
     app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);

@@ -10,6 +10,7 @@
 #include "gl/camera.h"
 #include "gl/context.h"
 #include "goldfeather/choice.h"
+#include "ui/pipeline/mesh.h"
 
 namespace ui {
 
@@ -19,11 +20,12 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-enum class Format { Png, Csg, Ast, Echo };
+enum class Format { Png, Csg, Ast, Echo, Mesh };
 
 struct Output {
     std::string path;  ///< "-": standard output.
     Format format = Format::Png;
+    MeshFormat mesh = MeshFormat::AsciiStl;  ///< For Format::Mesh.
 };
 
 struct Options {

@@ -12,10 +12,12 @@
 #include "csg/scad/parser.h"
 #include "csg/scad/scad.h"
 #include "gl/error.h"
+#include "ui/command_line/compare.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
 #include "ui/pipeline/camera.h"
+#include "ui/pipeline/mesh.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
@@ -74,7 +76,11 @@ class Run {
         if (wants(options_, Format::Csg)) {
             write_outputs(options_, Format::Csg, csg::scad::csg_text(*evaluation_.tree));
         }
-        if (wants(options_, Format::Png) || options_.statistics || options_.summary || options_.summary_file) {
+        if (wants(options_, Format::Mesh)) {
+            // OpenSCAD evaluates with $preview false where a mesh is wanted; so did evaluate().
+            build();
+            export_mesh();
+        } else if (wants(options_, Format::Png) || options_.statistics || options_.summary || options_.summary_file) {
             build();
         }
         if (wants(options_, Format::Png)) {
@@ -117,7 +123,7 @@ class Run {
             request_.text = std::get<std::string>(std::move(text));
         }
         request_.definitions = options_.definitions;
-        request_.preview = options_.preview;
+        request_.preview = options_.preview && !wants(options_, Format::Mesh);
         if (options_.camera) {
             const gl::Camera& camera = *options_.camera;
             request_.view = {{camera.target.x, camera.target.y, camera.target.z},
@@ -198,6 +204,17 @@ class Run {
         write_outputs(options_, Format::Png, png);
     }
 
+    void export_mesh() {
+        progress_.say("Computing the mesh…");
+        mesh_ = make_mesh(*model_);
+        progress_.say("");
+        for (const Output& output : options_.outputs) {
+            if (output.format == Format::Mesh) {
+                write_output(output.path, encode_mesh(*model_, *mesh_, output.mesh));
+            }
+        }
+    }
+
     /// What is written beside the outputs.
     void report() {
         if (options_.dependencies) {
@@ -227,6 +244,10 @@ class Run {
         all["warnings"] = messages_.warnings();
         Json ms = {{"evaluate", evaluate_ms_}};
         ms.update(model_ms);
+        if (mesh_) {
+            ms["boolean"] = mesh_->boolean_ms;
+            all["mesh"] = to_json(*mesh_);
+        }
         if (!picture_json_.is_null()) {
             ms.update(picture_json_["ms"]);
             all.update(picture_json_);
@@ -247,6 +268,9 @@ class Run {
             json["bounding_box"] = {
                 {"min", array(model_->box.lo)}, {"max", array(model_->box.hi)}, {"size", array(model_->box.size())}};
         }
+        if (mesh_) {
+            json["geometry"] = to_json(*mesh_);
+        }
         return json;
     }
 
@@ -258,6 +282,7 @@ class Run {
     csg::scad::Request request_;
     csg::scad::Evaluation evaluation_;
     std::shared_ptr<const Model> model_;
+    std::optional<ModelMesh> mesh_;
     gl::Camera camera_;
     double evaluate_ms_ = 0;
     Json picture_json_;
@@ -310,6 +335,9 @@ std::string information(gl::ContextKind kind) {
 }
 
 int run_or_throw(const std::vector<std::string>& arguments) {
+    if (!arguments.empty() && arguments[0] == "compare") {
+        return run_compare({arguments.begin() + 1, arguments.end()});
+    }
     CommandLine line = read_command_line(arguments);
     Options& options = line.options;
     if (line.text || options.information) {

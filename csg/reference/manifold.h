@@ -1,0 +1,17 @@
+// Points of a surface told apart where sheets of it only touch.
+#pragma once
+
+#include <vector>
+
+#include "csg/reference/mesh.h"
+
+namespace csg::reference {
+
+/// `mesh` is the boundary of a solid in which several sheets may share an edge or a point. Afterwards triangles share
+/// a point only where they are neighbours around it, and at every edge those two triangles are neighbours that have
+/// the solid between them. An edge at which two sheets touch that are connected around both of its ends gets a point in
+/// its middle. `normals`: outward, by triangle. Unused points are dropped. A mesh that is no such
+/// boundary is left not manifold (`facts` tells).
+void separate_sheets(Mesh& mesh, std::vector<glm::dvec3> normals);
+
+}  // namespace csg::reference

@@ -1,0 +1,22 @@
+// Booleans of plain meshes, for nodes that make a mesh.
+#pragma once
+
+#include <span>
+
+#include "csg/reference/boolean.h"
+
+namespace csg::reference {
+
+/// Meshes as the leaves of a scene whose only part combines them in one operation (not Leaf). Leaf i is operand i.
+struct MeshScene {
+    Scene scene;
+    solid::Geometry geometry;
+};
+
+[[nodiscard]] MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operands);
+
+/// Union, intersection or difference (first minus the others) of closed meshes, which may intersect themselves (then
+/// the even-odd rule holds). Sources are indices of operands. Throws as make_mesh does.
+[[nodiscard]] BooleanResult combine(ExpressionKind operation, std::span<const Mesh> operands);
+
+}  // namespace csg::reference

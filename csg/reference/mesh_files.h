@@ -1,0 +1,38 @@
+// Meshes as files: STL, OFF, OBJ, AMF, 3MF and VRML. The same mesh gives the same bytes.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "csg/reference/mesh.h"
+
+namespace csg::reference {
+
+enum class MeshFormat { AsciiStl, BinaryStl, Off, Obj, Amf, ThreeMf, Wrl };
+
+/// One object of a file: a range of the mesh's triangles with a name and a colour.
+struct MeshPart {
+    std::string name;
+    std::array<float, 4> rgba{0.976f, 0.843f, 0.173f, 1};  ///< sRGB, 0 to 1.
+};
+
+/// What is written: `part_of` gives each triangle's part (all 0 where it is empty).
+struct MeshDocument {
+    const Mesh& mesh;
+    std::vector<MeshPart> parts;
+    std::vector<std::uint32_t> part_of;
+};
+
+/// The bytes of the file. Coordinates are written so that they are read back to the last bit (STL in single precision
+/// where binary). Formats that know parts (OBJ, AMF, 3MF) keep names, those that know colours (OFF, AMF, 3MF, WRL)
+/// colours.
+[[nodiscard]] std::string encode(const MeshDocument& document, MeshFormat format);
+
+/// Reads STL (either kind) or OFF; equal points are one. Throws std::runtime_error with the reason.
+[[nodiscard]] Mesh decode_mesh(std::string_view bytes);
+
+}  // namespace csg::reference

@@ -1,0 +1,17 @@
+// Booleans by an arrangement of canonical planes.
+#pragma once
+
+#include "csg/reference/mesh.h"
+#include "csg/solid/placed.h"
+#include "csg/tree/scene.h"
+
+namespace csg::reference {
+
+/// All leaves at once, whatever the expression: the faces are cut up where they meet, plane by plane (segments.h,
+/// plane_cells.h), the regions between them are found (cell_complex.h), and a cell is on the surface exactly where the
+/// expression differs between the regions on its two sides. Geometry is decided by the two tables, of planes and of
+/// points, and everything after that is combinatorial; where it does not fit together, Undecided is thrown
+/// (plane_cells.h) rather than a wrong mesh returned.
+[[nodiscard]] Mesh plane_boolean(const Scene& scene, const solid::Geometry& geometry, unsigned threads);
+
+}  // namespace csg::reference

@@ -1,0 +1,36 @@
+// The cells of one plane: maximal areas that no segment crosses, with the leaves whose faces cover them.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+
+#include "csg/reference/segments.h"
+
+namespace csg::reference {
+
+/// The scene is too near to degenerate for double precision: points and lines within the tolerance do not fit
+/// together. Exact arithmetic must decide.
+class Undecided : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+struct PlaneCells {
+    struct Cell {
+        std::vector<LeafId> leaves;         ///< Sorted: whoever passes through the cell enters or leaves these.
+        std::vector<glm::uvec3> triangles;  ///< Points of the table, counter-clockwise about the plane's normal.
+    };
+    struct Side {
+        std::uint32_t lo, hi;  ///< An edge of the cell, between points lo < hi.
+        std::uint32_t cell;
+        bool left;  ///< The cell is to the left of lo → hi, seen against the plane's normal.
+    };
+    std::vector<Cell> cells;
+    std::vector<Side> sides;
+};
+
+/// Triangulates (constrained Delaunay) the plane's segments after they have been split. Cells that no leaf covers are
+/// left out. Throws Undecided.
+[[nodiscard]] PlaneCells make_cells(const Content& content, const PlaneContent& plane, const glm::dvec3& normal);
+
+}  // namespace csg::reference

@@ -1,0 +1,271 @@
+#include "csg/reference/segments.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace csg::reference {
+namespace {
+
+using solid::Plane;
+
+std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+/// A triangle of a leaf, with what the tests for intersection need.
+struct Face {
+    std::array<glm::dvec3, 3> corners;
+    std::array<std::uint32_t, 3> ids;
+    std::uint32_t plane;
+    Box box;
+};
+
+double tolerance_of(const Box& box) {
+    const glm::dvec3 largest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+    return 4 * solid::coincidence_tolerance(std::max({largest.x, largest.y, largest.z}));
+}
+
+/// The part of a plane's line that a triangle of another plane covers.
+struct Interval {
+    glm::dvec3 from, to;
+    double lo, hi;  ///< Positions along the line.
+};
+
+std::optional<Interval> cut(const Face& face, const Plane& plane, const glm::dvec3& along, double tolerance) {
+    std::array<double, 3> d;
+    for (std::size_t i = 0; i < 3; ++i) {
+        d[i] = glm::dot(plane.normal, face.corners[i]) - plane.offset;
+        if (std::abs(d[i]) <= tolerance)
+            d[i] = 0;
+    }
+    if (d[0] == 0 && d[1] == 0 && d[2] == 0)
+        return {};
+    std::optional<Interval> result;
+    const auto take = [&](const glm::dvec3& p) {
+        const double t = glm::dot(along, p);
+        if (!result)
+            result = Interval{p, p, t, t};
+        else if (t < result->lo)
+            result->from = p, result->lo = t;
+        else if (t > result->hi)
+            result->to = p, result->hi = t;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        if (d[i] == 0)
+            take(face.corners[i]);
+        if ((d[i] < 0 && d[j] > 0) || (d[i] > 0 && d[j] < 0)) {
+            // From the end below the plane, so that both triangles at this edge get the same point.
+            const std::size_t a = d[i] < 0 ? i : j, b = d[i] < 0 ? j : i;
+            take(face.corners[a] + (face.corners[b] - face.corners[a]) * (d[a] / (d[a] - d[b])));
+        }
+    }
+    return result;
+}
+
+class Collector {
+  public:
+    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves)
+        : geometry_(geometry), leaves_(leaves), content_(tolerance_of(geometry.box)) {
+        content_.planes.resize(geometry.planes.planes().size());
+    }
+
+    Content collect() {
+        for (const LeafId leaf : leaves_)
+            faces_.push_back(faces_of(leaf));
+        for (std::size_t i = 0; i < leaves_.size(); ++i)
+            add_borders(leaves_[i], faces_[i]);
+        meet_leaves();
+        for (PlaneContent& plane : content_.planes) {
+            std::sort(plane.segments.begin(), plane.segments.end());
+            plane.segments.erase(std::unique(plane.segments.begin(), plane.segments.end()), plane.segments.end());
+        }
+        return std::move(content_);
+    }
+
+  private:
+    std::vector<Face> faces_of(LeafId id) {
+        const solid::PlacedLeaf& leaf = geometry_.leaves[id];
+        std::vector<std::uint32_t> ids;
+        ids.reserve(leaf.points.size());
+        for (const glm::dvec3& p : leaf.points)
+            ids.push_back(content_.points.add(p));
+        std::vector<Face> faces;
+        faces.reserve(leaf.triangles.size());
+        for (std::size_t i = 0; i < leaf.triangles.size(); ++i) {
+            const glm::uvec3& t = leaf.triangles[i];
+            Face face{{}, {ids[t.x], ids[t.y], ids[t.z]}, leaf.planes[i].index, {}};
+            for (std::size_t k = 0; k < 3; ++k) {
+                face.corners[k] = content_.points[face.ids[k]];
+                face.box = enclose(face.box, face.corners[k]);
+            }
+            face.box.lo -= content_.points.tolerance();
+            face.box.hi += content_.points.tolerance();
+            if (face.ids[0] != face.ids[1] && face.ids[1] != face.ids[2] && face.ids[2] != face.ids[0])
+                faces.push_back(face);
+        }
+        return faces;
+    }
+
+    /// Edges with an odd number of the leaf's triangles in a plane.
+    void add_borders(LeafId leaf, const std::vector<Face>& faces) {
+        std::vector<std::pair<std::uint32_t, std::uint64_t>> edges;
+        for (const Face& face : faces) {
+            for (std::size_t k = 0; k < 3; ++k)
+                edges.emplace_back(face.plane, key(face.ids[k], face.ids[(k + 1) % 3]));
+        }
+        std::sort(edges.begin(), edges.end());
+        for (std::size_t i = 0, j; i < edges.size(); i = j) {
+            for (j = i + 1; j < edges.size() && edges[j] == edges[i]; ++j) {
+            }
+            if ((j - i) % 2 == 0)
+                continue;
+            const auto segment = content_.segments.add(static_cast<std::uint32_t>(edges[i].second >> 32),
+                                                       static_cast<std::uint32_t>(edges[i].second));
+            PlaneContent& plane = content_.planes[edges[i].first];
+            plane.segments.push_back(segment);
+            plane.borders.push_back({segment, leaf});
+        }
+    }
+
+    void meet_leaves() {
+        std::vector<std::uint32_t> order(leaves_.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i)
+            order[i] = i;
+        const auto box = [&](std::uint32_t i) -> const Box& { return geometry_.leaves[leaves_[i]].box; };
+        std::sort(order.begin(), order.end(), [&](auto a, auto b) { return box(a).lo.x < box(b).lo.x; });
+        const double margin = content_.points.tolerance();
+        for (std::size_t a = 0; a < order.size(); ++a) {
+            if (!geometry_.leaves[leaves_[order[a]]].solid->convex)
+                meet(faces_[order[a]], faces_[order[a]], box(order[a]), true);
+            for (std::size_t b = a + 1; b < order.size() && box(order[b]).lo.x <= box(order[a]).hi.x + margin; ++b) {
+                Box shared = intersect(box(order[a]), box(order[b]));
+                shared.lo -= margin;
+                shared.hi += margin;
+                if (!shared.empty())
+                    meet(faces_[order[a]], faces_[order[b]], shared, false);
+            }
+        }
+    }
+
+    static std::vector<const Face*> within(const std::vector<Face>& faces, const Box& box) {
+        std::vector<const Face*> found;
+        for (const Face& face : faces) {
+            if (!intersect(face.box, box).empty())
+                found.push_back(&face);
+        }
+        return found;
+    }
+
+    void meet(const std::vector<Face>& first, const std::vector<Face>& second, const Box& box, bool same) {
+        std::vector<const Face*> a = within(first, box), b = within(second, box);
+        if (a.empty() || b.empty())
+            return;
+        // A sweep along the longest axis of what is shared.
+        const glm::dvec3 size = box.size();
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const auto earlier = [axis](const Face* f, const Face* g) { return f->box.lo[axis] < g->box.lo[axis]; };
+        std::stable_sort(a.begin(), a.end(), earlier);
+        std::stable_sort(b.begin(), b.end(), earlier);
+        std::vector<const Face*> active_a, active_b;
+        const auto sweep = [&](const Face* face, std::vector<const Face*>& others, bool face_is_first) {
+            std::erase_if(others, [&](const Face* o) { return o->box.hi[axis] < face->box.lo[axis]; });
+            for (const Face* other : others) {
+                if (face_is_first)
+                    meet(*face, *other, same);
+                else
+                    meet(*other, *face, same);
+            }
+        };
+        if (same) {
+            for (const Face* face : a) {
+                sweep(face, active_a, true);
+                active_a.push_back(face);
+            }
+            return;
+        }
+        for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+            if (j == b.size() || (i < a.size() && a[i]->box.lo[axis] <= b[j]->box.lo[axis])) {
+                sweep(a[i], active_b, true);
+                active_a.push_back(a[i++]);
+            } else {
+                sweep(b[j], active_a, false);
+                active_b.push_back(b[j++]);
+            }
+        }
+    }
+
+    void meet(const Face& a, const Face& b, bool same) {
+        if (a.plane == b.plane || intersect(a.box, b.box).empty())
+            return;
+        if (same) {
+            for (const std::uint32_t id : a.ids) {
+                if (std::find(b.ids.begin(), b.ids.end(), id) != b.ids.end())
+                    return;
+            }
+        }
+        const Plane& p = geometry_.planes.planes()[a.plane];
+        const Plane& q = geometry_.planes.planes()[b.plane];
+        const double tolerance = content_.points.tolerance();
+        glm::dvec3 along = glm::cross(p.normal, q.normal);
+        const double length = glm::length(along);
+        if (length < 1e-12)
+            return;
+        along /= length;
+        const auto on_a = cut(a, q, along, tolerance);
+        if (!on_a)
+            return;
+        const auto on_b = cut(b, p, along, tolerance);
+        if (!on_b || std::min(on_a->hi, on_b->hi) - std::max(on_a->lo, on_b->lo) <= tolerance)
+            return;
+        const std::uint32_t from = content_.points.add(on_a->lo >= on_b->lo ? on_a->from : on_b->from);
+        const std::uint32_t to = content_.points.add(on_a->hi <= on_b->hi ? on_a->to : on_b->to);
+        if (from == to)
+            return;
+        const std::uint32_t segment = content_.segments.add(from, to);
+        content_.planes[a.plane].segments.push_back(segment);
+        content_.planes[b.plane].segments.push_back(segment);
+    }
+
+    const solid::Geometry& geometry_;
+    std::span<const LeafId> leaves_;
+    std::vector<std::vector<Face>> faces_;  ///< In the order of `leaves_`.
+    Content content_;
+};
+
+}  // namespace
+
+std::uint32_t SegmentTable::add(std::uint32_t a, std::uint32_t b) {
+    const auto [entry, added] = by_ends_.try_emplace(key(a, b), static_cast<std::uint32_t>(segments_.size()));
+    if (added)
+        segments_.push_back({std::min(a, b), std::max(a, b), {}});
+    return entry->second;
+}
+
+std::vector<std::uint32_t> SegmentTable::chain(std::uint32_t id, const PointTable& points) const {
+    const Segment& s = segments_[id];
+    if (s.splits.empty())
+        return {s.from, s.to};
+    const glm::dvec3 along = points[s.to] - points[s.from];
+    std::vector<std::uint32_t> inner;
+    for (const std::uint32_t p : s.splits) {
+        if (p != s.from && p != s.to)
+            inner.push_back(p);
+    }
+    std::sort(inner.begin(), inner.end());
+    inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+    std::sort(inner.begin(), inner.end(),
+              [&](auto a, auto b) { return glm::dot(points[a], along) < glm::dot(points[b], along); });
+    inner.insert(inner.begin(), s.from);
+    inner.push_back(s.to);
+    return inner;
+}
+
+Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves) {
+    return Collector(geometry, leaves).collect();
+}
+
+}  // namespace csg::reference

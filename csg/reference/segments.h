@@ -1,0 +1,59 @@
+// The segments in which the faces of a scene end or meet, plane by plane.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "csg/reference/point_table.h"
+#include "csg/solid/placed.h"
+
+namespace csg::reference {
+
+/// Segments between points of a table, each once. A segment that lies in several planes is split in all of them where
+/// it is split in one: so the planes' arrangements fit together.
+class SegmentTable {
+  public:
+    struct Segment {
+        std::uint32_t from = 0, to = 0;     ///< from < to
+        std::vector<std::uint32_t> splits;  ///< Points on it, in any order, perhaps repeated.
+    };
+
+    std::uint32_t add(std::uint32_t a, std::uint32_t b);
+    void split(std::uint32_t segment, std::uint32_t point) { segments_[segment].splits.push_back(point); }
+    [[nodiscard]] const Segment& operator[](std::uint32_t id) const { return segments_[id]; }
+    [[nodiscard]] std::size_t size() const { return segments_.size(); }
+    /// All points of the segment, sorted from one end to the other.
+    [[nodiscard]] std::vector<std::uint32_t> chain(std::uint32_t id, const PointTable& points) const;
+
+  private:
+    std::vector<Segment> segments_;
+    std::unordered_map<std::uint64_t, std::uint32_t> by_ends_;
+};
+
+/// What lies in one plane of the plane table.
+struct PlaneContent {
+    struct Border {
+        std::uint32_t segment;
+        LeafId leaf;  ///< Whose faces in this plane end there: on one side it has one, on the other not (mod 2).
+    };
+    std::vector<std::uint32_t> segments;  ///< Sorted, each once; those of the borders among them.
+    std::vector<Border> borders;
+};
+
+struct Content {
+    explicit Content(double tolerance) : points(tolerance) {}
+    PointTable points;
+    SegmentTable segments;
+    std::vector<PlaneContent> planes;  ///< By plane of the plane table.
+};
+
+/// Collects the borders of the faces of `leaves`, and the segments in which faces of two leaves (or, of one that is not
+/// convex, of its own) on different planes meet. Not yet split where they cross.
+[[nodiscard]] Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves);
+
+/// Splits the segments of each plane where they cross or touch.
+void split_segments(const solid::Geometry& geometry, Content& content);
+
+}  // namespace csg::reference

@@ -1,0 +1,121 @@
+// Booleans against closed forms: volume, area, pieces and handles.
+#include <gtest/gtest.h>
+
+#include "tests/reference/meshes.h"
+
+namespace {
+
+struct Case {
+    const char* name;
+    const char* program;
+    double volume;
+    std::size_t components;
+    long genus;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.name;
+}
+
+class ClosedForms : public testing::TestWithParam<Case> {};
+
+TEST_P(ClosedForms, VolumePiecesAndHandles) {
+    const auto model = meshes::model_of(GetParam().program);
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    EXPECT_TRUE(mesh.facts.manifold);
+    EXPECT_NEAR(mesh.facts.volume, GetParam().volume, 1e-9 * GetParam().volume);
+    EXPECT_EQ(mesh.facts.components, GetParam().components);
+    EXPECT_EQ(mesh.facts.genus, GetParam().genus);
+    EXPECT_EQ(mesh.method, "planes") << mesh.reason;
+}
+
+// Sides of a regular 6-gon prism of radius 1: area 3 √3 / 2.
+constexpr double kHexagon = 2.598076211353316;
+
+const Case kCases[] = {
+    {"Cube", "cube([2, 3, 4]);", 24, 1, 0},
+    {"Drilled", "difference() { cube(4, center = true); cylinder(h = 9, r = 1, $fn = 6, center = true); }",
+     64 - 4 * kHexagon, 1, 1},
+    {"DrilledFlush", "difference() { cube(4); translate([2, 2, 0]) cylinder(h = 4, r = 1, $fn = 6); }",
+     64 - 4 * kHexagon, 1, 1},
+    {"BlindFlush", "difference() { cube(4); translate([2, 2, 2]) cylinder(h = 2, r = 1, $fn = 6); }", 64 - 2 * kHexagon,
+     1, 0},
+    {"Cavity", "difference() { cube(4, center = true); cube(2, center = true); }", 64 - 8, 2, 0},
+    {"ThreeWays",
+     "difference() { cube(6, center = true); for (r = [[0,0,0],[90,0,0],[0,90,0]]) rotate(r) "
+     "cube([2, 2, 9], center = true); }",
+     216 - 3 * 24 + 2 * 8, 1, 5},
+    {"TwoBlocksThatTouch", "cube(2); translate([2, 0, 0]) cube(2);", 16, 1, 0},
+    {"TwoBlocksThatTouchInPart", "cube(2); translate([2, 1, 1]) cube(2);", 16, 1, 0},
+    {"TouchAtAnEdge", "cube(2); translate([2, 2, 0]) cube(2);", 16, 2, 0},
+    {"TouchAtACorner", "cube(2); translate([2, 2, 2]) cube(2);", 16, 2, 0},
+    {"Same", "intersection() { cube(2); cube(2); }", 8, 1, 0},
+    {"Apart", "cube(1); translate([5, 0, 0]) cube(1);", 2, 2, 0},
+    {"TurnedFlush",
+     "rotate([17, 29, 43]) difference() { cube(4); translate([1, 1, 2]) cube(2); translate([3, 0, 0]) cube(4); }",
+     64 - 8 - 16, 1, 0},
+    {"FarAway", "translate([1e4, -2e4, 5e3]) difference() { cube(4); translate([1, 1, -1]) cube([2, 2, 6]); }", 64 - 16,
+     1, 1},
+    {"MirroredAndScaled", "mirror([1, 0, 0]) scale([1, 2, 0.5]) cube(2);", 8, 1, 0},
+    {"InsideOutPolyhedron", "polyhedron([[0,0,0],[2,0,0],[0,2,0],[0,0,3]], [[0,2,1],[0,1,3],[1,2,3],[2,0,3]]);", 2, 1,
+     0},
+    // Two bars in a cross share an edge with a third: the four meet along lines.
+    {"CheckerBoard", "for (x = [0:3], y = [0:3]) if ((x + y) % 2 == 0) translate([x, y, 0]) cube(1);", 8, 8, 0},
+    {"TranslucentPartsCount", "cube(2); color([1, 0, 0, 0.5]) translate([1, 0, 0]) cube(2);", 12, 1, 0},
+    {"BackgroundDoesNot", "cube(2); %cube(5); ", 8, 1, 0},
+};
+
+INSTANTIATE_TEST_SUITE_P(Booleans, ClosedForms, testing::ValuesIn(kCases),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Booleans, NefGivesTheSame) {
+    const auto model = meshes::model_of(
+        "difference() { union() { cube(4); translate([2, 2, 2]) cube(4); } translate([1, 1, -1]) "
+        "cylinder(h = 9, r = 1, $fn = 5); }");
+    csg::reference::BooleanRequest request;
+    request.method = csg::reference::Method::Nef;
+    const auto exact = csg::reference::make_mesh(model->scene, model->geometry, request);
+    const auto facts = csg::reference::facts(exact.mesh);
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    EXPECT_TRUE(facts.manifold);
+    EXPECT_NEAR(facts.volume, mesh.facts.volume, 1e-9);
+    EXPECT_EQ(facts.genus, mesh.facts.genus);
+}
+
+TEST(Booleans, SourcesAreTheLeavesThatShow) {
+    const auto model = meshes::model_of("difference() { cube(4); translate([1, 1, 2]) cube([2, 2, 2]); }");
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    for (std::size_t i = 0; i < mesh.mesh.triangles.size(); ++i) {
+        const glm::uvec3& t = mesh.mesh.triangles[i];
+        const glm::dvec3 c = (mesh.mesh.points[t.x] + mesh.mesh.points[t.y] + mesh.mesh.points[t.z]) / 3.0;
+        const bool outer = c.x == 0 || c.x == 4 || c.y == 0 || c.y == 4 || c.z == 0 || c.z == 4;
+        EXPECT_EQ(mesh.mesh.sources[i], outer ? 0u : 1u);
+    }
+}
+
+TEST(Booleans, NothingIsAnError) {
+    EXPECT_THROW((void)ui::make_mesh(*meshes::model_of("")), ui::ModelError);
+    EXPECT_THROW((void)ui::make_mesh(*meshes::model_of("difference() { cube(1); cube(1); }")), ui::ModelError);
+    EXPECT_THROW((void)ui::make_mesh(*meshes::model_of("%cube(1);")), ui::ModelError);
+}
+
+TEST(Booleans, AnOpenLeafIsAnError) {
+    const auto model = meshes::model_of("polyhedron([[0,0,0],[2,0,0],[0,2,0],[0,0,3]], [[0,2,1],[0,1,3],[1,2,3]]);");
+    EXPECT_THROW((void)ui::make_mesh(*model), ui::ModelError);
+}
+
+TEST(Booleans, ThreadsDoNotMatter) {
+    const auto model = meshes::model_of(
+        "difference() { sphere(5, $fn = 40); for (i = [0:9]) rotate(36 * i) "
+        "translate([5, 0, 0]) sphere(1, $fn = 20); }");
+    csg::reference::BooleanRequest one, four;
+    one.threads = 1;
+    four.threads = 4;
+    const auto a = csg::reference::make_mesh(model->scene, model->geometry, one);
+    const auto b = csg::reference::make_mesh(model->scene, model->geometry, four);
+    EXPECT_EQ(a.mesh.points, b.mesh.points);
+    EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+    EXPECT_EQ(a.mesh.sources, b.mesh.sources);
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+// Mesh files: what is written is read again, and the same mesh gives the same bytes.
+#include <gtest/gtest.h>
+
+#include "csg/reference/mesh_files.h"
+#include "tests/reference/meshes.h"
+
+namespace {
+
+using csg::reference::decode_mesh;
+using ui::MeshFormat;
+
+const char* const kProgram =
+    "color([1, 0, 0]) difference() { cube(4); translate([1, 1, -1]) cylinder(h = 9, r = 0.7); } "
+    "color([0, 0, 1]) translate([9, 0, 0]) rotate([10, 20, 30]) cube(2);";
+
+TEST(MeshFiles, AreReadAgain) {
+    const auto model = meshes::model_of(kProgram);
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    for (const MeshFormat format : {MeshFormat::AsciiStl, MeshFormat::Off}) {
+        const auto read = csg::reference::facts(decode_mesh(ui::encode_mesh(*model, mesh, format)));
+        EXPECT_TRUE(read.manifold);
+        EXPECT_EQ(read.box, mesh.facts.box);
+        EXPECT_NEAR(read.volume, mesh.facts.volume, 1e-12 * mesh.facts.volume);
+    }
+    const auto single = csg::reference::facts(decode_mesh(ui::encode_mesh(*model, mesh, MeshFormat::BinaryStl)));
+    EXPECT_TRUE(single.manifold);
+    EXPECT_NEAR(single.volume, mesh.facts.volume, 1e-6 * mesh.facts.volume);
+}
+
+TEST(MeshFiles, SameBytes) {
+    const auto model = meshes::model_of(kProgram);
+    const auto again = meshes::model_of(kProgram);
+    for (const MeshFormat format : {MeshFormat::AsciiStl, MeshFormat::BinaryStl, MeshFormat::Off, MeshFormat::Obj,
+                                    MeshFormat::Amf, MeshFormat::ThreeMf, MeshFormat::Wrl}) {
+        const std::string bytes = ui::encode_mesh(*model, ui::make_mesh(*model), format);
+        EXPECT_GT(bytes.size(), 1000u);
+        EXPECT_EQ(bytes, ui::encode_mesh(*again, ui::make_mesh(*again), format));
+    }
+}
+
+TEST(MeshFiles, ColoursArePartsOfTheFile) {
+    const auto model = meshes::model_of(kProgram);
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    const std::string amf = ui::encode_mesh(*model, mesh, MeshFormat::Amf);
+    EXPECT_NE(amf.find("<color><r>1</r><g>0</g><b>0</b><a>1</a></color>"), std::string::npos);
+    EXPECT_NE(amf.find("<color><r>0</r><g>0</g><b>1</b><a>1</a></color>"), std::string::npos);
+    EXPECT_NE(amf.find("<volume materialid=\"2\">"), std::string::npos);
+    const std::string obj = ui::encode_mesh(*model, mesh, MeshFormat::Obj);
+    EXPECT_NE(obj.find("g part_1\n"), std::string::npos);
+    EXPECT_NE(obj.find("g part_2\n"), std::string::npos);
+}
+
+TEST(MeshFiles, BrokenFilesAreRefused) {
+    const char* const broken[] = {"",
+                                  "solid",
+                                  "solid x\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop",
+                                  "solid x\nvertex 0 0 nan\n",
+                                  "OFF",
+                                  "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n",
+                                  "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n",
+                                  "OFF\n99999999999999 1 0\n",
+                                  "PNG"};
+    for (const char* text : broken)
+        EXPECT_THROW((void)decode_mesh(text), std::runtime_error) << text;
+}
+
+}  // namespace

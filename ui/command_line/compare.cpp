@@ -1,0 +1,358 @@
+#include "ui/command_line/compare.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "csg/scad/scad.h"
+#include "gl/context.h"
+#include "goldfeather/lists_cpu.h"
+#include "peel/peeler.h"
+#include "ui/command_line/compare_report.h"
+#include "ui/command_line/files.h"
+#include "ui/command_line/messages.h"
+#include "ui/command_line/options.h"
+#include "ui/pipeline/camera.h"
+#include "ui/pipeline/errors.h"
+#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/solid_scene.h"
+
+namespace ui {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct CompareOptions {
+    std::string input, against = "cgal", engine = "lists-cpu", report, reference;
+    double tolerance = 0, reference_threshold = 0.01;
+    int views = 1, size = 256;
+};
+
+CompareOptions read_options(const std::vector<std::string>& arguments) {
+    CompareOptions o;
+    CLI::App app("csgscope compare draws a model and compares all layers of the picture with a mesh.",
+                 "csgscope compare");
+    app.add_option("file", o.input, "The .scad file")->required();
+    app.add_option("--against", o.against,
+                   "cgal (the exact mesh), openscad (its mesh), FILE.stl, FILE.off or FILE.png");
+    app.add_option("--engine", o.engine, "goldfeather or lists-cpu")
+        ->check(CLI::IsMember({"goldfeather", "lists-cpu"}));
+    app.add_option("--views", o.views, "Views spread over the sphere, of both projections")->check(CLI::Range(1, 100));
+    app.add_option("--imgsize", o.size, "Width and height in pixels")->check(CLI::Range(16, 4096));
+    app.add_option("--report", o.report, "Folder for report.html, report.json and difference pictures");
+    app.add_option("--tolerance", o.tolerance, "Largest share of wrong pixels outside the band (0)")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--reference", o.reference, "A picture to compare with, as --against FILE.png");
+    app.add_option("--reference-threshold", o.reference_threshold, "Largest share of pixels that may differ (0.01)")
+        ->check(CLI::Range(0.0, 1.0));
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        write_output("-", app.help());
+        o.input.clear();
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(fmt::format("compare: {}", error.what()));
+    }
+    if (o.against.ends_with(".png")) {
+        o.reference = o.against;
+    }
+    return o;
+}
+
+struct Loaded {
+    std::shared_ptr<const Model> model;
+    csg::scad::ViewSettings view;
+};
+
+Loaded load(const CompareOptions& o) {
+    csg::scad::Request request;
+    request.path = o.input;
+    auto text = csg::scad::read_source_file(o.input);
+    if (const auto* error = std::get_if<csg::scad::ReadError>(&text)) {
+        throw UsageError(error->text);
+    }
+    request.text = std::get<std::string>(std::move(text));
+    request.preview = o.reference.empty() ? false : true;
+    Messages messages(true);
+    auto evaluation =
+        csg::scad::evaluate(request, [&](const auto& message, const auto& sources) { messages.add(message, sources); });
+    if (!evaluation.ok) {
+        throw ModelError("the model has errors");
+    }
+    return {ModelBuilder().build(evaluation.tree), evaluation.view};
+}
+
+std::string read_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    if (!file || !(bytes << file.rdbuf())) {
+        throw UsageError(fmt::format("{}: cannot be read", path));
+    }
+    return bytes.str();
+}
+
+/// A file in a folder of its own, gone at the end.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const std::string& name) {
+        std::string folder = (fs::temp_directory_path() / "csgscope.XXXXXX").string();
+        if (mkdtemp(folder.data()) == nullptr) {
+            throw std::runtime_error(fmt::format("{}: cannot be created", folder));
+        }
+        folder_ = folder;
+        path_ = folder_ / name;
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+  private:
+    fs::path folder_, path_;
+};
+
+/// The mesh that `openscad` makes of the file.
+csg::reference::Mesh mesh_of_openscad(const std::string& input) {
+    const TemporaryFile file("mesh.off");
+    const pid_t child = fork();
+    if (child == 0) {
+        execlp("openscad", "openscad", "-q", "-o", file.path().c_str(), input.c_str(), static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        throw std::runtime_error("openscad is not installed, or made no mesh of the model");
+    }
+    return csg::reference::decode_mesh(read_file(file.path().string()));
+}
+
+csg::reference::Mesh reference_mesh(const CompareOptions& o, const Model& model) {
+    if (o.against == "cgal") {
+        return make_mesh(model).mesh;
+    }
+    if (o.against == "openscad") {
+        return mesh_of_openscad(o.input);
+    }
+    try {
+        return csg::reference::decode_mesh(read_file(o.against));
+    } catch (const UsageError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw UsageError(fmt::format("{}: {}", o.against, error.what()));
+    }
+}
+
+goldfeather::HostLayers layers_of(const SolidScene& solid, const gl::View& view, const std::string& engine) {
+    if (engine == "lists-cpu") {
+        const goldfeather::ListsModel lists(solid.scene, solid.geometry);
+        goldfeather::CpuLayers layers;
+        goldfeather::ListsStats stats;
+        goldfeather::peel_lists(lists, view, 0, 0, layers, stats);
+        return goldfeather::to_host(layers);
+    }
+    const auto context = gl::create_context(gl::ContextKind::Auto);
+    std::vector<csg::Box> boxes;
+    for (const auto& leaf : solid.geometry.leaves) {
+        boxes.push_back(leaf.box);
+    }
+    goldfeather::NormalizationStats normalization;
+    auto normalized = goldfeather::normalize(solid.scene, solid.scene.parts[0], boxes, {}, normalization);
+    auto* sum = std::get_if<goldfeather::SumOfProducts>(&normalized);
+    if (std::holds_alternative<goldfeather::OverBudget>(normalized)) {
+        throw ModelError("the model needs more products than the engine goldfeather takes");
+    }
+    peel::Peeler peeler(context->functions());
+    peel::PeelModel model(context->functions(), solid.scene, solid.geometry,
+                          {sum ? std::move(sum->products) : std::vector<goldfeather::Product>{}});
+    peel::WalkStats stats;
+    return peel::read_back(context->functions(), peeler.peel(view, model, peel::kAllLayers, stats));
+}
+
+/// Views evenly spread (on a spiral), perspective and orthographic in turn; the first is OpenSCAD's default.
+gl::Camera camera_of(int view, int views, const csg::Box& box) {
+    gl::Camera camera;
+    if (view > 0) {
+        const double z = 1 - 2 * (view + 0.5) / views;
+        camera.rotation = {std::acos(z) * 57.29577951308232, 0, std::fmod(view * 137.50776405003785, 360.0)};
+    }
+    camera.projection = view % 2 == 0 ? gl::Projection::Perspective : gl::Projection::Orthographic;
+    gl::view_all(camera, box.lo, box.hi, true);
+    return camera;
+}
+
+gl::Image blank(glm::ivec2 size) {
+    gl::Image image{size.x, size.y, {}};
+    image.rgba.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4, 255);
+    return image;
+}
+
+void set(gl::Image& image, int x, int y, const glm::dvec3& color) {
+    const std::size_t at = 4 * (static_cast<std::size_t>(image.height - 1 - y) * static_cast<std::size_t>(image.width) +
+                                static_cast<std::size_t>(x));
+    for (int c = 0; c < 3; ++c) {
+        image.rgba[at + static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[c], 0.0, 1.0)));
+    }
+}
+
+/// The same plain light for both sides, so that what differs is the geometry.
+glm::dvec3 shade(const glm::dvec3& normal, const gl::View& view) {
+    const double light = std::abs((glm::dmat3(view.eye_from_world()) * normal).z);
+    return glm::dvec3(0.95, 0.8, 0.35) * (0.3 + 0.7 * light);
+}
+
+ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& mesh, const gl::View& view,
+                           const goldfeather::HostLayers& stack, const MeshLayers& truth,
+                           const Comparison& comparison) {
+    ComparedView result{{},
+                        blank(view.size()),
+                        blank(view.size()),
+                        blank(view.size()),
+                        to_json(comparison.all),
+                        to_json(comparison.outside)};
+    for (int y = 0; y < view.size().y; ++y) {
+        for (int x = 0; x < view.size().x; ++x) {
+            const std::size_t i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(view.size().x) + static_cast<std::size_t>(x);
+            const bool drawn = stack.layers > 0 && stack.at(0, x, y).depth > 0;
+            if (drawn) {
+                set(result.drawn, x, y, shade(solid.geometry.planes.planes()[stack.at(0, x, y).plane].normal, view));
+            }
+            if (!truth.of[i].empty()) {
+                const glm::uvec3& t = mesh.triangles[truth.of[i][0].triangle];
+                set(result.expected, x, y,
+                    shade(glm::normalize(
+                              glm::cross(mesh.points[t.y] - mesh.points[t.x], mesh.points[t.z] - mesh.points[t.x])),
+                          view));
+            }
+            if (drawn || !truth.of[i].empty()) {
+                set(result.difference, x, y,
+                    comparison.wrong[i] == 0   ? glm::dvec3(0.85)
+                    : comparison.wrong[i] == 1 ? glm::dvec3(0.2, 0.4, 0.9)
+                                               : glm::dvec3(0.9, 0.1, 0.1));
+            }
+        }
+    }
+    return result;
+}
+
+int compare_with_mesh(const CompareOptions& o) {
+    const Loaded loaded = load(o);
+    const SolidScene solid = solid_scene(loaded.model->scene, loaded.model->geometry);
+    if (solid.scene.parts.empty()) {
+        throw ModelError("the model is empty: there is nothing to compare");
+    }
+    const csg::reference::Mesh mesh = reference_mesh(o, *loaded.model);
+    const csg::reference::MeshFacts facts = csg::reference::facts(mesh);
+    csg::Box box = csg::enclose(solid.geometry.box, facts.box);
+    Errors all, outside;
+    std::vector<ComparedView> views;
+    for (int i = 0; i < o.views; ++i) {
+        const gl::View view(camera_of(i, o.views, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo,
+                            box.hi);
+        const auto stack = layers_of(solid, view, o.engine);
+        const MeshLayers truth = mesh_layers(mesh, view);
+        const Comparison comparison = compare_layers(stack, solid.geometry, mesh, truth, view, box.diagonal());
+        all.add(comparison.all);
+        outside.add(comparison.outside);
+        if (!o.report.empty()) {
+            views.push_back(compared_view(solid, mesh, view, stack, truth, comparison));
+            views.back().title =
+                fmt::format("View {} of {}, {}", i + 1, o.views, view.orthographic() ? "orthographic" : "perspective");
+        }
+    }
+    const double worst = std::max({outside.coverage(), outside.layers(), outside.normals()});
+    const bool good = worst <= o.tolerance;
+    const Json json = {{"model", o.input},
+                       {"against", o.against},
+                       {"engine", o.engine},
+                       {"views", o.views},
+                       {"mesh", {{"triangles", mesh.triangles.size()}, {"volume", facts.volume}}},
+                       {"all", to_json(all)},
+                       {"without_band", to_json(outside)},
+                       {"tolerance", o.tolerance},
+                       {"within_tolerance", good}};
+    fmt::print("{}\n", json.dump(2));
+    if (!o.report.empty()) {
+        fs::create_directories(o.report);
+        const fs::path folder = o.report;
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            write_output((folder / fmt::format("difference_{}.png", i + 1)).string(),
+                         gl::encode_png(views[i].difference));
+        }
+        write_output((folder / "report.json").string(), json.dump(2) + "\n");
+        write_output((folder / "report.html").string(),
+                     report_page(fmt::format("{} against {}", o.input, o.against),
+                                 fmt::format("Engine {}, {} views of {} × {} pixels, all layers. {}", o.engine, o.views,
+                                             o.size, o.size, good ? "Within the tolerance." : "Beyond the tolerance."),
+                                 views));
+    }
+    return good ? 0 : 1;
+}
+
+int compare_with_picture(const CompareOptions& o) {
+    const gl::Image reference = gl::read_png(o.reference);
+    const Loaded loaded = load(o);
+    const auto context = gl::create_context(gl::ContextKind::Auto);
+    Renderer renderer(
+        *context, o.engine == "goldfeather" ? goldfeather::EngineKind::Goldfeather : goldfeather::EngineKind::ListsCpu);
+    PictureRequest request;
+    request.camera = choose_camera({}, loaded.view, loaded.model->box);
+    request.size = {reference.width, reference.height};
+    const gl::Image drawn = renderer.render(*loaded.model, request);
+    std::size_t differ = 0;
+    gl::Image difference = blank(request.size);
+    for (std::size_t i = 0; i < drawn.rgba.size(); i += 4) {
+        int most = 0;
+        for (std::size_t c = 0; c < 4; ++c) {
+            most = std::max(most, std::abs(int{drawn.rgba[i + c]} - int{reference.rgba[i + c]}));
+        }
+        differ += most > 32 ? 1 : 0;  // an eighth of the range
+        difference.rgba[i + 1] = difference.rgba[i + 2] = static_cast<std::uint8_t>(255 - most);
+    }
+    const double share = 4.0 * static_cast<double>(differ) / static_cast<double>(drawn.rgba.size());
+    const bool good = share <= o.reference_threshold;
+    const Json json = {{"model", o.input},
+                       {"reference", o.reference},
+                       {"pixels_that_differ", share},
+                       {"threshold", o.reference_threshold},
+                       {"within_threshold", good}};
+    fmt::print("{}\n", json.dump(2));
+    if (!o.report.empty()) {
+        fs::create_directories(o.report);
+        write_output((fs::path(o.report) / "difference_1.png").string(), gl::encode_png(difference));
+        write_output((fs::path(o.report) / "report.json").string(), json.dump(2) + "\n");
+        write_output((fs::path(o.report) / "report.html").string(),
+                     report_page(fmt::format("{} against {}", o.input, o.reference), "Picture to picture.",
+                                 {{"The picture", drawn, reference, difference, json, {}}}));
+    }
+    return good ? 0 : 1;
+}
+
+}  // namespace
+
+int run_compare(const std::vector<std::string>& arguments) {
+    const CompareOptions options = read_options(arguments);
+    if (options.input.empty()) {
+        return 0;
+    }
+    return options.reference.empty() ? compare_with_mesh(options) : compare_with_picture(options);
+}
+
+}  // namespace ui

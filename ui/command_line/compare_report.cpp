@@ -1,0 +1,78 @@
+#include "ui/command_line/compare_report.h"
+
+#include <fmt/format.h>
+
+namespace ui {
+
+namespace {
+
+std::string base64(const std::string& bytes) {
+    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t value = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            value = value << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            out += i + k <= bytes.size() ? digits[value >> (18 - 6 * k) & 63] : '=';
+        }
+    }
+    return out;
+}
+
+std::string html(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+    }
+    return out;
+}
+
+std::string picture(const gl::Image& image, const char* alt) {
+    return fmt::format("<img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", alt, image.width,
+                       image.height, base64(gl::encode_png(image)));
+}
+
+constexpr const char* kHead = R"(<style>
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 70em; color: #222; }
+.view { display: flex; gap: 1em; flex-wrap: wrap; align-items: start; margin-bottom: 2em; }
+.pair { position: relative; display: inline-block; line-height: 0; }
+.pair .top { position: absolute; left: 0; top: 0; overflow: hidden; width: 50%; border-right: 1px solid #c00; }
+.pair .top img, .pair img { max-width: none; }
+figure { margin: 0; } figcaption { font-size: 13px; color: #666; line-height: 1.6; }
+table { border-collapse: collapse; } td, th { padding: .2em .8em; border-bottom: 1px solid #ddd; text-align: right; }
+td:first-child, th:first-child { text-align: left; }
+</style>
+<script>
+function slide(input) { input.closest('figure').querySelector('.top').style.width = input.value + '%'; }
+</script>
+)";
+
+}  // namespace
+
+std::string report_page(const std::string& title, const std::string& summary, const std::vector<ComparedView>& views) {
+    std::string page = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n{1}</head><body>\n"
+        "<h1>{0}</h1>\n<p>{2}</p>\n",
+        html(title), kHead, html(summary));
+    for (const ComparedView& view : views) {
+        page += fmt::format(
+            "<h2>{}</h2>\n<div class=\"view\">\n<figure><div class=\"pair\">{}<div class=\"top\">{}</div></div>"
+            "<br><input type=\"range\" aria-label=\"picture or mesh\" value=\"50\" oninput=\"slide(this)\">"
+            "<figcaption>left of the line the picture, right of it the reference</figcaption></figure>\n"
+            "<figure>{}<figcaption>grey: agrees; blue: differs within the band; red: differs outside it"
+            "</figcaption></figure>\n<table><tr><th></th><th>all pixels</th><th>without the band</th></tr>\n",
+            html(view.title), picture(view.expected, "reference"), picture(view.drawn, "picture"),
+            picture(view.difference, "differences"));
+        for (const auto& [name, value] : view.all.items()) {
+            const auto outside = view.outside.find(name);
+            page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html(name), value.dump(),
+                                outside == view.outside.end() || name == "edge_f_score" ? "" : outside->dump());
+        }
+        page += "</table></div>\n";
+    }
+    return page + "</body></html>\n";
+}
+
+}  // namespace ui

@@ -1,0 +1,24 @@
+// The report of csgscope compare as one page for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "gl/image.h"
+
+namespace ui {
+
+/// One view: what was drawn, what should have been, and where they differ.
+struct ComparedView {
+    std::string title;
+    gl::Image drawn, expected, difference;
+    nlohmann::ordered_json all, outside;  ///< Errors of all pixels, and without the band.
+};
+
+/// One self-contained HTML page: each view side by side with a slider between the two, heat map and table.
+[[nodiscard]] std::string report_page(const std::string& title, const std::string& summary,
+                                      const std::vector<ComparedView>& views);
+
+}  // namespace ui

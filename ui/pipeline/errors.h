@@ -1,0 +1,52 @@
+// The errors of a stack of layers against a mesh (DESIGN, section 5).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "goldfeather/layer_stack.h"
+#include "ui/pipeline/mesh_layers.h"
+
+namespace ui {
+
+/// Of one picture, all layers. Shares are of the pixels with something in one of the two.
+struct Errors {
+    std::size_t pixels = 0;
+    std::size_t surfaces = 0;        ///< Compared one by one.
+    std::size_t coverage_wrong = 0;  ///< Pixels that hit in just one of the two.
+    std::size_t layers_wrong = 0;    ///< Pixels whose numbers of layers differ.
+    std::size_t normals_wrong = 0;   ///< Surfaces whose normals differ by more than 1 degree.
+    double depth_squares = 0;        ///< Sum, over the scene's diagonal.
+    double depth_largest = 0;        ///< Over the scene's diagonal.
+    std::size_t edges_matched = 0, edges_drawn = 0, edges_true = 0, edges_found = 0;
+
+    [[nodiscard]] double coverage() const { return share(coverage_wrong, pixels); }
+    [[nodiscard]] double layers() const { return share(layers_wrong, pixels); }
+    [[nodiscard]] double normals() const { return share(normals_wrong, surfaces); }
+    [[nodiscard]] double depth_rms() const;
+    /// Of the edge pixels of the first layer, with one pixel of play: 1 where all agree.
+    [[nodiscard]] double edge_f_score() const;
+    void add(const Errors& other);
+
+  private:
+    static double share(std::size_t part, std::size_t whole) {
+        return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+    }
+};
+
+struct Comparison {
+    Errors all;      ///< All pixels.
+    Errors outside;  ///< Without the band of one pixel along the mesh's silhouettes and creases, in any layer.
+    std::vector<std::uint8_t> wrong;  ///< By pixel: 0 agrees, 1 differs inside the band, 2 differs outside it.
+};
+
+/// Compares layer by layer. `diagonal`: of the scene, world units.
+[[nodiscard]] Comparison compare_layers(const goldfeather::HostLayers& stack, const csg::solid::Geometry& geometry,
+                                        const csg::reference::Mesh& mesh, const MeshLayers& truth, const gl::View& view,
+                                        double diagonal);
+
+[[nodiscard]] nlohmann::ordered_json to_json(const Errors& errors);
+
+}  // namespace ui

@@ -1,0 +1,81 @@
+#include "ui/pipeline/mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "ui/pipeline/stopwatch.h"
+
+namespace ui {
+
+ModelMesh make_mesh(const Model& model) {
+    ModelMesh result;
+    Stopwatch watch;
+    try {
+        auto found = csg::reference::make_mesh(model.scene, model.geometry);
+        result.mesh = std::move(found.mesh);
+        result.method = csg::reference::name(found.method);
+        result.reason = std::move(found.reason);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw ModelError(error.what());
+    }
+    result.boolean_ms = watch.lap();
+    if (result.mesh.empty()) {
+        throw ModelError("the model is empty: there is no solid to export");
+    }
+    result.facts = csg::reference::facts(result.mesh);
+    return result;
+}
+
+std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format) {
+    // One part of the file for each colour, in the order of the leaves.
+    csg::reference::MeshDocument document{mesh.mesh, {}, {}};
+    std::map<std::array<float, 4>, std::uint32_t> known;
+    const csg::reference::MeshPart plain;
+    std::vector<std::uint32_t> of_leaf(model.scene.leaves.size());
+    std::vector<char> used(model.scene.leaves.size(), 0);
+    for (const std::uint32_t leaf : mesh.mesh.sources) {
+        used[leaf] = 1;
+    }
+    for (std::size_t leaf = 0; leaf < model.scene.leaves.size(); ++leaf) {
+        if (used[leaf] == 0) {
+            continue;
+        }
+        const csg::Rgba& c = model.scene.leaves[leaf].color;
+        const std::array<float, 4> rgba = c.given() ? std::array{c.r, c.g, c.b, c.a} : plain.rgba;
+        const auto [at, added] = known.try_emplace(rgba, static_cast<std::uint32_t>(document.parts.size()));
+        if (added) {
+            document.parts.push_back({fmt::format("part {}", document.parts.size() + 1), rgba});
+        }
+        of_leaf[leaf] = at->second;
+    }
+    for (const std::uint32_t leaf : mesh.mesh.sources) {
+        document.part_of.push_back(of_leaf[leaf]);
+    }
+    return csg::reference::encode(document, format);
+}
+
+nlohmann::ordered_json to_json(const ModelMesh& mesh) {
+    using Json = nlohmann::ordered_json;
+    const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
+    const auto& f = mesh.facts;
+    Json json = {{"dimensions", 3},
+                 {"facets", mesh.mesh.triangles.size()},
+                 {"vertices", mesh.mesh.points.size()},
+                 {"simple", f.manifold},
+                 {"components", f.components},
+                 {"genus", f.genus},
+                 {"area", f.area},
+                 {"volume", f.volume},
+                 {"bounding_box", {{"min", array(f.box.lo)}, {"max", array(f.box.hi)}, {"size", array(f.box.size())}}},
+                 {"method", mesh.method}};
+    if (!mesh.reason.empty()) {
+        json["reason"] = mesh.reason;
+    }
+    return json;
+}
+
+}  // namespace ui

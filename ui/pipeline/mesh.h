@@ -1,0 +1,34 @@
+// A model's boolean mesh, and the mesh as a file: only when somebody asks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "csg/reference/boolean.h"
+#include "csg/reference/mesh_files.h"
+#include "ui/pipeline/model.h"
+
+namespace ui {
+
+using csg::reference::MeshFormat;
+
+struct ModelMesh {
+    csg::reference::Mesh mesh;  ///< Sources are leaves of the model's scene.
+    csg::reference::MeshFacts facts;
+    std::string method, reason;  ///< How it was found, and why not by planes.
+    double boolean_ms = 0;       ///< Wall time.
+};
+
+/// The solid and translucent parts as one closed mesh. Throws ModelError where there is nothing, or no closed mesh.
+[[nodiscard]] ModelMesh make_mesh(const Model& model);
+
+/// The bytes of a file; parts of the file are the colours of the model.
+[[nodiscard]] std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format);
+
+/// For summaries, in OpenSCAD's form: {"dimensions": 3, "facets": …, "vertices": …, "simple": true, "area": …,
+/// "volume": …, "bounding_box": {"min": …, "max": …, "size": …}}.
+[[nodiscard]] nlohmann::ordered_json to_json(const ModelMesh& mesh);
+
+}  // namespace ui
