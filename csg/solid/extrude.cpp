@@ -31,10 +31,14 @@ void add_ring(Solid& solid, const Outline& outline, const glm::dvec3& offset, do
     }
 }
 
-/// The quadrilateral a, b (below), c, d (above), split along its shorter diagonal.
-void add_quad(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    const glm::dvec3 ac = solid.points[c] - solid.points[a], bd = solid.points[d] - solid.points[b];
-    if (glm::dot(ac, ac) <= glm::dot(bd, bd)) {
+/// The quadrilateral a, b (below), c, d (above), split along its shorter diagonal; where they are equal, along the one
+/// that the twist asks for, as in OpenSCAD.
+void add_quad(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, bool turns_right) {
+    constexpr double kEqual = 1e-5;
+    const double ac = glm::length(solid.points[c] - solid.points[a]);
+    const double bd = glm::length(solid.points[d] - solid.points[b]);
+    const bool equal = 2 * std::abs(ac - bd) <= kEqual * (ac + bd);
+    if (equal ? turns_right : ac < bd) {
         solid.triangles.emplace_back(a, b, c);
         solid.triangles.emplace_back(a, c, d);
     } else {
@@ -84,9 +88,10 @@ std::shared_ptr<Solid> linear_extrude(const Outline& outline, const LinearExtrud
         std::uint32_t first = i * n;
         for (const Loop& loop : outline.loops) {
             const auto size = static_cast<std::uint32_t>(loop.size());
+            const bool right = (how.twist.value_or(0) > 0) == (area2(loop) > 0);
             for (std::uint32_t j = 0; j < size; ++j) {
                 const std::uint32_t a = first + j, b = first + (j + 1) % size;
-                add_quad(*solid, a, b, b + n, a + n);
+                add_quad(*solid, a, b, b + n, a + n, right);
             }
             first += size;
         }

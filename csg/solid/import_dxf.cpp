@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "csg/solid/file_text.h"
@@ -72,7 +73,10 @@ File read(std::string_view text) {
                 in_block = true;
             else if (value == "ENDBLK")
                 in_block = false;
-            entity.kind = value;
+            if (value == "ENDSEC")
+                section.clear();
+            else
+                entity.kind = value;
         } else if (code == 2 && entity.kind == "SECTION") {
             section = value;
             entity.kind.clear();
@@ -230,20 +234,55 @@ class Drawing {
     std::size_t inserted_ = 0;
 };
 
-/// Ends closer than OpenSCAD's grid of 2^-16 units are one.
-std::pair<long long, long long> cell(const glm::dvec2& p) {
-    return {std::llround(p.x * 65536), std::llround(p.y * 65536)};
+/// Ends closer than OpenSCAD's coarse grid are one.
+constexpr double kNear = 0x1p-10;
+
+bool is_near(const glm::dvec2& a, const glm::dvec2& b) {
+    return std::abs(a.x - b.x) <= kNear && std::abs(a.y - b.y) <= kNear;
 }
+
+/// The ends of lines, by cells.
+class Ends {
+  public:
+    void add(const glm::dvec2& p, std::size_t line) { cells_.emplace(cell(p), End{p, line}); }
+    /// The first line that has an end near p and is not used.
+    [[nodiscard]] std::optional<std::size_t> find(const glm::dvec2& p, const std::vector<char>& used) const {
+        const auto [x, y] = cell(p);
+        for (long long i = x - 1; i <= x + 1; ++i) {
+            for (long long j = y - 1; j <= y + 1; ++j) {
+                const auto [from, to] = cells_.equal_range({i, j});
+                for (auto end = from; end != to; ++end) {
+                    if (used[end->second.line] == 0 && is_near(end->second.at, p))
+                        return end->second.line;
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    struct End {
+        glm::dvec2 at;
+        std::size_t line;
+    };
+    static std::pair<long long, long long> cell(const glm::dvec2& p) {
+        const auto whole = [](double x) {
+            return static_cast<long long>(std::floor(std::clamp(x / kNear, -1e18, 1e18)));
+        };
+        return {whole(p.x), whole(p.y)};
+    }
+    std::multimap<std::pair<long long, long long>, End> cells_;
+};
 
 /// Closed lines as they are; others end to end, in either direction.
 std::vector<Loop> join(std::vector<Line> lines, const Import& import, std::vector<std::string>& warnings) {
     std::vector<Loop> loops;
-    std::multimap<std::pair<long long, long long>, std::size_t> ends;
+    Ends ends;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (cell(lines[i].front()) == cell(lines[i].back()))
+        if (is_near(lines[i].front(), lines[i].back()))
             continue;
-        ends.emplace(cell(lines[i].front()), i);
-        ends.emplace(cell(lines[i].back()), i);
+        ends.add(lines[i].front(), i);
+        ends.add(lines[i].back(), i);
     }
     std::vector<char> used(lines.size(), 0);
     bool open = false;
@@ -252,18 +291,17 @@ std::vector<Loop> join(std::vector<Line> lines, const Import& import, std::vecto
             continue;
         used[i] = 1;
         Loop loop = std::move(lines[i]);
-        while (cell(loop.front()) != cell(loop.back())) {
-            const auto [from, to] = ends.equal_range(cell(loop.back()));
-            const auto next = std::find_if(from, to, [&](const auto& end) { return used[end.second] == 0; });
-            if (next == to)
+        while (!is_near(loop.front(), loop.back())) {
+            const auto next = ends.find(loop.back(), used);
+            if (!next)
                 break;
-            const std::size_t k = next->second;
-            used[k] = 1;
-            if (cell(lines[k].front()) != cell(loop.back()))
-                std::reverse(lines[k].begin(), lines[k].end());
-            loop.insert(loop.end(), lines[k].begin() + 1, lines[k].end());
+            Line& line = lines[*next];
+            used[*next] = 1;
+            if (!is_near(line.front(), loop.back()))
+                std::reverse(line.begin(), line.end());
+            loop.insert(loop.end(), line.begin() + 1, line.end());
         }
-        if (cell(loop.front()) == cell(loop.back())) {
+        if (is_near(loop.front(), loop.back())) {
             loop.pop_back();
             loops.push_back(std::move(loop));
         } else {

@@ -97,7 +97,15 @@ void unite(Children children, Dimension dimension, const glm::dmat4* matrix, Nod
 
 void combine_children(Children children, BooleanKind kind, Dimension dimension, NodeGeometry& result) {
     if (dimension == Dimension::Flat) {
-        result.outline = share(combine(kind, outlines_of(children, result, kMixed)));
+        // A child that makes nothing is an operand all the same: an empty one.
+        Outlines operands;
+        for (const NodeGeometry* child : children) {
+            if (!child->outline && !child->pieces.empty())
+                result.warnings.emplace_back(kMixed);
+            else
+                operands.push_back(child->outline ? child->outline : share({}));
+        }
+        result.outline = share(combine(kind, operands));
         return;
     }
     auto node = std::make_shared<BooleanNode>();

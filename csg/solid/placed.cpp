@@ -19,14 +19,15 @@ bool affine(const glm::dmat4& m) {
     return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] != 0;
 }
 
-/// Gives a matrix for outlines a third column of length 1 across the first two.
-void stand_upright(glm::dmat4& m) {
+/// Gives a matrix for outlines a third column of length `flat` across the first two.
+void stand_upright(glm::dmat4& m, double flat) {
     const glm::dvec3 across = glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1]));
     const double length = glm::length(across);
-    m[2] = length > 0 && std::isfinite(length) ? glm::dvec4(across / length, 0.0) : glm::dvec4(0.0);
+    m[2] = length > 0 && std::isfinite(length) ? glm::dvec4(across * (flat / length), 0.0) : glm::dvec4(0.0);
 }
 
-void place_leaf(const Tree& tree, const LeafInstance& instance, PlacedLeaf& leaf, std::vector<std::string>& warnings) {
+void place_leaf(const Tree& tree, const LeafInstance& instance, double flat, PlacedLeaf& leaf,
+                std::vector<std::string>& warnings) {
     if (!affine(instance.to_world)) {
         warnings.push_back(
             located(tree, instance.where, "transformation is not finite or not affine; the object is left out"));
@@ -34,7 +35,7 @@ void place_leaf(const Tree& tree, const LeafInstance& instance, PlacedLeaf& leaf
     }
     glm::dmat4 m = instance.to_world * (1.0 / instance.to_world[3][3]);
     if (leaf.solid->flat)
-        stand_upright(m);
+        stand_upright(m, flat);
     const double determinant = glm::determinant(glm::dmat3(m));
     if (leaf.solid->triangles.empty() || determinant == 0 || !std::isfinite(determinant))
         return;
@@ -87,7 +88,7 @@ void assign_planes(Geometry& geometry) {
 
 }  // namespace
 
-Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache) {
+Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat) {
     Geometry geometry;
     const std::vector<Dimension> by_node = dimensions(tree);
     geometry.leaves.resize(scene.leaves.size());
@@ -96,7 +97,7 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache) {
         const LeafInstance& instance = scene.leaves[i];
         PlacedLeaf& leaf = geometry.leaves[i];
         leaf.solid = cache.get(tree, instance.node, by_node, geometry.warnings);
-        place_leaf(tree, instance, leaf, geometry.warnings);
+        place_leaf(tree, instance, flat, leaf, geometry.warnings);
         if (leaf.box.empty())
             continue;
         geometry.box = enclose(geometry.box, leaf.box);

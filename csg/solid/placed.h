@@ -67,8 +67,8 @@ class SolidCache {
 };
 
 /// Places every leaf. Transforms run in double precision; a matrix that is not finite or is projective makes the leaf
-/// empty, with a warning; one with zero determinant makes it a leaf without volume. Outlines keep their thickness of 1
-/// and stand upright on the transformed plane.
-[[nodiscard]] Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache);
+/// empty, with a warning; one with zero determinant makes it a leaf without volume. Outlines are slabs
+/// of thickness `flat` about their plane, whatever scales it.
+[[nodiscard]] Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat = 1);
 
 }  // namespace csg::solid

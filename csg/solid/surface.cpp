@@ -23,7 +23,7 @@ struct Heights {
     [[nodiscard]] double at(std::size_t x, std::size_t y) const { return values[y * columns + x]; }
 };
 
-/// Lines of numbers; the first line is the back. Short lines are filled with zeros.
+/// Lines of numbers; the first line is the front. Short lines are filled with zeros.
 Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
     std::vector<std::vector<double>> lines;
     std::size_t columns = 0;
@@ -55,8 +55,7 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
     }
     Heights heights{columns, lines.size(), std::vector<double>(columns * lines.size(), 0.0)};
     for (std::size_t i = 0; i < lines.size(); ++i)
-        std::copy(lines[i].begin(), lines[i].end(),
-                  heights.values.begin() + static_cast<std::ptrdiff_t>((lines.size() - 1 - i) * columns));
+        std::copy(lines[i].begin(), lines[i].end(), heights.values.begin() + static_cast<std::ptrdiff_t>(i * columns));
     return heights;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -154,7 +155,16 @@ glm::dvec2 alignment(const Text& text, const glm::dvec2& advance, const Box& box
 }  // namespace
 
 struct FontLibrary::Impl {
-    Impl() : config(FcInitLoadConfigAndFonts()) { FT_Init_FreeType(&freetype); }
+    Impl() : config(FcInitLoadConfigAndFonts()) {
+        FT_Init_FreeType(&freetype);
+        const char* folders = std::getenv("OPENSCAD_FONT_PATH");
+        std::string_view rest = folders != nullptr ? folders : "";
+        while (!rest.empty()) {
+            const std::string folder(rest.substr(0, rest.find(':')));
+            FcConfigAppFontAddDir(config, reinterpret_cast<const FcChar8*>(folder.c_str()));
+            rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+        }
+    }
     ~Impl() {
         for (auto& [key, font] : fonts) {
             font.shaper.reset();

@@ -9,8 +9,8 @@
 
 namespace csg::solid {
 
-/// The fonts of the machine and those of `use <font.ttf>`; opened when they are first asked for. Not for several
-/// threads at a time.
+/// The fonts of the machine, of the folders in OPENSCAD_FONT_PATH and of `use <font.ttf>`; opened when they are first
+/// asked for. Not for several threads at a time.
 class FontLibrary {
   public:
     FontLibrary();

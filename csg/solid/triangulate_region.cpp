@@ -43,6 +43,21 @@ double area2(const Ring& ring) {
     return sum;
 }
 
+/// Of the corners at the place of `corner` (bridges come back to where they began) the one with `from` in its angle.
+std::size_t with_in_its_angle(const Ring& ring, std::size_t corner, const glm::dvec2& from) {
+    const glm::dvec2 p = ring[corner].at;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (ring[i].at != p)
+            continue;
+        const glm::dvec2& before = ring[(i + ring.size() - 1) % ring.size()].at;
+        const glm::dvec2& after = ring[(i + 1) % ring.size()].at;
+        const bool left_of_first = turn(before, p, from) >= 0, left_of_second = turn(p, after, from) >= 0;
+        if (turn(before, p, after) > 0 ? left_of_first && left_of_second : left_of_first || left_of_second)
+            return i;
+    }
+    return corner;
+}
+
 /// A corner of `outer` that is seen from the rightmost corner of a hole.
 std::size_t bridge_to(const Ring& outer, const glm::dvec2& from) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -103,7 +118,7 @@ void join(Ring& outer, const Ring& hole) {
         if (hole[i].at.x > hole[right].at.x)
             right = i;
     }
-    const std::size_t to = bridge_to(outer, hole[right].at);
+    const std::size_t to = with_in_its_angle(outer, bridge_to(outer, hole[right].at), hole[right].at);
     Ring inserted;
     inserted.reserve(hole.size() + 2);
     for (std::size_t i = 0; i <= hole.size(); ++i)

@@ -228,6 +228,11 @@ struct ShapeText {
             faces += fmt::format("{}[{}]", faces.empty() ? "" : ", ", fmt::join(face, ", "));
         return fmt::format("polyhedron(points = [{}], faces = [{}])", points, faces);
     }
+    /// Shapes that no random model has.
+    template <typename Shape>
+    std::string operator()(const Shape&) const {
+        return "group()";
+    }
 };
 
 void print(const Model& model, int indent, std::string& text) {
@@ -240,6 +245,7 @@ void print(const Model& model, int indent, std::string& text) {
             return;
         case Operation::Union:
         case Operation::Group:
+        case Operation::Mesh:
             text += "union()";
             break;
         case Operation::Difference:

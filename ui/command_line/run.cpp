@@ -157,7 +157,11 @@ class Run {
 
     void build() {
         progress_.say("Building the model…");
-        model_ = ModelBuilder().build(evaluation_.tree);
+        ModelBuilder builder;
+        if (!options_.preview) {
+            builder.set_flat_thickness(0x1p-10);  // --render: outlines are flat.
+        }
+        model_ = builder.build(evaluation_.tree);
         for (const std::string& warning : model_->warnings) {
             messages_.warn(warning);
         }

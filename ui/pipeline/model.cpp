@@ -54,7 +54,7 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     Stopwatch watch;
     ModelStatistics& statistics = model->statistics;
     model->scene = csg::make_scene(*model->tree);
-    model->geometry = csg::solid::place(*model->tree, model->scene, solids_);
+    model->geometry = csg::solid::place(*model->tree, model->scene, solids_, flat_thickness_);
     solids_.trim();
     statistics.place_ms = watch.lap();
 

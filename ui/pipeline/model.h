@@ -46,12 +46,16 @@ class ModelBuilder {
   public:
     explicit ModelBuilder(goldfeather::Budget budget = {}) : budget_(budget) {}
 
+    /// Outlines by themselves are slabs of this thickness: 1 is OpenSCAD's preview.
+    void set_flat_thickness(double thickness) { flat_thickness_ = thickness; }
+
     /// A part with more products than the budget allows is left to the engines that need none. Gives null where `stop`
     /// ended it.
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree, std::stop_token stop = {});
 
   private:
     goldfeather::Budget budget_;
+    double flat_thickness_ = 1;
     csg::solid::SolidCache solids_;
 };
 

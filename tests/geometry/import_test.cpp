@@ -1,0 +1,156 @@
+// Files of every format with the same solid or outline in them; and files that lie.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "csg/solid/import_mesh.h"
+#include "csg/solid/import_outline.h"
+
+namespace {
+
+using namespace csg::solid;
+
+double volume(const FileMesh& mesh) {
+    double six = 0;
+    for (const auto& face : mesh.faces) {
+        for (std::size_t i = 1; i + 1 < face.size(); ++i)
+            six += glm::dot(mesh.points[face[0]], glm::cross(mesh.points[face[i]], mesh.points[face[i + 1]]));
+    }
+    return six / 6;
+}
+
+constexpr glm::dvec3 kCorners[4]{{0, 0, 0}, {6, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // Volume 1.
+constexpr int kFaces[4][3]{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+std::string ascii_stl() {
+    std::string text = "solid a\n";
+    for (const auto& face : kFaces) {
+        text += "facet normal 0 0 0\n outer loop\n";
+        for (const int i : face) {
+            text += "  vertex " + std::to_string(kCorners[i].x) + " " + std::to_string(kCorners[i].y) + " " +
+                    std::to_string(kCorners[i].z) + "\n";
+        }
+        text += " endloop\nendfacet\n";
+    }
+    return text + "endsolid a\n";
+}
+
+std::string binary_stl(std::uint32_t claimed) {
+    std::string text(80, 's');
+    text.append(reinterpret_cast<const char*>(&claimed), 4);
+    for (const auto& face : kFaces) {
+        text.append(12, '\0');
+        for (const int i : face) {
+            for (int k = 0; k < 3; ++k) {
+                const float f = static_cast<float>(kCorners[i][k]);
+                text.append(reinterpret_cast<const char*>(&f), 4);
+            }
+        }
+        text.append(2, '\0');
+    }
+    return text;
+}
+
+using Reader = void (*)(std::string_view, FileMesh&, std::vector<std::string>&);
+
+FileMesh read_with(Reader reader, const std::string& text, bool warns = false) {
+    FileMesh mesh;
+    std::vector<std::string> warnings;
+    reader(text, mesh, warnings);
+    EXPECT_EQ(!warnings.empty(), warns) << text.substr(0, 60) << (warnings.empty() ? "" : warnings[0]);
+    for (const auto& face : mesh.faces) {
+        for (const std::uint32_t i : face)
+            EXPECT_LT(i, mesh.points.size());
+    }
+    return mesh;
+}
+
+TEST(Import, TheSameSolidFromEveryFormat) {
+    const std::string off = "OFF\n# a comment\n4 4 6\n0 0 0\n6 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    const std::string obj =
+        "# a\nv 0 0 0\nv 6 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1/1 2/2 4/3\nf -4 -1 -2\nf 2//1 3//1 4//1\n";
+    const std::string amf =
+        "<?xml version='1.0'?><amf unit='millimeter'><object id='0'><mesh><vertices>"
+        "<vertex><coordinates><x>0</x><y>0</y><z>0</z></coordinates></vertex>"
+        "<vertex><coordinates><x>6</x><y>0</y><z>0</z></coordinates></vertex>"
+        "<vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates></vertex>"
+        "<vertex><coordinates><x>0</x><y>0</y><z>1</z></coordinates></vertex></vertices><volume>"
+        "<triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle><triangle><v1>0</v1><v2>1</v2><v3>3</v3></triangle>"
+        "<triangle><v1>0</v1><v2>3</v2><v3>2</v3></triangle><triangle><v1>1</v1><v2>2</v2><v3>3</v3></triangle>"
+        "</volume></mesh></object></amf>";
+    EXPECT_NEAR(volume(read_with(read_stl, ascii_stl())), 1, 1e-12);
+    EXPECT_NEAR(volume(read_with(read_stl, binary_stl(4))), 1, 1e-12);
+    EXPECT_NEAR(volume(read_with(read_off, off)), 1, 1e-12);
+    EXPECT_NEAR(volume(read_with(read_obj, obj)), 1, 1e-12);
+    EXPECT_NEAR(volume(read_with(read_amf, amf)), 1, 1e-12);
+}
+
+TEST(Import, CountsAreNotBelieved) {
+    EXPECT_EQ(read_with(read_stl, binary_stl(0xfffffff0U), true).faces.size(), 4u);
+    EXPECT_EQ(read_with(read_off, "OFF\n4000000000 4000000000 0\n0 0 0\n", true).points.size(), 1u);
+    EXPECT_TRUE(read_with(read_off, "OFF\n1 1 0\n0 0 0\n4000000000 0 1 2\n", true).faces[0].size() <= 1);
+    EXPECT_TRUE(read_with(read_obj, "v 0 0 0\nf 1 2 99999999999 -7 x\n", true).faces[0].size() == 1);
+}
+
+TEST(Import, RubbishGivesNothing) {
+    for (const std::string& text :
+         {std::string(), std::string("\0\1\2", 3), std::string(1000, '\xff'),
+          std::string("solid\nvertex vertex vertex nan inf 1e999"), std::string("<amf><mesh>"),
+          std::string("<!DOCTYPE a [<!ENTITY b 'c'>]><amf>&b;</amf>")}) {
+        for (const Reader reader : {Reader{read_stl}, Reader{read_off}, Reader{read_obj}, Reader{read_amf}}) {
+            FileMesh mesh;
+            std::vector<std::string> warnings;
+            reader(text, mesh, warnings);
+            EXPECT_TRUE(mesh.faces.empty());
+        }
+        std::vector<std::string> warnings;
+        EXPECT_TRUE(read_dxf(text, {}, warnings).empty());
+        EXPECT_TRUE(read_svg(text, {}, warnings).empty());
+    }
+}
+
+double dxf_area(const std::string& entities) {
+    std::vector<std::string> warnings;
+    const auto loops = read_dxf("0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n", {}, warnings);
+    EXPECT_TRUE(warnings.empty()) << warnings[0];
+    return clean(loops, FillRule::EvenOdd).area();
+}
+
+TEST(Import, DxfEntities) {
+    // A square of four lines in no order, one of them backwards.
+    EXPECT_NEAR(dxf_area("0\nLINE\n10\n0\n20\n0\n11\n2\n21\n0\n0\nLINE\n10\n2\n20\n2\n11\n0\n21\n2\n"
+                         "0\nLINE\n10\n2\n20\n2\n11\n2\n21\n0\n0\nLINE\n10\n0\n20\n2\n11\n0\n21\n0\n"),
+                4, 1e-9);
+    EXPECT_NEAR(dxf_area("0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n3\n20\n0\n10\n3\n20\n2\n"), 3, 1e-9);
+    // Two half circles of radius 10: 30 segments.
+    EXPECT_NEAR(dxf_area("0\nLWPOLYLINE\n70\n1\n10\n-10\n20\n0\n42\n1\n10\n10\n20\n0\n42\n1\n"),
+                0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180), 1e-6);
+    EXPECT_NEAR(dxf_area("0\nCIRCLE\n10\n5\n20\n5\n40\n10\n"), 0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180),
+                1e-6);
+}
+
+double svg_area(const std::string& body, const std::string& head = "width='100mm' height='50mm' viewBox='0 0 100 50'") {
+    std::vector<std::string> warnings;
+    csg::Import import;
+    import.fineness.fn = 4;
+    const Outline outline =
+        read_svg("<svg xmlns='http://www.w3.org/2000/svg' " + head + ">" + body + "</svg>", import, warnings);
+    EXPECT_TRUE(warnings.empty()) << warnings[0];
+    return outline.area();
+}
+
+TEST(Import, SvgShapes) {
+    EXPECT_NEAR(svg_area("<rect x='1' y='2' width='3' height='4'/>"), 12, 1e-9);
+    EXPECT_NEAR(svg_area("<circle cx='5' cy='5' r='2'/>"), 8, 1e-9);
+    EXPECT_NEAR(svg_area("<polygon points='0,0 4,0 4,3'/>"), 6, 1e-9);
+    EXPECT_NEAR(svg_area("<path d='M1 1h4v3H1zm1 1v1h1v-1z' fill-rule='evenodd'/>"), 11, 1e-9);
+    EXPECT_NEAR(svg_area("<path d='m1-1l2 0 0,2-2 0z'/>"), 4, 1e-9);
+    EXPECT_NEAR(svg_area("<g transform='scale(2) translate(3,4)'><rect width='1' height='1'/></g>"), 4, 1e-9);
+    EXPECT_NEAR(svg_area("<defs><rect width='9' height='9'/></defs><rect width='1' height='1'/>"), 1, 1e-9);
+    EXPECT_NEAR(svg_area("<rect width='72' height='72'/>", "width='100' height='100'"), 25.4 * 25.4, 1e-6);
+    EXPECT_NEAR(svg_area("<rect width='10' height='10'/>", "width='200mm' height='100mm' viewBox='0 0 100 50'"), 400,
+                1e-9);
+    EXPECT_NEAR(svg_area("<path d='M0 0 A 2 2 0 0 1 4 0 z'/>"), 8, 4);
+}
+
+}  // namespace
