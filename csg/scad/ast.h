@@ -62,6 +62,11 @@ enum class ExprKind : std::uint8_t {
     ListEach,  ///< operands: body
 };
 
+/// Whether such an expression gives any number of elements of a list.
+[[nodiscard]] constexpr bool is_element_kind(ExprKind kind) {
+    return kind >= ExprKind::ListFor;
+}
+
 enum class Operator : std::uint8_t {
     None,
     Not,

@@ -145,9 +145,16 @@ void Evaluator::bind_defaults(std::span<const Argument> parameters, Scope& defin
     }
     pending_dynamics_.clear();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (slots[i].is_unset()) {
-            slots[i] = parameters[i].value == kNone ? Value() : evaluate(parameters[i].value, defining);
+        if (!slots[i].is_unset()) {
+            continue;
         }
+        if (r_.repeated_parameters[index_of(parameters[i])]) {  // One variable; its second value may be but a default.
+            const auto first = std::find_if(parameters.begin(), parameters.end(),
+                                            [&](const Argument& p) { return p.name == parameters[i].name; });
+            slots[i] = slots[static_cast<std::size_t>(first - parameters.begin())];
+            continue;
+        }
+        slots[i] = parameters[i].value == kNone ? Value() : evaluate(parameters[i].value, defining);
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if (dynamic_name(parameters[i].name)) {
@@ -200,7 +207,7 @@ Value Evaluator::call(ExprId id, Scope& caller) {
     for (unsigned tail_calls = 0; body != kNone;) {
         const Expr& b = p_[body];
         if (b.kind == ExprKind::Conditional) {
-            body = evaluate(b.operand(0), scope) ? b.operand(1) : b.operand(2);
+            body = is_true(b.operand(0), scope) ? b.operand(1) : b.operand(2);
         } else if (b.kind == ExprKind::Let) {
             bind_let(p_.arguments_of(b), scope);
             body = b.operand(0);

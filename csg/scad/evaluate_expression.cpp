@@ -58,7 +58,7 @@ Value Evaluator::variable_or_warn(ExprId id, const Scope& scope) {
 
 Value Evaluator::evaluate(ExprId id, Scope& scope) {
     while (id != kNone && p_[id].kind == ExprKind::Conditional) {
-        id = evaluate(p_[id].operand(0), scope) ? p_[id].operand(1) : p_[id].operand(2);
+        id = is_true(p_[id].operand(0), scope) ? p_[id].operand(1) : p_[id].operand(2);
     }
     if (id == kNone) {
         return {};
@@ -72,41 +72,16 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
             return e.number != 0;
         case ExprKind::Number:
             return e.number;
-        case ExprKind::String: {
-            Value& text = strings_[e.name];
-            if (text.is_unset()) {
-                text = name(e.name);
-            }
-            return text;
-        }
+        case ExprKind::String:
+            return text_constant(e.name);
         case ExprKind::Identifier:
             return variable_or_warn(id, scope);
-        case ExprKind::Vector: {
-            Value* const constant = r_.of_expression[id] == kNone ? nullptr : &constants_[r_.of_expression[id]];
-            if (constant != nullptr && !constant->is_unset()) {
-                return *constant;
-            }
-            std::vector<Value> elements;
-            elements.reserve(e.list.count);
-            for (const ExprId element : p_.elements_of(e)) {
-                collect(element, scope, elements);
-            }
-            Value value(std::move(elements));
-            if (constant != nullptr) {
-                *constant = value;
-            }
-            return value;
-        }
+        case ExprKind::Vector:
+            return evaluate_vector(id, scope);
         case ExprKind::Range:
             return evaluate_range(e, scope);
-        case ExprKind::Unary: {
-            std::string problem;
-            Value result = apply_unary(e.op, evaluate(e.operand(0), scope), problem);
-            if (!problem.empty()) {
-                warn(e.where, std::move(problem));
-            }
-            return result;
-        }
+        case ExprKind::Unary:
+            return evaluate_unary(e, scope);
         case ExprKind::Binary:
         case ExprKind::Index:
         case ExprKind::Member:
@@ -128,12 +103,103 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
             return evaluate(e.operand(0), scope);
         case ExprKind::Function:
             return make_closure(id, scope);
-        default: {
-            std::vector<Value> elements;
-            collect(id, scope, elements);
-            return elements;
-        }
+        default:
+            return evaluate_vector(id, scope);
     }
+}
+
+const Value& Evaluator::text_constant(Symbol text) {
+    Value& value = strings_[text];
+    if (value.is_unset()) {
+        value = name(text);
+    }
+    return value;
+}
+
+/// A list, or an element of one that stands alone.
+Value Evaluator::evaluate_vector(ExprId id, Scope& scope) {
+    const Expr& e = p_[id];
+    if (e.kind != ExprKind::Vector) {
+        std::vector<Value> elements;
+        collect(id, scope, elements);
+        return elements;
+    }
+    Value* const constant = r_.of_expression[id] == kNone ? nullptr : &constants_[r_.of_expression[id]];
+    if (constant != nullptr && !constant->is_unset()) {
+        return *constant;
+    }
+    const auto parts = p_.elements_of(e);
+    constexpr std::size_t kFew = 4;
+    if (parts.size() <= kFew &&
+        std::none_of(parts.begin(), parts.end(), [&](ExprId part) { return is_element_kind(p_[part].kind); })) {
+        std::array<Value, kFew> few;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            few[i] = evaluate(parts[i], scope);
+        }
+        Value value = Value::list(std::span(few).first(parts.size()));
+        if (constant != nullptr) {
+            *constant = value;
+        }
+        return value;
+    }
+    std::vector<Value> elements;
+    elements.reserve(parts.size());
+    for (const ExprId part : parts) {
+        collect(part, scope, elements);
+    }
+    Value value(std::move(elements));
+    if (constant != nullptr) {
+        *constant = value;
+    }
+    return value;
+}
+
+Value Evaluator::evaluate_unary(const Expr& e, Scope& scope) {
+    Value temporary;
+    const Value& a = operand(e.operand(0), scope, temporary);
+    if (a.is_number() && e.op == Operator::Negate) {
+        return -a.number();
+    }
+    std::string problem;
+    Value result = apply_unary(e.op, a, problem);
+    if (!problem.empty()) {
+        warn(e.where, std::move(problem));
+    }
+    return result;
+}
+
+bool Evaluator::is_true(ExprId id, Scope& scope) {
+    Value temporary;
+    const Value& value = operand(id, scope, temporary);
+    return value.is_bool() ? value.boolean() : static_cast<bool>(value);
+}
+
+/// The value of `id` where it lies, if it lies somewhere; else in `temporary`. What is seen by an expression does not
+/// change while it is worked out, so the reference holds until its end.
+const Value& Evaluator::operand(ExprId id, Scope& scope, Value& temporary) {
+    const Expr& e = p_[id];
+    if (e.kind == ExprKind::Number) {
+        temporary = e.number;
+        return temporary;
+    }
+    if (e.kind == ExprKind::Identifier) {
+        const VariableRef& ref = r_.variables[r_.of_expression[id]];
+        const Value* found = nullptr;
+        if (ref.place == Place::Local) {
+            found = &scope.locals[ref.slot];
+        } else if (ref.place == Place::Capture) {
+            found = &scope.closure->captures[ref.slot];
+        } else if (ref.place == Place::Block) {
+            found = &outward(scope.frame, ref.hops)->slots[ref.slot];
+        }
+        if (found != nullptr && !found->is_unset()) {
+            return *found;
+        }
+    } else if (e.kind == ExprKind::String) {
+        return text_constant(e.name);
+    }
+    temporary = evaluate(id, scope);
+    return temporary;
 }
 
 /// `v.x`, `v.zy`, `v.rgb`, …: up to four of one set of letters; undef else, and where an element is missing.
@@ -185,7 +251,8 @@ Value Evaluator::evaluate_chain(const Expr& e, Scope& scope) {
         ++length;
     }
     if (length < kLong) {
-        return apply(e, evaluate(e.operand(0), scope), scope);
+        Value temporary;
+        return apply(e, operand(e.operand(0), scope, temporary), scope);
     }
     std::vector<const Expr*> chain;
     for (const Expr* x = &e; is_link(x->kind); x = &p_[x->operand(0)]) {
@@ -200,19 +267,26 @@ Value Evaluator::evaluate_chain(const Expr& e, Scope& scope) {
 
 /// The value of a link of a chain whose left operand is `a`.
 Value Evaluator::apply(const Expr& e, const Value& a, Scope& scope) {
+    Value temporary;
     if (e.kind == ExprKind::Index) {
-        return element_of(a, evaluate(e.operand(1), scope));
+        const Value& index = operand(e.operand(1), scope, temporary);
+        if (a.is_vector() && index.is_number() && index.number() >= 0) {
+            const auto elements = a.elements();
+            const double i = index.number();
+            return i < static_cast<double>(elements.size()) ? elements[static_cast<std::size_t>(i)] : Value();
+        }
+        return element_of(a, index);
     }
     if (e.kind == ExprKind::Member) {
         return member_of(a, name(e.name));
     }
     if (e.op == Operator::And) {
-        return a && evaluate(e.operand(1), scope);
+        return a && is_true(e.operand(1), scope);
     }
     if (e.op == Operator::Or) {
-        return a || evaluate(e.operand(1), scope);
+        return a || is_true(e.operand(1), scope);
     }
-    const Value b = evaluate(e.operand(1), scope);
+    const Value& b = operand(e.operand(1), scope, temporary);
     if (a.is_number() && b.is_number()) {  // What most programs spend their time on.
         const double x = a.number(), y = b.number();
         switch (e.op) {
@@ -222,14 +296,31 @@ Value Evaluator::apply(const Expr& e, const Value& a, Scope& scope) {
                 return x - y;
             case Operator::Multiply:
                 return x * y;
+            case Operator::Divide:
+                return x / y;
+            case Operator::Modulo:
+                return remainder_of(x, y);
             case Operator::Less:
                 return x < y;
+            case Operator::LessEqual:
+                return x <= y;
+            case Operator::Greater:
+                return x > y;
+            case Operator::GreaterEqual:
+                return x >= y;
             case Operator::Equal:
                 return x == y;
+            case Operator::NotEqual:
+                return x != y;
             default:
                 break;
         }
     }
+    return apply_any(e, a, b);
+}
+
+/// Apart from `apply`, whose frame stays small.
+Value Evaluator::apply_any(const Expr& e, const Value& a, const Value& b) {
     std::string problem;
     Value result = apply_binary(e.op, a, b, problem);
     if (!problem.empty()) {
@@ -311,27 +402,26 @@ void Evaluator::bind_let(std::span<const Argument> arguments, Scope& scope) {
             continue;
         }
         bind_local(a, std::move(value), scope);
+        if (late_.size() != late && !dynamic_name(a.name)) {
+            settle(late, &scope.locals[r_.argument_slots[index_of(a)]]);
+        }
     }
-    if (late_.size() == late) {
-        return;
-    }
-    // Closures made above get the variables they were ahead of; those of a surrounding let go on waiting.
-    std::size_t kept = late;
-    for (std::size_t i = late; i < late_.size(); ++i) {
+}
+
+/// Closures that were ahead of the variable in `slot` get it; those of a surrounding let go on waiting.
+void Evaluator::settle(std::size_t first, const Value* slot) {
+    std::size_t kept = first;
+    for (std::size_t i = first; i < late_.size(); ++i) {
         Late& l = late_[i];
-        const bool ours = std::any_of(arguments.begin(), arguments.end(), [&](const Argument& a) {
-            return a.name != kNoSymbol && !dynamic_name(a.name) &&
-                   l.slot == &scope.locals[r_.argument_slots[index_of(a)]];
-        });
-        if (!ours) {
+        if (l.slot != slot) {
             std::swap(late_[kept++], l);
             continue;
         }
         auto& closure = static_cast<Closure&>(l.closure.function());
-        if (l.slot->is_function() && &l.slot->function() == &closure) {
+        if (slot->is_function() && &slot->function() == &closure) {
             closure.captures[l.capture] = Value::unset();  // Itself: no circle of references.
         } else {
-            closure.captures[l.capture] = *l.slot;
+            closure.captures[l.capture] = *slot;
             knotted_.push_back(l.closure);
         }
     }

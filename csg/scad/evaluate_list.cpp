@@ -27,7 +27,7 @@ void Evaluator::collect(ExprId id, Scope& scope, std::vector<Value>& out) {
                 return;
             }
             case ExprKind::ListIf:
-                id = evaluate(e.operand(0), scope) ? e.operand(1) : e.operand(2);
+                id = is_true(e.operand(0), scope) ? e.operand(1) : e.operand(2);
                 continue;
             case ExprKind::ListLet: {
                 check_stack(e.where, "evaluating an expression", kNoSymbol, 0);
@@ -71,6 +71,9 @@ void Evaluator::collect_for(const Expr& e, std::span<const Argument> left, Scope
     }
     const Value values = evaluate(left[0].value, scope);
     const Sequence sequence(values, *this, e.where);
+    if (out.empty() && left.size() == 1 && !is_element_kind(p_[e.operand(0)].kind)) {
+        out.reserve(sequence.size());  // One element each.
+    }
     for (std::size_t i = 0; i < sequence.size(); ++i) {
         if (i % 1024 == 1023) {
             check_stop(e.where);
@@ -94,7 +97,7 @@ void Evaluator::collect_for_c(ExprId id, Scope& scope, std::vector<Value>& out) 
             scope.locals[carried.slot] = variable(r_.variables[carried.outer], scope);
         }
     }
-    for (unsigned round = 0; evaluate(e.operand(1), scope); ++round) {
+    for (unsigned round = 0; is_true(e.operand(1), scope); ++round) {
         if (round == kMaxRounds) {
             fail(e.where, "For loop counter exceeded limit");
         }

@@ -215,9 +215,16 @@ class Evaluator {
     Value evaluate(ExprId id, Scope& scope);
     Value evaluate_chain(const Expr& e, Scope& scope);
     Value apply(const Expr& e, const Value& a, Scope& scope);
+    Value apply_any(const Expr& e, const Value& a, const Value& b);
+    Value evaluate_vector(ExprId id, Scope& scope);
+    Value evaluate_unary(const Expr& e, Scope& scope);
+    const Value& operand(ExprId id, Scope& scope, Value& temporary);
+    const Value& text_constant(Symbol text);
+    bool is_true(ExprId id, Scope& scope);
     Value evaluate_range(const Expr& e, Scope& scope);
     Value make_closure(ExprId id, Scope& scope);
     void bind_let(std::span<const Argument> arguments, Scope& scope);
+    void settle(std::size_t first, const Value* slot);
     void bind_local(const Argument& a, Value value, Scope& scope);
     Value variable(const VariableRef& ref, const Scope& scope) const;
     Value variable_or_warn(ExprId id, const Scope& scope);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -85,9 +86,19 @@ Value compare(Operator op, const Value& a, const Value& b, std::string& problem)
     }
 }
 
+/// Lists up to here are made without a vector: points, mostly.
+constexpr std::size_t kFew = 4;
+
 /// `f` of each element; nested lists element by element.
 template <typename F>
 Value map(std::span<const Value> elements, F&& f) {
+    if (elements.size() <= kFew) {
+        std::array<Value, kFew> few;
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            few[i] = f(elements[i]);
+        }
+        return Value::list(std::span(few).first(elements.size()));
+    }
     std::vector<Value> result;
     result.reserve(elements.size());
     for (const Value& e : elements) {
@@ -222,7 +233,7 @@ Value arithmetic(Operator op, const Value& a, const Value& b, std::string& probl
             case Operator::Divide:
                 return x / y;
             case Operator::Modulo:
-                return std::fmod(x, y);
+                return remainder_of(x, y);
             default:
                 return std::pow(x, y);
         }
@@ -237,12 +248,9 @@ Value arithmetic(Operator op, const Value& a, const Value& b, std::string& probl
         }
         if (op == Operator::Add || op == Operator::Subtract) {
             const auto x = a.elements(), y = b.elements();
-            std::vector<Value> result;
-            result.reserve(std::min(x.size(), y.size()));
-            for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-                result.push_back(arithmetic(op, x[i], y[i], problem, depth + 1));
-            }
-            return result;
+            return map(x.first(std::min(x.size(), y.size())), [&](const Value& e) {
+                return arithmetic(op, e, y[static_cast<std::size_t>(&e - x.data())], problem, depth + 1);
+            });
         }
     } else if (scaling && a.is_vector() && b.is_number()) {
         return map(a.elements(), [&](const Value& e) { return arithmetic(op, e, b, problem, depth + 1); });
@@ -264,6 +272,17 @@ Value negate(const Value& a, std::string& problem, int depth) {
 }
 
 }  // namespace
+
+double remainder_of(double x, double y) {
+    constexpr double kWhole = 2147483648.0;
+    if (x >= 0 && x < kWhole && y >= 1 && y < kWhole) {
+        const auto i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y);
+        if (i == x && j == y) {
+            return std::signbit(x) ? x : i % j;
+        }
+    }
+    return std::fmod(x, y);
+}
 
 Value apply_binary(Operator op, const Value& a, const Value& b, std::string& problem) {
     switch (op) {

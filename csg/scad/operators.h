@@ -12,6 +12,9 @@ namespace csg::scad {
 /// operation is undefined the value is undef and `problem` is set to OpenSCAD's warning.
 [[nodiscard]] Value apply_binary(Operator op, const Value& a, const Value& b, std::string& problem);
 
+/// `x % y`: as fmod, quickly where both are whole.
+[[nodiscard]] double remainder_of(double x, double y);
+
 /// `!a`, `-a`, `+a`, `~a`.
 [[nodiscard]] Value apply_unary(Operator op, const Value& a, std::string& problem);
 

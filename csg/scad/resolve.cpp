@@ -20,6 +20,7 @@ bool declares_for_children(std::string_view name) {
 Resolver::Resolver(const Program& program, std::span<const Symbol> always_dynamic) : p_(program) {
     r_.of_expression.assign(p_.expressions.size(), kNone);
     r_.argument_slots.assign(p_.arguments.size(), kNone);
+    r_.repeated_parameters.assign(p_.arguments.size(), false);
     r_.assignment_slots.assign(p_.assignments.size(), kNone);
     r_.locals_of_function.assign(p_.functions.size(), 0);
     r_.module_of_instantiation.resize(p_.instantiations.size());
@@ -124,6 +125,7 @@ void Resolver::resolve_block(BlockId id, const BlockScope& scope) {
         for (const Argument& a : p_.parameters_of(m)) {
             statement_expression(a.value);
         }
+        mark_repeated(p_.parameters_of(m));
         BlockScope body;
         declare(m.body, body, &scope, p_.parameters_of(m), false);
         look_into(m, body);
@@ -132,6 +134,14 @@ void Resolver::resolve_block(BlockId id, const BlockScope& scope) {
     }
     for (const Instantiation& i : p_.instantiations_of(block)) {
         resolve_instantiation(i, scope);
+    }
+}
+
+void Resolver::mark_repeated(std::span<const Argument> parameters) {
+    for (std::size_t i = 1; i < parameters.size(); ++i) {
+        r_.repeated_parameters[index_of(parameters[i])] =
+            std::any_of(parameters.begin(), parameters.begin() + static_cast<std::ptrdiff_t>(i),
+                        [&](const Argument& before) { return before.name == parameters[i].name; });
     }
 }
 

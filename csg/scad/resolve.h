@@ -91,6 +91,7 @@ struct Resolution {
     std::vector<LiteralInfo> literals;
     std::vector<std::vector<CarriedVariable>> carried;
     std::vector<std::uint32_t> argument_slots;    ///< Of arguments that declare: local, or dynamic index for `$` names.
+    std::vector<bool> repeated_parameters;        ///< By argument: a parameter whose name one before it has.
     std::vector<std::uint32_t> assignment_slots;  ///< Frame slot, or dynamic index.
     std::vector<std::uint32_t> locals_of_function;
     std::vector<ModuleTarget> module_of_instantiation;

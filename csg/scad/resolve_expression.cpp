@@ -27,6 +27,7 @@ void Resolver::resolve_function(std::span<const Argument> parameters, ExprId bod
             resolve_expression(a.value);
         }
     }
+    mark_repeated(parameters);
     std::uint32_t slot = 0;
     for (const Argument& a : parameters) {
         if (!dynamic_name(a.name)) {

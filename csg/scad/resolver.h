@@ -58,6 +58,7 @@ class Resolver {
     bool dynamic_name(Symbol name) const { return is_dynamic(p_.symbols.text(name)); }
     void declare(BlockId id, BlockScope& scope, const BlockScope* outer, std::span<const Argument> extra, bool root);
     void resolve_block(BlockId id, const BlockScope& scope);
+    void mark_repeated(std::span<const Argument> parameters);
     /// What calls of a module need to know besides its parameters.
     void look_into(const ModuleDefinition& m, BlockScope& body);
     [[nodiscard]] bool is_literal(ExprId id) const;

@@ -1,8 +1,11 @@
 #include "csg/scad/value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
+#include <new>
 
 namespace csg::scad {
 
@@ -29,20 +32,57 @@ struct StringObject : ValueObject {
     const std::size_t length;
 };
 
+/// The elements lie in a vector, or right behind the object.
 struct VectorObject : ValueObject {
-    explicit VectorObject(std::vector<Value> e)
-        : ValueObject(ValueType::Vector), elements(std::move(e)), counted(elements.size()) {
+    explicit VectorObject(std::vector<Value> e) : ValueObject(ValueType::Vector), counted(e.size()), own(std::move(e)) {
         count_in(counted);
+        elements = own;
     }
-    ~VectorObject() { g_live_elements -= counted; }
+    /// Room for the elements must be behind it: see `create`.
+    explicit VectorObject(std::span<Value> moved) : ValueObject(ValueType::Vector), counted(moved.size()) {
+        count_in(counted);
+        auto* const room = reinterpret_cast<Value*>(this + 1);
+        std::uninitialized_move(moved.begin(), moved.end(), room);
+        elements = {room, moved.size()};
+    }
+    static VectorObject* create(std::span<Value> moved) {
+        void* const room = ::operator new(sizeof(VectorObject) + moved.size_bytes());
+        try {
+            return new (room) VectorObject(moved);
+        } catch (...) {
+            ::operator delete(room);
+            throw;
+        }
+    }
+    static void remove(VectorObject* vector) {
+        vector->~VectorObject();
+        ::operator delete(vector);
+    }
     void append(Value element) {
         count_in(1);
         ++counted;
-        elements.push_back(std::move(element));
+        if (!owns()) {
+            own.reserve(2 * elements.size() + 1);
+            own.assign(std::make_move_iterator(elements.begin()), std::make_move_iterator(elements.end()));
+            std::destroy(elements.begin(), elements.end());
+        }
+        own.push_back(std::move(element));
+        elements = own;
     }
-    std::vector<Value> elements;
+    std::span<Value> elements;
     std::size_t counted;  // What live_elements() knows of.
+
+  private:
+    ~VectorObject() {
+        g_live_elements -= counted;
+        if (!owns()) {
+            std::destroy(elements.begin(), elements.end());
+        }
+    }
+    [[nodiscard]] bool owns() const { return elements.data() == own.data(); }
+    std::vector<Value> own;
 };
+static_assert(sizeof(VectorObject) % alignof(Value) == 0);
 
 struct RangeObject : ValueObject {
     explicit RangeObject(const Range& r) : ValueObject(ValueType::Range), range(r) {}
@@ -104,6 +144,12 @@ std::uint32_t Range::count() const {
 
 Value::Value(std::string text) : type_(ValueType::String), object_(new StringObject(std::move(text))) {}
 Value::Value(std::vector<Value> elements) : type_(ValueType::Vector), object_(new VectorObject(std::move(elements))) {}
+Value Value::list(std::span<Value> elements) {
+    Value value;
+    value.object_ = VectorObject::create(elements);
+    value.type_ = ValueType::Vector;
+    return value;
+}
 Value::Value(const Range& range) : type_(ValueType::Range), object_(new RangeObject(range)) {}
 
 const std::string& Value::string() const {
@@ -158,6 +204,14 @@ void Value::destroy(ValueType type, ValueObject* object) {
         default:
             break;
     }
+    if (type == ValueType::Vector) {
+        auto* const vector = static_cast<VectorObject*>(object);
+        if (std::none_of(vector->elements.begin(), vector->elements.end(),
+                         [](const Value& e) { return e.type_ >= ValueType::Vector; })) {
+            VectorObject::remove(vector);
+            return;
+        }
+    }
     // Lists and closures nest without bound: their parts are taken out before they go.
     std::vector<Value> pending;
     const auto dismantle = [&pending](ValueType t, ValueObject* o) {
@@ -173,7 +227,7 @@ void Value::destroy(ValueType type, ValueObject* object) {
                 pending.push_back(std::move(element));
             }
         }
-        delete vector;
+        VectorObject::remove(vector);
     };
     dismantle(type, object);
     while (!pending.empty()) {

@@ -66,6 +66,8 @@ class Value {
     Value(const Range& range);
     /// Takes over one reference.
     explicit Value(FunctionObject* function) : type_(ValueType::Function), object_(function) {}
+    /// A list of the elements, which are moved out: one allocation, for the short lists that most are.
+    [[nodiscard]] static Value list(std::span<Value> elements);
     [[nodiscard]] static Value unset() {
         Value v;
         v.type_ = ValueType::Unset;
