@@ -124,6 +124,55 @@ TEST_F(Export, ConcurrentExportsToOneFile) {
     EXPECT_EQ(together, read(folder_ / "one.stl"));
 }
 
+TEST_F(Export, MeshesAreKept) {
+    ASSERT_EQ(run("m.scad -o a.stl --cache kept --stats a.json").status, 0);
+    ASSERT_EQ(run("m.scad -o b.stl --cache kept --stats b.json").status, 0);
+    EXPECT_EQ(Json::parse(read(folder_ / "a.json")).at("mesh").at("cached"), false);
+    EXPECT_EQ(Json::parse(read(folder_ / "b.json")).at("mesh").at("cached"), true);
+    EXPECT_EQ(read(folder_ / "a.stl"), read(folder_ / "b.stl"));
+    // Another model is not taken for it.
+    ASSERT_EQ(run("m.scad -D '$fn=7' -o c.stl --cache kept").status, 0);
+    write("n.scad", "difference() { cube(10, center = true); sphere(6, $fn = 25); }\n");
+    ASSERT_EQ(run("n.scad -o n.stl --cache kept").status, 0);
+    EXPECT_NE(read(folder_ / "n.stl"), read(folder_ / "a.stl"));
+}
+
+TEST_F(Export, DamagedCacheFilesAreMadeAgain) {
+    ASSERT_EQ(run("m.scad -o a.stl --cache kept").status, 0);
+    const fs::path kept = fs::directory_iterator(folder_ / "kept")->path();
+    const std::string whole = read(kept);
+    for (std::size_t i = 0; i < 40; ++i) {
+        std::string bytes = whole;
+        if (i % 2 == 0)
+            bytes.resize(whole.size() * i / 40);  // torn
+        else
+            bytes[whole.size() * i / 40] ^= 0x10;  // a flipped bit
+        write("kept/" + kept.filename().string(), bytes);
+        ASSERT_EQ(run("m.scad -o b.stl --cache kept").status, 0);
+        ASSERT_EQ(read(folder_ / "b.stl"), read(folder_ / "a.stl"));
+        ASSERT_EQ(read(kept), whole);
+    }
+}
+
+TEST_F(Export, KilledWhileKeeping) {
+    write("big.scad", "difference() { sphere(10, $fn = 120); translate([5, 0, 0]) sphere(8, $fn = 100); }");
+    for (const char* after : {"0.05", "0.1", "0.2", "0.4"}) {
+        const std::string command = "cd '" + folder_.string() + "' && timeout -s KILL " + after +
+                                    " '" CSGSCOPE_PROGRAM "' big.scad -o big.off --cache kept >out.txt 2>err.txt";
+        (void)std::system(command.c_str());
+    }
+    ASSERT_EQ(run("big.scad -o a.off --cache kept").status, 0);
+    ASSERT_EQ(run("big.scad -o b.off").status, 0);
+    EXPECT_EQ(read(folder_ / "a.off"), read(folder_ / "b.off"));
+}
+
+TEST_F(Export, ACacheThatCannotBeWrittenIsAWarning) {
+    write("file", "");
+    const Result result = run("m.scad -o a.stl --cache file/kept");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("not kept"), std::string::npos) << result.err;
+}
+
 TEST_F(Export, ThePictureAgreesWithTheMesh) {
     const Result result = run("compare m.scad --views 3 --imgsize 96 --report report");
     ASSERT_EQ(result.status, 0) << result.out << result.err;

@@ -164,6 +164,7 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
          "FILE", in);
     text("--export-format", raw.export_format,
          "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);
+    text("--cache", o.cache, "Keep meshes in this folder, and take them from there", "DIR", in);
     list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
     text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
     text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);

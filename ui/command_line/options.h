@@ -47,6 +47,7 @@ struct Options {
     std::optional<std::string> statistics;  ///< File for JSON; "-": standard output.
     std::optional<std::string> summary_file;
     std::optional<std::string> dependencies;  ///< File for make.
+    std::string cache;                        ///< Folder that keeps meshes; empty: none.
     std::string frames_log;                   ///< The window's log; empty: none.
     bool preview = true;                      ///< $preview
     bool transparent_background = false;

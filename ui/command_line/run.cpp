@@ -17,7 +17,7 @@
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
 #include "ui/pipeline/camera.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/mesh_cache.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
@@ -206,8 +206,13 @@ class Run {
 
     void export_mesh() {
         progress_.say("Computing the mesh…");
-        mesh_ = make_mesh(*model_);
+        MeshCache cache(options_.cache);
+        mesh_ = cache.get(*model_);
+        mesh_known_ = cache.hit();
         progress_.say("");
+        if (!cache.problem().empty()) {
+            messages_.warn(cache.problem());
+        }
         for (const Output& output : options_.outputs) {
             if (output.format == Format::Mesh) {
                 write_output(output.path, encode_mesh(*model_, *mesh_, output.mesh));
@@ -247,6 +252,7 @@ class Run {
         if (mesh_) {
             ms["boolean"] = mesh_->boolean_ms;
             all["mesh"] = to_json(*mesh_);
+            all["mesh"]["cached"] = mesh_known_;
         }
         if (!picture_json_.is_null()) {
             ms.update(picture_json_["ms"]);
@@ -282,7 +288,8 @@ class Run {
     csg::scad::Request request_;
     csg::scad::Evaluation evaluation_;
     std::shared_ptr<const Model> model_;
-    std::optional<ModelMesh> mesh_;
+    std::shared_ptr<const ModelMesh> mesh_;
+    bool mesh_known_ = false;  ///< From the cache.
     gl::Camera camera_;
     double evaluate_ms_ = 0;
     Json picture_json_;
