@@ -2,18 +2,11 @@
 #pragma once
 
 #include <polyclipping/clipper.hpp>
-#include <stdexcept>
 #include <unordered_map>
 
 #include "csg/solid/outline.h"
 
 namespace csg::solid {
-
-/// Coordinates beyond what can be worked with.
-class OutlineError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 /// Measure all that takes part first, then convert. Remembers which point each grid point came from, to give it back
 /// unchanged; points that round to one become one.

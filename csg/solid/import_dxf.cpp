@@ -105,9 +105,15 @@ void add_bulge(Line& line, const glm::dvec2& from, const glm::dvec2& to, double 
     const glm::dvec2 centre = 0.5 * (from + to) + left * ((1 - bulge * bulge) / (4 * bulge));
     const double radius = glm::length(from - centre);
     const double begin = atan2_degrees(from.y - centre.y, from.x - centre.x);
-    const double sweep = 4 * atan_degrees(bulge);
-    add_arc(line, centre, {radius, 0}, {0, radius}, begin, begin + sweep, circle_segments(radius, fineness));
+    const double turn = 4 * atan_degrees(bulge);
+    add_arc(line, centre, {radius, 0}, {0, radius}, begin, begin + turn, circle_segments(radius, fineness));
     line.back() = to;
+}
+
+/// Degrees from one angle to another, counter-clockwise, at most a turn.
+double sweep(double from, double to) {
+    const double degrees = std::fmod(to - from, 360.0);
+    return degrees > 0 ? degrees : degrees + 360;
 }
 
 class Drawing {
@@ -155,9 +161,7 @@ class Drawing {
             const double r = e.number(40);
             const bool whole = e.kind == "CIRCLE";
             const double from = whole ? 0 : e.number(50);
-            double to = whole ? 360 : e.number(51);
-            while (to <= from && std::isfinite(to - from))
-                to += 360;
+            const double to = whole ? 360 : from + sweep(from, e.number(51));
             const glm::dvec2 centre = e.point(10);
             line.push_back(centre + r * glm::dvec2(cos_degrees(from), sin_degrees(from)));
             add_arc(line, centre, {r, 0}, {0, r}, from, to, circle_segments(r, import_.fineness));
@@ -166,9 +170,7 @@ class Drawing {
             const glm::dvec2 axis = e.point(11), other = glm::dvec2(-axis.y, axis.x) * e.number(40, 1);
             constexpr double kDegrees = 180 / 3.14159265358979323846;
             const double from = e.number(41) * kDegrees;
-            double to = e.number(42, 2 / kDegrees * 180) * kDegrees;
-            while (to <= from && std::isfinite(to - from))
-                to += 360;
+            const double to = from + sweep(from, e.number(42, 360 / kDegrees) * kDegrees);
             line.push_back(e.point(10) + axis * cos_degrees(from) + other * sin_degrees(from));
             add_arc(line, e.point(10), axis, other, from, to, circle_segments(glm::length(axis), import_.fineness));
             add(line, std::abs(to - from - 360) < 1e-6, placed);

@@ -5,12 +5,19 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "csg/tree/leaf_shape.h"
 #include "csg/tree/mesh_operation.h"
 
 namespace csg::solid {
+
+/// Coordinates beyond what can be worked with.
+class OutlineError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
 
 using Loop = std::vector<glm::dvec2>;
 
@@ -55,7 +62,7 @@ enum class BooleanKind : std::uint8_t { Union, Difference, Intersection };
 /// By the upper left of the matrix; a mirrored region is turned around again. One that collapses is empty.
 [[nodiscard]] Outline transform(const Outline& outline, const glm::dmat4& matrix);
 
-/// Square, circle or polygon; `segments` as OpenSCAD makes them.
+/// Square, circle or polygon, with OpenSCAD's vertices.
 [[nodiscard]] Outline make_outline(const Square& square);
 [[nodiscard]] Outline make_outline(const Circle& circle);
 [[nodiscard]] Outline make_outline(const Polygon& polygon);

@@ -10,6 +10,7 @@
 #include "csg/solid/placed.h"
 #include "csg/tree/scene.h"
 #include "goldfeather/products.h"
+#include "ui/pipeline/exact_operations.h"
 
 namespace ui {
 
@@ -56,7 +57,7 @@ class ModelBuilder {
   private:
     goldfeather::Budget budget_;
     double flat_thickness_ = 1;
-    csg::solid::SolidCache solids_;
+    csg::solid::SolidCache solids_{exact_operations()};
 };
 
 }  // namespace ui

@@ -1,0 +1,79 @@
+#include "ui/pipeline/exact_operations.h"
+
+#include <array>
+#include <exception>
+
+#include "csg/reference/hull.h"
+#include "csg/reference/mesh_boolean.h"
+#include "csg/reference/nef.h"
+#include "csg/reference/roof.h"
+
+namespace ui {
+
+namespace {
+
+using csg::solid::BooleanKind;
+using csg::solid::MeshResult;
+
+csg::reference::Mesh to_reference(const csg::solid::Mesh& mesh) {
+    return {mesh.points, mesh.triangles, std::vector<std::uint32_t>(mesh.triangles.size(), 0)};
+}
+
+csg::ExpressionKind expression_kind(BooleanKind kind) {
+    switch (kind) {
+        case BooleanKind::Difference:
+            return csg::ExpressionKind::Difference;
+        case BooleanKind::Intersection:
+            return csg::ExpressionKind::Intersection;
+        case BooleanKind::Union:
+            break;
+    }
+    return csg::ExpressionKind::Union;
+}
+
+/// What csg/reference throws becomes a problem.
+template <typename Make>
+MeshResult answer(Make&& make) {
+    MeshResult result;
+    try {
+        csg::reference::Mesh mesh = make();
+        result.mesh = {std::move(mesh.points), std::move(mesh.triangles)};
+    } catch (const std::exception& error) {
+        result.problem = error.what();
+    }
+    return result;
+}
+
+class ExactOperations final : public csg::solid::MeshOperations {
+  public:
+    [[nodiscard]] MeshResult boolean(BooleanKind kind, std::span<const csg::solid::Mesh> operands) const override {
+        return answer([&] {
+            std::vector<csg::reference::Mesh> meshes;
+            for (const csg::solid::Mesh& operand : operands) {
+                meshes.push_back(to_reference(operand));
+            }
+            return csg::reference::combine(expression_kind(kind), meshes).mesh;
+        });
+    }
+    [[nodiscard]] MeshResult hull(std::span<const glm::dvec3> points) const override {
+        return answer([&] { return csg::reference::hull(points); });
+    }
+    [[nodiscard]] MeshResult minkowski(const csg::solid::Mesh& a, const csg::solid::Mesh& b) const override {
+        return answer([&] {
+            const std::array operands{to_reference(a), to_reference(b)};
+            return csg::reference::minkowski_sum(operands);
+        });
+    }
+    /// The straight skeleton for either method: they differ at corners that point inwards, which `voronoi` rounds.
+    [[nodiscard]] MeshResult roof(const csg::solid::Outline& outline, const csg::Roof&) const override {
+        return answer([&] { return csg::reference::roof(outline.loops); });
+    }
+};
+
+}  // namespace
+
+std::shared_ptr<const csg::solid::MeshOperations> exact_operations() {
+    return std::make_shared<ExactOperations>();
+}
+
+}  // namespace ui
