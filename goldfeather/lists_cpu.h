@@ -35,6 +35,7 @@ struct CpuLayer {
 };
 
 struct CpuLayers {
+    static constexpr int kTileSide = 32;  ///< Pixels; tiles are counted row by row from the lower left.
     glm::ivec2 size{0};
     int layers = 0;  ///< At least 1; `planes` may hold more, from a picture before.
     bool complete = false;

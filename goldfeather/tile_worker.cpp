@@ -16,6 +16,8 @@ constexpr std::size_t kMostSpans = std::size_t{1} << 21;
 /// So many new fragments are put in by insertion.
 constexpr std::size_t kInsertion = 32;
 
+static_assert(TileSpans::kSide == CpuLayers::kTileSide);
+
 /// Equal depths in order of leaves, so that equal pixels have equal lists.
 bool nearer(const Fragment& a, const Fragment& b) {
     return a.depth > b.depth || (a.depth == b.depth && a.leaf < b.leaf);

@@ -63,10 +63,11 @@ void Accumulator::resize(glm::ivec2 size) {
 
 void Accumulator::draw(Style& style, const Picture& picture, const PeelView& peel) {
     for (std::size_t sample = 0; sample < sample_offsets(picture.samples).size(); ++sample)
-        draw_sample(style, picture, sample, peel);
+        (void)draw_sample(style, picture, sample, peel);
 }
 
-void Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel) {
+peel::LayerStack Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample,
+                                          const PeelView& peel) {
     if (sample == 0) {
         resize(picture.size);
         const std::array<float, 4> zero{};
@@ -74,7 +75,7 @@ void Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t 
     }
     samples_ = static_cast<int>(sample) + 1;
     const gl::View view(picture.camera, picture.size, picture.lo, picture.hi, sample_offsets(picture.samples)[sample]);
-    const peel::LayerStack layers = peel(view);
+    peel::LayerStack layers = peel(view);
     style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_});
     sum_target_.bind();
     gl_.Viewport(0, 0, picture.size.x, picture.size.y);
@@ -87,6 +88,7 @@ void Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t 
     empty_array_.bind();
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
     gl_.Disable(GL_BLEND);
+    return layers;
 }
 
 void Accumulator::resolve(GLuint target, glm::ivec2 corner) {

@@ -38,8 +38,8 @@ class Accumulator {
     /// All samples.
     void draw(Style& style, const Picture& picture, const PeelView& peel);
     /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is
-    /// the mean of those drawn so far.
-    void draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel);
+    /// the mean of those drawn so far. Gives the sample's layers, for whoever can use their textures again.
+    peel::LayerStack draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel);
 
     /// The picture drawn last.
     [[nodiscard]] gl::Image image();

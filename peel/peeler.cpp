@@ -36,11 +36,15 @@ Peeler::Peeler(const gl::Functions& gl)
       engine_(gl),
       merge_(gl, shaders(), {"peel/fullscreen.vert", "peel/merge.frag"}),
       empty_array_(gl),
-      target_(gl) {}
+      target_(gl),
+      upload_(gl) {}
 
 LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
-    return model.engine == EngineKind::Goldfeather ? peel_parts(view, model, max_layers, stats)
-                                                   : peel_lists(view, model, max_layers, stats);
+    if (model.engine == EngineKind::ListsCpu) {
+        return peel_lists(view, model, max_layers, stats);
+    }
+    upload_.forget();
+    return peel_parts(view, model, max_layers, stats);
 }
 
 LayerStack Peeler::peel_lists(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats) {
@@ -52,21 +56,8 @@ LayerStack Peeler::peel_lists(const gl::View& view, const PeelModel& model, int 
     stats.drawn_leaves += lists.drawn_leaves;
     stats.layers = std::max(stats.layers, lists.layers);
 
-    LayerStack stack;
-    stack.size = view.size();
-    stack.layers = cpu_layers_.layers;
-    stack.complete = cpu_layers_.complete;
+    LayerStack stack = upload_.upload(cpu_layers_);
     stack.tables = model.tables;
-    stack.depth = gl::Texture::make_2d_array(gl_, GL_R32F, stack.size, stack.layers);
-    stack.surface = gl::Texture::make_2d_array(gl_, GL_RG32UI, stack.size, stack.layers);
-    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    for (int layer = 0; layer < stack.layers; ++layer) {
-        const goldfeather::CpuLayer& plane = cpu_layers_.planes[static_cast<std::size_t>(layer)];
-        gl_.TextureSubImage3D(stack.depth.id(), 0, 0, 0, layer, stack.size.x, stack.size.y, 1, GL_RED, GL_FLOAT,
-                              plane.depth.data());
-        gl_.TextureSubImage3D(stack.surface.id(), 0, 0, 0, layer, stack.size.x, stack.size.y, 1, GL_RG_INTEGER,
-                              GL_UNSIGNED_INT, plane.surface.data());
-    }
     return stack;
 }
 

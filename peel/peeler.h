@@ -9,6 +9,7 @@
 #include "goldfeather/engine.h"
 #include "goldfeather/lists_cpu.h"
 #include "peel/layer_stack.h"
+#include "peel/layer_upload.h"
 
 namespace peel {
 
@@ -43,6 +44,9 @@ class Peeler {
     /// highlighted part comes first, and otherwise the part with the smaller id.
     [[nodiscard]] LayerStack peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
 
+    /// Hands a stack back that nobody reads any more: the next one may use its textures again.
+    void give_back(LayerStack stack) { upload_.give_back(std::move(stack)); }
+
   private:
     [[nodiscard]] LayerStack peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
     [[nodiscard]] LayerStack peel_lists(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats);
@@ -55,6 +59,7 @@ class Peeler {
     gl::Framebuffer target_;
     gl::Texture target_color_;
     goldfeather::CpuLayers cpu_layers_;  ///< Its memory is used again.
+    LayerUpload upload_;
 };
 
 }  // namespace peel

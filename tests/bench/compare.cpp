@@ -118,6 +118,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
         peel::WalkStats stats;
         goldfeather::LayerStack stack;
         row.time = median(repeat_, [&] {
+            peeler_.give_back(std::move(stack));
             stack = peeler_.peel(view, model, layers, stats);
             gl.Finish();
         });

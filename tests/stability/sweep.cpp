@@ -20,7 +20,9 @@ using comparison::Subject;
 using goldfeather::HostLayers;
 
 /// More than that and the walk takes minutes on a software renderer.
-constexpr std::size_t kMostLeavesOfTheWalk = 2000;
+constexpr std::size_t kMostLeavesOfTheWalk = 300;
+/// The same for OpenCSG, over all products.
+[[maybe_unused]] constexpr std::size_t kMostLiteralsOfOpenCsg = 5000;
 
 double now_ms() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -99,6 +101,16 @@ Errors compare(const Subject& subject, const Truth& truth, const HostLayers& sta
 }
 
 #ifdef CSGSCOPE_WITH_OPENCSG
+std::size_t literals(const Subject& subject) {
+    std::size_t count = 0;
+    for (const auto& part : subject.products) {
+        for (const goldfeather::Product& product : part) {
+            count += product.literals.size();
+        }
+    }
+    return count;
+}
+
 /// OpenCSG gives the depth of the first surface only, with 24 bits between its near and far plane: wrong is what is off
 /// by more than a thousandth of the scene, or lies on no surface at all.
 Errors compare(const Truth& truth, const opencsg::Picture& picture) {
@@ -187,7 +199,7 @@ void Sweep::measure(const Family& family, double level, std::vector<Measure>& me
 #ifdef CSGSCOPE_WITH_OPENCSG
         if (opencsg_) {
             Errors errors;
-            if (subject.over_budget == 0 && leaves <= kMostLeavesOfTheWalk) {
+            if (subject.over_budget == 0 && literals(subject) <= kMostLiteralsOfOpenCsg) {
                 opencsg_->load(subject.geometry, subject.products, view, opencsg::Algorithm::Automatic);
                 const double start = now_ms();
                 opencsg_->draw();

@@ -1,0 +1,44 @@
+// Layers of lists-cpu in textures that are used again from picture to picture.
+#include "tests/engine/engine_test.h"
+
+namespace {
+
+class LayerUploads : public test_support::GlTest {};
+
+TEST_P(LayerUploads, TexturesUsedAgainHoldJustTheNewPicture) {
+    peel::Peeler peeler(gl());
+    std::size_t used_again = 0;
+    GLuint before = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        std::mt19937_64 random(seed);
+        const comparison::Subject subject(random_tree::make_tree(random_tree::make_model(random)), false);
+        peel::PeelModel model(gl(), subject.scene, subject.geometry, {}, goldfeather::EngineKind::ListsCpu);
+        for (int picture = 0; picture < 4; ++picture) {
+            const gl::Camera camera =
+                random_tree::make_camera(random, subject.geometry.box.lo, subject.geometry.box.hi);
+            // Of a size that is no multiple of the tiles'.
+            const gl::View view = subject.view(camera, {75, 70});
+            const int layers = picture % 2 == 0 ? peel::kAllLayers : 2;
+            peel::WalkStats stats;
+            peel::LayerStack stack = peeler.peel(view, model, layers, stats);
+            used_again += stack.depth.id() == before ? 1 : 0;
+            before = stack.depth.id();
+
+            const goldfeather::ListsModel lists(subject.scene, subject.geometry);
+            goldfeather::CpuLayers fresh;
+            goldfeather::ListsStats ignored;
+            goldfeather::peel_lists(lists, view, layers, 1, fresh, ignored);
+            const auto expected = goldfeather::to_host(fresh);
+            const auto actual = goldfeather::read_back(gl(), stack);
+            ASSERT_EQ(actual.layers, expected.layers) << "seed " << seed;
+            ASSERT_EQ(actual.surfaces, expected.surfaces) << "seed " << seed << ", picture " << picture;
+            peeler.give_back(std::move(stack));
+        }
+    }
+    EXPECT_GT(used_again, 20U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Contexts, LayerUploads, testing::Values(gl::ContextKind::Egl, gl::ContextKind::Osmesa),
+                         test_support::context_name);
+
+}  // namespace
