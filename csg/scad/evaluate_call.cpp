@@ -82,6 +82,13 @@ bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& call
 void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
                                const SourceRange& where, Scope& caller, Value* slots,
                                std::vector<std::pair<Symbol, Value>>* others) {
+    if (arguments.size() <= parameters.size() &&
+        std::all_of(arguments.begin(), arguments.end(), [](const Argument& a) { return a.name == kNoSymbol; })) {
+        for (std::size_t i = 0; i < arguments.size(); ++i) {  // Nothing to find out.
+            slots[i] = evaluate(arguments[i].value, caller);
+        }
+        return;
+    }
     std::uint64_t by_name = 0;  // Of the first 64 parameters.
     std::uint64_t by_position = 0;
     const auto bit = [](std::size_t i) { return i < 64 ? std::uint64_t{1} << i : 0; };

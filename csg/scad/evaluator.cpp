@@ -119,7 +119,7 @@ void Evaluator::emit(Severity severity, const SourceRange& where, std::string te
 }
 
 void Evaluator::fail(const SourceRange& where, std::string text) {
-    throw EvaluationError{{Severity::Error, where, std::move(text)}, false, trace_messages(p_, innermost_)};
+    throw EvaluationError{{Severity::Error, where, std::move(text)}, false, trace_messages(p_, innermost_, request_.trace_depth)};
 }
 
 void Evaluator::fail_stopped(const SourceRange& where) {

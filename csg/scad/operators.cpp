@@ -274,11 +274,11 @@ Value negate(const Value& a, std::string& problem, int depth) {
 }  // namespace
 
 double remainder_of(double x, double y) {
-    constexpr double kWhole = 2147483648.0;
-    if (x >= 0 && x < kWhole && y >= 1 && y < kWhole) {
-        const auto i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y);
-        if (i == x && j == y) {
-            return std::signbit(x) ? x : i % j;
+    constexpr double kWhole = 9007199254740992.0;  // 2^53
+    if (x >= 0 && x < kWhole && y >= 1 && y < kWhole && !std::signbit(x)) {
+        const auto i = static_cast<std::uint64_t>(x), j = static_cast<std::uint64_t>(y);
+        if (static_cast<double>(i) == x && static_cast<double>(j) == y) {
+            return static_cast<double>(i % j);
         }
     }
     return std::fmod(x, y);

@@ -41,6 +41,7 @@ struct Request {
     double time = 0;               ///< $t
     bool preview = true;           ///< $preview
     bool trace_parameters = true;  ///< Traces show the parameters of user modules (--trace-usermodule-parameters).
+    std::size_t trace_depth = 12;  ///< Steps shown at either end of a trace (--trace-depth).
     bool check_ranges = false;     ///< Warn of dimensions that make nothing (--check-parameter-ranges).
     View view;                     ///< What the $vp… variables hold before the file sets them.
 };

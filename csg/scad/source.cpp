@@ -48,7 +48,9 @@ std::uint32_t SourceSet::add(SourceFile file) {
 
 ReadResult read_source_file(const std::string& path) {
     namespace fs = std::filesystem;
-    const auto failed = [&](std::string_view why) { return ReadError{false, fmt::format("cannot read {}: {}", path, why)}; };
+    const auto failed = [&](std::string_view why) {
+        return ReadError{false, fmt::format("cannot read {}: {}", path, why)};
+    };
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) {
@@ -105,6 +107,12 @@ std::vector<std::string> search_path_from_environment() {
             directories.emplace_back(rest.substr(0, colon));
         }
         rest.remove_prefix(std::min(colon + 1, rest.size()));
+    }
+    if (const char* const home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+        directories.push_back(std::string(home) + "/.local/share/OpenSCAD/libraries");
+    }
+    for (const char* const prefix : {"/usr/local", "/usr"}) {
+        directories.push_back(std::string(prefix) + "/share/openscad/libraries");
     }
     return directories;
 }

@@ -80,7 +80,8 @@ using SourceReader = std::function<ReadResult(const std::string& path)>;
 [[nodiscard]] std::vector<std::string> source_candidates(std::string_view name, std::string_view from,
                                                          const std::vector<std::string>& search_path);
 
-/// Directories of the environment variable OPENSCADPATH (separated by ':').
+/// Directories of the environment variable OPENSCADPATH (separated by ':'), then OpenSCAD's own library folders: the
+/// user's and those of the system. They need not exist.
 [[nodiscard]] std::vector<std::string> search_path_from_environment();
 
 }  // namespace csg::scad

@@ -8,7 +8,6 @@ namespace csg::scad {
 
 namespace {
 
-constexpr std::size_t kEnd = 12;                           // Steps shown at either end.
 constexpr std::size_t kMostBytes = std::size_t{64} << 10;  // Of a parameter.
 
 std::string parameters_text(const Program& program, const ActiveStep& step) {
@@ -52,25 +51,25 @@ void append(std::vector<Message>& messages, const Program& program, const Active
 
 }  // namespace
 
-std::vector<Message> trace_messages(const Program& program, const ActiveStep* innermost) {
+std::vector<Message> trace_messages(const Program& program, const ActiveStep* innermost, std::size_t shown) {
     std::vector<const ActiveStep*> first, last;  // `last` is a ring once it is full.
     std::size_t count = 0;
     for (const ActiveStep* step = innermost; step != nullptr; step = step->outer) {
         if (step->name == kNoSymbol) {
             continue;
         }
-        if (count < kEnd) {
+        if (count < shown) {
             first.push_back(step);
-        } else if (last.size() < kEnd) {
+        } else if (last.size() < shown) {
             last.push_back(step);
-        } else {
-            last[count % kEnd] = step;
+        } else if (shown != 0) {
+            last[count % shown] = step;
         }
         ++count;
     }
     const std::size_t left_out = count - first.size() - last.size();
-    if (left_out != 0) {
-        std::rotate(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(count % kEnd), last.end());
+    if (left_out != 0 && shown != 0) {
+        std::rotate(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(count % shown), last.end());
     }
     std::vector<Message> messages;
     for (const ActiveStep* step : first) {

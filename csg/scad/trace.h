@@ -28,8 +28,9 @@ struct ActiveStep {
     const ActiveStep* outer = nullptr;
 };
 
-/// As OpenSCAD shows them, the innermost first; of a long way only the first and the last few, with a line for what
+/// As OpenSCAD shows them, the innermost first; of a long way only the first and the last `shown`, with a line for what
 /// is left out.
-[[nodiscard]] std::vector<Message> trace_messages(const Program& program, const ActiveStep* innermost);
+[[nodiscard]] std::vector<Message> trace_messages(const Program& program, const ActiveStep* innermost,
+                                                  std::size_t shown);
 
 }  // namespace csg::scad

@@ -120,16 +120,20 @@ TEST(Options, BadOnesSayWhatWasExpected) {
         {{"--sytle", "edges"}, "Did you mean \"--style\"?"},
         {{"--imgsiez=3,4"}, "Did you mean \"--imgsize\"?"},
         {{"--animate", "5"}, "unknown option --animate"},
-        {{"-o", "a.svg"}, "wrl, csg, ast and echo"},
+        {{"-o", "a.svg"}, "wrl, csg, ast, echo and param"},
         {{"-o", "a"}, "suffix"},
         {{"-o", "dir.png/a"}, "suffix"},
         {{"-o", "-"}, "--export-format"},
-        {{"-o", "a.png", "--export-format", "svg"}, "wrl, csg, ast and echo"},
+        {{"-o", "a.png", "--export-format", "svg"}, "wrl, csg, ast, echo and param"},
         {{"-D", "x"}, "name=value"},
         {{"--set", "=1"}, "name=value"},
         {{"-o"}, "-o"},
         {{"b.scad"}, "one input file"},
-        {{"-p", "set.json"}, "-D name=value"},
+        {{"--time-limit", "0"}, "above 0"},
+        {{"--time-limit", "soon"}, "seconds"},
+        {{"--memory-limit", "0"}, "whole number"},
+        {{"--trace-depth", "-1"}, "whole number"},
+        {{"--check-parameter-ranges", "maybe"}, "on"},
     };
     for (const Case& c : cases) {
         auto arguments = c.arguments;

@@ -21,7 +21,7 @@ struct NamedFormat {
     Format format;
     MeshFormat mesh = MeshFormat::AsciiStl;
 };
-const std::array<NamedFormat, 12> kFormats{{{"png", Format::Png},
+const std::array<NamedFormat, 13> kFormats{{{"png", Format::Png},
                                             {"stl", Format::Mesh},
                                             {"asciistl", Format::Mesh},
                                             {"binstl", Format::Mesh, MeshFormat::BinaryStl},
@@ -32,8 +32,9 @@ const std::array<NamedFormat, 12> kFormats{{{"png", Format::Png},
                                             {"wrl", Format::Mesh, MeshFormat::Wrl},
                                             {"csg", Format::Csg},
                                             {"ast", Format::Ast},
-                                            {"echo", Format::Echo}}};
-constexpr const char* kFormatNames = "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, csg, ast and echo";
+                                            {"echo", Format::Echo},
+                                            {"param", Format::Param}}};
+constexpr const char* kFormatNames = "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, csg, ast, echo and param";
 
 /// The numbers of "1,2.5,-3", `counts` of them; the decimal point does not depend on the locale.
 std::vector<double> read_numbers(std::string_view option, std::string_view text,
@@ -132,9 +133,10 @@ gl::Camera read_camera(std::string_view text) {
 struct Raw {
     std::vector<std::string> inputs, outputs, settings;
     std::string export_format, camera, size, layers, samples, view, csg_limit, make, backend, render, preview, scheme;
-    std::string parameter_file, parameter_set, check_parameters, check_ranges;
+    std::string parameter_file, parameter_set, check_parameters, check_ranges, trace_parameters, trace_depth,
+        time_limit, memory_limit;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
-    std::vector<std::string> summary;
+    std::vector<std::string> summary, features;
     bool version = false;
 };
 
@@ -159,13 +161,16 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     const char* const in = "Input and output";
     app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("");
     list("-o,--o", raw.outputs,
-         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .csg, .ast or .echo; - is standard output. May be "
+         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .csg, .ast, .echo or .param; - is standard output. May "
+         "be "
          "repeated. Without it a window opens",
          "FILE", in);
     text("--export-format", raw.export_format,
          "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);
     text("--cache", o.cache, "Keep meshes in this folder, and take them from there", "DIR", in);
     list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
+    text("-p,--p", raw.parameter_file, "A file of parameter sets, as OpenSCAD's customizer writes it", "FILE", in);
+    text("-P,--P", raw.parameter_set, "The parameter set of that file to take", "NAME", in);
     text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
     text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
     text("--summary-file", raw.summary_file,
@@ -173,6 +178,14 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     list("--summary", raw.summary, "Print all, camera, bounding-box or time", "WHAT", in);
     app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(in);
     app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
+
+    const char* const checks = "Limits and checks";
+    text("--time-limit", raw.time_limit, "End the evaluation with an error after that time", "SECONDS", checks);
+    text("--memory-limit", raw.memory_limit, "End with an error where more memory would be needed", "MIB", checks);
+    text("--check-parameter-ranges", raw.check_ranges, "Warn of dimensions that make nothing: on or off (off)", "BOOL",
+         checks);
+    text("--trace-depth", raw.trace_depth, "Steps shown at either end of a trace (12)", "N", checks);
+    text("--trace-usermodule-parameters", raw.trace_parameters, "Parameters in traces: on or off (on)", "BOOL", checks);
 
     const char* const picture = "Picture";
     text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
@@ -206,9 +219,32 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
     text("-m,--m", raw.make, "Command that makes missing files", "COMMAND", accepted);
     text("--check-parameters", raw.check_parameters, "Checks of arguments are always on", "BOOL", accepted);
-    text("--check-parameter-ranges", raw.check_ranges, "Checks of arguments are always on", "BOOL", accepted);
-    text("-p,--p", raw.parameter_file, "", "FILE", "");
-    text("-P,--P", raw.parameter_set, "", "NAME", "");
+    list("--enable", raw.features, "Features of OpenSCAD's language are always on", "FEATURE", accepted);
+}
+
+void interpret_limits(Options& o, const Raw& raw) {
+    constexpr int kMostMebibytes = 1 << 24, kDeepestTrace = 1'000'000;
+    const auto on = [](const char* option, const std::string& text, bool otherwise) {
+        return text.empty()
+                   ? otherwise
+                   : read_name<bool>(
+                         option, text,
+                         {{"on", true}, {"off", false}, {"true", true}, {"false", false}, {"1", true}, {"0", false}});
+    };
+    o.check_ranges = on("--check-parameter-ranges", raw.check_ranges, o.check_ranges);
+    o.trace_parameters = on("--trace-usermodule-parameters", raw.trace_parameters, o.trace_parameters);
+    if (!raw.trace_depth.empty()) {
+        o.trace_depth = read_integer("--trace-depth", raw.trace_depth, 0, kDeepestTrace);
+    }
+    if (!raw.memory_limit.empty()) {
+        o.memory_limit = read_integer("--memory-limit", raw.memory_limit, 1, kMostMebibytes);
+    }
+    if (!raw.time_limit.empty()) {
+        o.time_limit = read_numbers("--time-limit", raw.time_limit, {1}, "seconds")[0];
+        if (o.time_limit <= 0 || o.time_limit > 1e9) {
+            throw UsageError(fmt::format("--time-limit {}: the time must be above 0 seconds", raw.time_limit));
+        }
+    }
 }
 
 void interpret(Options& o, const Raw& raw) {
@@ -216,9 +252,9 @@ void interpret(Options& o, const Raw& raw) {
         throw UsageError(fmt::format("one input file is expected, not {} (\"{}\" and \"{}\")", raw.inputs.size(),
                                      raw.inputs[0], raw.inputs[1]));
     }
-    if (!raw.parameter_file.empty() || !raw.parameter_set.empty()) {
-        throw UsageError("-p and -P: parameter sets are not supported; set variables with -D name=value");
-    }
+    o.parameter_file = raw.parameter_file;
+    o.parameter_set = raw.parameter_set;
+    interpret_limits(o, raw);
     o.input = raw.inputs.empty() ? "" : raw.inputs[0];
     for (const std::string& path : raw.outputs) {
         o.outputs.push_back(read_output(path, raw.export_format));

@@ -20,7 +20,7 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-enum class Format { Png, Csg, Ast, Echo, Mesh };
+enum class Format { Png, Csg, Ast, Echo, Param, Mesh };
 
 struct Output {
     std::string path;  ///< "-": standard output.
@@ -32,6 +32,8 @@ struct Options {
     std::string input;  ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
     std::vector<std::string> definitions;  ///< name=expression
+    std::string parameter_file;            ///< Parameter sets; empty: none.
+    std::string parameter_set;             ///< The one to take.
     std::optional<gl::Camera> camera;      ///< Absent: the file's $vp… variables, or everything in view.
     bool view_all = false;
     bool autocenter = false;
@@ -49,7 +51,12 @@ struct Options {
     std::optional<std::string> dependencies;  ///< File for make.
     std::string cache;                        ///< Folder that keeps meshes; empty: none.
     std::string frames_log;                   ///< The window's log; empty: none.
-    bool preview = true;                      ///< $preview
+    double time_limit = 0;                    ///< Seconds for the evaluation; 0: none.
+    int memory_limit = 0;                     ///< MiB for the run; 0: none.
+    int trace_depth = 12;
+    bool trace_parameters = true;
+    bool check_ranges = false;
+    bool preview = true;  ///< $preview
     bool transparent_background = false;
     bool quiet = false;
     bool hard_warnings = false;

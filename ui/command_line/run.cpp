@@ -1,9 +1,16 @@
 #include "ui/command_line/run.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
 #include <new>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -11,11 +18,13 @@
 #include "csg/scad/csg_text.h"
 #include "csg/scad/parser.h"
 #include "csg/scad/scad.h"
+#include "csg/scad/value.h"
 #include "gl/error.h"
 #include "ui/command_line/compare.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
+#include "ui/command_line/parameters.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/mesh_cache.h"
 #include "ui/pipeline/renderer.h"
@@ -44,6 +53,30 @@ class Progress {
     bool shown_;
 };
 
+/// Asks for a stop once the time is over, unless it is destroyed before.
+class TimeLimit {
+  public:
+    TimeLimit(double seconds, std::stop_source stop) {
+        if (seconds > 0) {
+            thread_ = std::jthread([this, seconds, stop = std::move(stop)](const std::stop_token& done) mutable {
+                std::unique_lock lock(mutex_);
+                std::condition_variable_any never;
+                if (!never.wait_for(lock, done, std::chrono::duration<double>(seconds), [] { return false; }) &&
+                    !done.stop_requested()) {
+                    passed_ = true;
+                    stop.request_stop();
+                }
+            });
+        }
+    }
+    [[nodiscard]] bool passed() const { return passed_; }
+
+  private:
+    std::mutex mutex_;
+    std::atomic<bool> passed_ = false;
+    std::jthread thread_;
+};
+
 bool wants(const Options& options, Format format) {
     return std::any_of(options.outputs.begin(), options.outputs.end(),
                        [&](const Output& output) { return output.format == format; });
@@ -68,7 +101,15 @@ class Run {
         check();
         read();
         if (wants(options_, Format::Ast)) {
-            write_outputs(options_, Format::Ast, syntax_tree());
+            write_outputs(options_, Format::Ast, csg::scad::ast_text(program()));
+        }
+        if (wants(options_, Format::Param)) {
+            const std::string title = std::filesystem::path(options_.input).stem().string();
+            write_outputs(options_, Format::Param, parameters_json(program(), title));
+            if (std::all_of(options_.outputs.begin(), options_.outputs.end(),
+                            [](const Output& output) { return output.format == Format::Param; })) {
+                return true;  // Nothing else is asked for.
+            }
         }
         if (!evaluate()) {
             return false;
@@ -124,6 +165,15 @@ class Run {
         }
         request_.definitions = options_.definitions;
         request_.preview = options_.preview && !wants(options_, Format::Mesh);
+        request_.check_ranges = options_.check_ranges;
+        request_.trace_parameters = options_.trace_parameters;
+        request_.trace_depth = static_cast<std::size_t>(options_.trace_depth);
+        if (options_.memory_limit != 0) {
+            limit_memory();
+        }
+        if (!options_.parameter_file.empty() && !options_.parameter_set.empty()) {
+            take_parameter_set();
+        }
         if (options_.camera) {
             const gl::Camera& camera = *options_.camera;
             request_.view = {{camera.target.x, camera.target.y, camera.target.z},
@@ -133,12 +183,43 @@ class Run {
         }
     }
 
+    /// The kernel refuses more, which ends in std::bad_alloc; lists say first, and with a place, that they are too
+    /// long.
+    void limit_memory() {
+        const std::size_t bytes = static_cast<std::size_t>(options_.memory_limit) << 20;
+        auto& most = request_.limits.list_elements;
+        most = std::min(most, bytes / sizeof(csg::scad::Value) / 2);
+        const rlim_t data = bytes + request_.limits.stack_bytes;  // The deep stack is reserved, not used.
+        rlimit limit{};
+        if (getrlimit(RLIMIT_DATA, &limit) == 0) {
+            limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? data : std::min(data, limit.rlim_max);
+            (void)setrlimit(RLIMIT_DATA, &limit);
+        }
+    }
+
+    /// As OpenSCAD does, goes on with the file's own values where the set is not to be had. -D counts above a set.
+    void take_parameter_set() {
+        auto text = csg::scad::read_source_file(options_.parameter_file);
+        if (const auto* error = std::get_if<csg::scad::ReadError>(&text)) {
+            messages_.warn(fmt::format("Can't open parameter file: {}", error->text));
+            return;
+        }
+        ParameterSet set =
+            read_parameter_set(program(), std::get<std::string>(text), options_.parameter_file, options_.parameter_set);
+        if (!set.problem.empty()) {
+            messages_.warn(set.problem);
+        }
+        request_.definitions.insert(request_.definitions.begin(), std::make_move_iterator(set.definitions.begin()),
+                                    std::make_move_iterator(set.definitions.end()));
+    }
+
     [[nodiscard]] bool evaluate() {
         progress_.say("Evaluating…");
         Stopwatch watch;
         std::stop_source stop;
         request_.stop = stop.get_token();
         bool stopped_by_warning = false;
+        const TimeLimit limit(options_.time_limit, stop);
         evaluation_ = csg::scad::evaluate(request_, [&](const auto& message, const auto& sources) {
             if (stopped_by_warning) {
                 return;  // The stopped evaluation says so; the warning has said why.
@@ -151,6 +232,9 @@ class Run {
             }
         });
         evaluate_ms_ = watch.lap();
+        if (limit.passed() && evaluation_.stopped) {
+            print_error(fmt::format("--time-limit: not done after {} seconds", options_.time_limit));
+        }
         write_outputs(options_, Format::Echo, messages_.echo_text());
         return evaluation_.ok && !stopped_by_warning;
     }
@@ -280,7 +364,9 @@ class Run {
         return json;
     }
 
-    [[nodiscard]] std::string syntax_tree() const;
+    [[nodiscard]] csg::scad::Program program() const {
+        return csg::scad::parse({request_.path, *request_.text, request_.definitions}).program;
+    }
 
     Options options_;
     Messages messages_;
@@ -294,11 +380,6 @@ class Run {
     double evaluate_ms_ = 0;
     Json picture_json_;
 };
-
-std::string Run::syntax_tree() const {
-    csg::scad::ParseRequest request{request_.path, *request_.text, request_.definitions};
-    return csg::scad::ast_text(csg::scad::parse(request).program);
-}
 
 int open_window(const Options& options) {
     WindowOptions window;
