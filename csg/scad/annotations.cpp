@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "csg/scad/parser.h"
+
 namespace csg::scad {
 namespace {
 
@@ -163,7 +165,8 @@ std::vector<std::optional<Annotation>> annotations(const Program& program) {
         result.emplace_back();
         // A definition from outside takes the place of what the file says, comments included.
         const auto place = program.first_places.find(static_cast<std::uint32_t>(&a - program.assignments.data()));
-        const bool outside = a.where.file != main.file && place != program.first_places.end();
+        const bool outside =
+            place != program.first_places.end() && program.sources[a.where.file].name() == kCommandLine;
         const SourceRange& where = outside ? place->second : a.where;
         const std::uint32_t line = where.line;
         if (where.file != main.file || line >= comments.end || !is_literal(program, a.value)) {
