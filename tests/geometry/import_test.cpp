@@ -129,7 +129,7 @@ TEST(Import, SurvivesMutations) {
         "4t5 6a3 4 5 1 0 6 7h3v4z'/><rect width='3' height='4' rx='1'/></g></svg>"};
     for (int round = 0; round < 20'000; ++round) {
         std::string text = seeds[static_cast<std::size_t>(round) % std::size(seeds)];
-        for (unsigned k = random() % 6; k-- > 0;) {
+        for (auto k = random() % 6; k-- > 0;) {
             const std::size_t at = random() % text.size();
             switch (random() % 4) {
                 case 0:
@@ -145,7 +145,7 @@ TEST(Import, SurvivesMutations) {
                     text.insert(at, "-9e99");
             }
             if (text.empty())
-                text = " ";
+                text.push_back(' ');
         }
         for (const Reader reader : {Reader{read_stl}, Reader{read_off}, Reader{read_obj}, Reader{read_amf}}) {
             FileMesh mesh;
