@@ -28,7 +28,7 @@ struct Frame {
 
 class SceneMaker {
   public:
-    explicit SceneMaker(const Tree& tree) : tree_(tree), dimensions_(dimensions(tree)) {}
+    explicit SceneMaker(const Tree& tree) : tree_(tree), dimensions_(dimensions(tree)), marked_(marked_below(tree)) {}
 
     Scene make() {
         if (tree_.root() == kNoNode)
@@ -77,33 +77,34 @@ class SceneMaker {
         scene_.parts.push_back(part);
     }
 
-    /// Drawn as one: a shape, what makes a mesh of its children, and differences and intersections in the plane.
+    /// By node: something below it has a colour or a modifier of its own to show.
+    static std::vector<char> marked_below(const Tree& tree) {
+        std::vector<char> marked(tree.size(), 0);
+        for (NodeId id = 0; id < tree.size(); ++id) {
+            for (const NodeId child : tree.children(id)) {
+                const Modifiers& modifiers = tree.node(child).modifiers;
+                if (marked[child] != 0 || modifiers.background || modifiers.highlight ||
+                    tree.node(child).operation == Operation::Color)
+                    marked[id] = 1;
+            }
+        }
+        return marked;
+    }
+
+    /// Drawn as one: a shape, what makes a mesh of its children, and differences and intersections in the plane where
+    /// nothing below has a colour or a modifier.
     [[nodiscard]] bool is_leaf(NodeId id) const {
         const Operation op = tree_.node(id).operation;
         if (op == Operation::Mesh)
             return !std::holds_alternative<Render>(tree_.mesh(id));
-        return op == Operation::Leaf ||
-               ((op == Operation::Difference || op == Operation::Intersection) && dimensions_[id] == Dimension::Flat);
+        return op == Operation::Leaf || ((op == Operation::Difference || op == Operation::Intersection) &&
+                                         dimensions_[id] == Dimension::Flat && marked_[id] == 0);
     }
 
     [[nodiscard]] bool is_union(NodeId id) const {
         const Operation op = tree_.node(id).operation;
         return op == Operation::Group || op == Operation::Union || op == Operation::Transform ||
                op == Operation::Color || (op == Operation::Mesh && !is_leaf(id));
-    }
-
-    /// Of a difference in the plane, the first colour on the way to its first shape stands for all. What makes a mesh
-    /// does not look below, as in OpenSCAD.
-    [[nodiscard]] Rgba color_of_leaf(NodeId id, Rgba color) const {
-        while (!color.given() && tree_.node(id).operation != Operation::Mesh) {
-            if (tree_.node(id).operation == Operation::Color)
-                color = tree_.color(id);
-            const auto children = tree_.children(id);
-            if (children.empty())
-                break;
-            id = children.front();
-        }
-        return color;
     }
 
     Frame enter(NodeId id, const glm::dmat4& to_world, const Rgba& color, bool top_level) const {
@@ -140,8 +141,8 @@ class SceneMaker {
         if (is_leaf(frame.node)) {
             e.kind = ExpressionKind::Leaf;
             e.leaf = static_cast<LeafId>(scene_.leaves.size());
-            scene_.leaves.push_back({frame.node, frame.to_world, color_of_leaf(frame.node, frame.color),
-                                     tree_.node(frame.node).where, static_cast<PartId>(scene_.parts.size())});
+            scene_.leaves.push_back({frame.node, frame.to_world, frame.color, tree_.node(frame.node).where,
+                                     static_cast<PartId>(scene_.parts.size())});
         } else {
             if (frame.built.size() == 1)
                 return frame.built[0];
@@ -158,6 +159,7 @@ class SceneMaker {
 
     const Tree& tree_;
     const std::vector<Dimension> dimensions_;
+    const std::vector<char> marked_;
     Scene scene_;
     std::deque<PartRoot> waiting_;
 };

@@ -145,7 +145,7 @@ TEST(Import, SurvivesMutations) {
                     text.insert(at, "-9e99");
             }
             if (text.empty())
-                text = " ";
+                text.push_back(' ');
         }
         for (const Reader reader : {Reader{read_stl}, Reader{read_off}, Reader{read_obj}, Reader{read_amf}}) {
             FileMesh mesh;
