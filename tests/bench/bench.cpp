@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "csg/scad/scad.h"
+#include "goldfeather/choice.h"
 #include "tests/bench/floor.h"
 #include "tests/bench/report.h"
 #include "ui/pipeline/camera.h"
@@ -41,7 +42,11 @@ std::vector<std::string> model_names(const Settings& settings) {
 class Bench {
   public:
     Bench(const Settings& settings, const gl::Context& context)
-        : settings_(settings), gl_(context.functions()), renderer_(context), peeler_(gl_) {
+        : settings_(settings),
+          software_(context.software()),
+          gl_(context.functions()),
+          renderer_(context),
+          peeler_(gl_) {
         report_.renderer = context.renderer();
         report_.opengl = context.version();
         report_.repeat = settings.repeat;
@@ -64,7 +69,8 @@ class Bench {
         preparation.normalize = model->statistics.normalize_ms;
         const gl::Camera camera = ui::choose_camera({}, evaluation.view, model->box);
         (void)watch.lap();
-        peel::PeelModel peel_model(gl_, model->scene, model->geometry, model->products);
+        const auto choice = goldfeather::choose_engine({}, {software_, !model->over_budget.empty()});
+        peel::PeelModel peel_model(gl_, model->scene, model->geometry, model->products, choice.engine);
         gl_.Finish();
         preparation.upload = watch.lap();
         report_.preparations.push_back(preparation);
@@ -98,7 +104,7 @@ class Bench {
         peel::WalkStats stats;
         row.peel = median(settings_.repeat, [&] {
             stats = {};
-            (void)peeler_.peel(view, peel_model, layers, stats);
+            peeler_.give_back(peeler_.peel(view, peel_model, layers, stats));
             gl_.Finish();
         });
         row.passes = stats.passes;
@@ -116,6 +122,7 @@ class Bench {
     }
 
     const Settings& settings_;
+    bool software_;
     const gl::Functions& gl_;
     ui::Renderer renderer_;
     peel::Peeler peeler_;
