@@ -44,9 +44,10 @@ void add_counts(std::vector<Family>& all) {
     all.push_back({"nesting", "Difference in difference, n deep.", "depth", {1, 10, 100, 1000, 10000}, [](double n) {
                        Maker m;
                        Id body = m.box({-4, -4, -4}, {8, 8, 8});
-                       const Id small = m.sphere({2, -2, 3}, 1.5, 12), large = m.cylinder({2, -2, 2}, 3, 1, 12);
                        for (int i = 0; i < static_cast<int>(n); ++i) {
-                           body = i % 2 == 0 ? m.subtract({body, small}) : m.unite({body, large});
+                           const double a = 2.399963 * i, r = 3.8 * std::sqrt((i + 0.5) / n);
+                           const Id ball = m.sphere({r * std::cos(a), r * std::sin(a), 4}, 0.3, 8);
+                           body = i % 2 == 0 ? m.subtract({body, ball}) : m.unite({body, ball});
                        }
                        return m.seen(body, kEye, {0, 0, 0});
                    }});

@@ -130,7 +130,7 @@ std::string to_markdown(const std::vector<FamilyResult>& results, const std::str
     for (const FamilyResult& r : results) {
         double band = 0, depth = 0;
         for (const Measure& m : r.measures) {
-            band = std::max(band, percent(m.undecided, m.pixels));
+            band = std::max(band, percent(m.undecided, std::max(m.pixels, m.undecided)));
         }
         table += fmt::format("| {} | {} | {:g} … {:g} | {:.1f} % |", r.family.name, r.family.difficulty,
                              r.family.levels.front(), r.family.levels.back(), band);
