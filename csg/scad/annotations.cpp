@@ -163,10 +163,10 @@ std::vector<std::optional<Annotation>> annotations(const Program& program) {
     std::vector<std::optional<Annotation>> result;
     for (const Argument& a : assignments) {
         result.emplace_back();
-        // A definition from outside takes the place of what the file says, comments included.
+        // A definition takes the place of what the file says, comments included.
         const auto place = program.first_places.find(static_cast<std::uint32_t>(&a - program.assignments.data()));
         const bool outside =
-            place != program.first_places.end() && program.sources[a.where.file].name() == kCommandLine;
+            program.sources[a.where.file].name() == kCommandLine && place != program.first_places.end();
         const SourceRange& where = outside ? place->second : a.where;
         const std::uint32_t line = where.line;
         if (where.file != main.file || line >= comments.end || !is_literal(program, a.value)) {

@@ -78,6 +78,7 @@ class Job {
         if (!parsed.ok) {
             return;
         }
+        result.parsed = true;
         try {
             Evaluator evaluator(
                 *program, request_, [&gate](const Message& m) { gate(m); }, stack_limit);

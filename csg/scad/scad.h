@@ -57,6 +57,7 @@ struct ViewSettings {
 struct Evaluation {
     std::shared_ptr<const Tree> tree;  ///< Null where there was an error; a tree without root for an empty model.
     bool ok = false;                   ///< The same as "tree is set".
+    bool parsed = false;               ///< The main file is well formed: whatever went wrong did so while it ran.
     bool stopped = false;              ///< The stop token ended it.
     ViewSettings view;
     std::vector<std::string> files;  ///< All that were read, the main file first: what to watch for changes.

@@ -1,6 +1,7 @@
 #include "ui/command_line/messages.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -8,7 +9,10 @@ namespace ui {
 
 void Messages::add(const csg::scad::Message& message, const csg::scad::SourceSet& sources) {
     using csg::scad::Severity;
-    const std::string line = csg::scad::render_openscad(message, sources) + '\n';
+    // As OpenSCAD does: files beside the main one, or below it, are named as seen from there.
+    const std::string base =
+        sources.size() == 0 ? std::string() : std::filesystem::path(sources[0].name()).parent_path().string();
+    const std::string line = csg::scad::render_openscad(message, sources, base) + '\n';
     echo_ += line;
     warnings_ += message.severity == Severity::Warning || message.severity == Severity::Deprecated ? 1 : 0;
     if (message.severity != Severity::Error) {

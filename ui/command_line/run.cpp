@@ -77,6 +77,11 @@ class TimeLimit {
     std::jthread thread_;
 };
 
+/// An angle in degrees from 0 up to 360, as OpenSCAD gives them in $vpr.
+double turned(double degrees) {
+    return degrees < 0 ? degrees + 360 : degrees;
+}
+
 bool wants(const Options& options, Format format) {
     return std::any_of(options.outputs.begin(), options.outputs.end(),
                        [&](const Output& output) { return output.format == format; });
@@ -106,13 +111,12 @@ class Run {
         if (wants(options_, Format::Param)) {
             const std::string title = std::filesystem::path(options_.input).stem().string();
             write_outputs(options_, Format::Param, parameters_json(program(), title));
-            if (std::all_of(options_.outputs.begin(), options_.outputs.end(),
-                            [](const Output& output) { return output.format == Format::Param; })) {
-                return true;  // Nothing else is asked for.
-            }
+        }
+        if (only({Format::Ast, Format::Param})) {
+            return true;  // Nothing needs to run.
         }
         if (!evaluate()) {
-            return false;
+            return only({Format::Echo}) && evaluation_.parsed && !evaluation_.stopped && !options_.hard_warnings;
         }
         if (wants(options_, Format::Csg)) {
             write_outputs(options_, Format::Csg, csg::scad::csg_text(*evaluation_.tree));
@@ -132,6 +136,16 @@ class Run {
     }
 
   private:
+    /// Whether nothing but outputs of these formats is asked for. (Where that is what the console shows, a failed
+    /// assertion is but a line of it.)
+    [[nodiscard]] bool only(std::initializer_list<Format> formats) const {
+        return !options_.outputs.empty() && !options_.statistics && !options_.summary && !options_.summary_file &&
+               !options_.dependencies &&
+               std::all_of(options_.outputs.begin(), options_.outputs.end(), [&](const Output& output) {
+                   return std::find(formats.begin(), formats.end(), output.format) != formats.end();
+               });
+    }
+
     void check() const {
         std::vector<std::string> to_standard_output;
         for (const Output& output : options_.outputs) {
@@ -177,7 +191,7 @@ class Run {
         if (options_.camera) {
             const gl::Camera& camera = *options_.camera;
             request_.view = {{camera.target.x, camera.target.y, camera.target.z},
-                             {camera.rotation.x, camera.rotation.y, camera.rotation.z},
+                             {turned(camera.rotation.x), turned(camera.rotation.y), turned(camera.rotation.z)},
                              camera.distance,
                              camera.fov};
         }
