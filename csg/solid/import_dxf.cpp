@@ -276,8 +276,9 @@ class Ends {
     std::multimap<std::pair<long long, long long>, End> cells_;
 };
 
-/// Closed lines as they are; others end to end, in either direction.
-std::vector<Loop> join(std::vector<Line> lines, const Import& import, std::vector<std::string>& warnings) {
+/// Closed lines as they are; others end to end, in either direction. Where no line goes on, the loop is closed
+/// straight, as in OpenSCAD.
+std::vector<Loop> join(std::vector<Line> lines) {
     std::vector<Loop> loops;
     Ends ends;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -287,32 +288,32 @@ std::vector<Loop> join(std::vector<Line> lines, const Import& import, std::vecto
         ends.add(lines[i].back(), i);
     }
     std::vector<char> used(lines.size(), 0);
-    bool open = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (used[i] != 0)
             continue;
         used[i] = 1;
         Loop loop = std::move(lines[i]);
+        bool reversed = false;
         while (!is_near(loop.front(), loop.back())) {
             const auto next = ends.find(loop.back(), used);
-            if (!next)
-                break;
+            if (!next) {
+                if (reversed)
+                    break;
+                reversed = true;  // On from where it began.
+                std::reverse(loop.begin(), loop.end());
+                continue;
+            }
             Line& line = lines[*next];
             used[*next] = 1;
             if (!is_near(line.front(), loop.back()))
                 std::reverse(line.begin(), line.end());
             loop.insert(loop.end(), line.begin() + 1, line.end());
         }
-        if (is_near(loop.front(), loop.back())) {
+        if (is_near(loop.front(), loop.back()))
             loop.pop_back();
+        if (loop.size() > 2)
             loops.push_back(std::move(loop));
-        } else {
-            open = true;
-        }
     }
-    if (open)
-        warnings.push_back(
-            fmt::format("DXF file '{}' has lines that do not close; they are left out", import.file.shown));
     return loops;
 }
 
@@ -329,7 +330,7 @@ void add_arc(Loop& loop, const glm::dvec2& centre, const glm::dvec2& first_axis,
 
 std::vector<Loop> read_dxf(std::string_view text, const Import& import, std::vector<std::string>& warnings) {
     const File file = read(text);
-    std::vector<Loop> loops = join(Drawing(file, import, warnings).draw(), import, warnings);
+    std::vector<Loop> loops = join(Drawing(file, import, warnings).draw());
     for (Loop& loop : loops) {
         for (glm::dvec2& p : loop)
             p = (p - import.origin) * import.scale;

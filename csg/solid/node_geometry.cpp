@@ -18,10 +18,6 @@ std::shared_ptr<const Outline> share(Outline outline) {
     return std::make_shared<const Outline>(std::move(outline));
 }
 
-bool is_empty(const NodeGeometry& geometry) {
-    return geometry.outline ? geometry.outline->empty() : geometry.pieces.empty();
-}
-
 /// The children that are outlines; warns of others.
 Outlines outlines_of(Children children, NodeGeometry& result, const char* problem) {
     Outlines outlines;
@@ -204,8 +200,8 @@ class MeshMaker {
         for (const NodeGeometry* child : children_) {
             if (child->outline && !child->outline->empty())
                 result_.warnings.emplace_back(kMixed);
-            else if (!is_empty(*child))
-                operands.push_back(united(meshes_of(child->pieces, tools_), tools_));
+            else if (Mesh mesh = united(meshes_of(child->pieces, tools_), tools_); !mesh.triangles.empty())
+                operands.push_back(std::move(mesh));  // An empty operand does not count, as in OpenSCAD.
         }
         if (operands.empty())
             return;

@@ -181,6 +181,8 @@ TEST(Import, DxfEntities) {
                          "0\nLINE\n10\n2\n20\n2\n11\n2\n21\n0\n0\nLINE\n10\n0\n20\n2\n11\n0\n21\n0\n"),
                 4, 1e-9);
     EXPECT_NEAR(dxf_area("0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n3\n20\n0\n10\n3\n20\n2\n"), 3, 1e-9);
+    // Two lines that meet, begun in the middle: the third side closes them.
+    EXPECT_NEAR(dxf_area("0\nLINE\n10\n4\n20\n0\n11\n4\n21\n3\n0\nLINE\n10\n4\n20\n0\n11\n0\n21\n0\n"), 6, 1e-9);
     // Two half circles of radius 10: 30 segments.
     EXPECT_NEAR(dxf_area("0\nLWPOLYLINE\n70\n1\n10\n-10\n20\n0\n42\n1\n10\n10\n20\n0\n42\n1\n"),
                 0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180), 1e-6);
