@@ -24,8 +24,6 @@ struct Family {
     std::string difficulty;  ///< What grows or shrinks, with its unit.
     std::vector<double> levels;
     std::function<Case(double level)> make;
-    /// The bound on the share of pixels in the band, where the family is meant to be decided almost everywhere.
-    double most_undecided = 1;
 };
 
 /// All families.
