@@ -11,18 +11,19 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (p.x >= size.x)
         return;
-    for (int axis = 0; axis < 2; ++axis) {
-        ivec2 q = p + ivec2(1 - axis, axis);
-        if (q.x >= size.x || q.y >= size.y)
-            continue;
-        uvec2 a, b;
-        int i = 0;
-        do {
-            a = surface_ids(p, i);
-            b = surface_ids(q, i);
-            ++i;
-        } while (a.x != kNone && same_surface(a, b) && !(visible_only && opaque(a)));
-        if (!same_surface(a, b))
-            links[atomicAdd(link_count, 1u)] = link_id(p, axis);
+    // Both links at once, as they share an end.
+    bvec2 open = bvec2(p.x + 1 < size.x, p.y + 1 < size.y), differs = bvec2(false);
+    for (int i = 0; any(open); ++i) {
+        uvec2 a = surface_ids(p, i);
+        bool last = a.x == kNone || (visible_only && opaque(a));
+        for (int axis = 0; axis < 2; ++axis) {
+            if (!open[axis])
+                continue;
+            differs[axis] = !same_surface(a, surface_ids(p + ivec2(1 - axis, axis), i));
+            open[axis] = !last && !differs[axis];
+        }
     }
+    for (int axis = 0; axis < 2; ++axis)
+        if (differs[axis])
+            links[atomicAdd(link_count, 1u)] = link_id(p, axis);
 }

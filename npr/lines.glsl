@@ -21,10 +21,12 @@ ivec4 links_near(vec2 at, float width) {
 // samples: pixel (x, y) has its sample at (x, y), whatever the jitter.
 uint layers_near(vec2 at, float width) {
     ivec4 tiles = links_near(at, width) / kEdgeTile;
-    uint marks = 0u;
-    for (int y = tiles.y; y <= tiles.w; ++y)
-        for (int x = tiles.x; x <= tiles.z; ++x)
-            marks |= texelFetch(edge_tiles, ivec2(x, y), 0).x;
+    uvec4 four = textureGather(edge_tiles, vec2(tiles.xy + 1) / vec2(textureSize(edge_tiles, 0)));
+    uint marks = four.x | four.y | four.z | four.w;
+    if (any(greaterThan(tiles.zw - tiles.xy, ivec2(1))))  // wide lines only
+        for (int y = tiles.y; y <= tiles.w; ++y)
+            for (int x = tiles.x; x <= tiles.z; ++x)
+                marks |= texelFetch(edge_tiles, ivec2(x, y), 0).x;
     return (marks | marks >> kEdgeLayers) & 0xffffu;
 }
 

@@ -81,6 +81,6 @@ void main() {
         // Short edges are not drawn on as far as long ones, and bows not at all.
         float straight = straight_length(e, from, direction);
         if (straight > 10.0)
-            draw_on(e, from, direction, min(overshoot, 0.45 * straight));
+            draw_on(e, from, direction, min(overshoot, 0.35 * straight));
     }
 }

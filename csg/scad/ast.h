@@ -181,6 +181,11 @@ struct Program {
     std::vector<Block> blocks;
     std::vector<Unit> units;  ///< The main file is units[0].
 
+    /// Whether the `otherwise` of an `if` is but another `if`.
+    [[nodiscard]] bool is_else_if(const Block& b) const {
+        return b.instantiations.count == 1 && instantiations[b.instantiations.first].is_if &&
+               b.assignments.count == 0 && b.functions.count == 0 && b.modules.count == 0;
+    }
     [[nodiscard]] const Expr& operator[](ExprId id) const { return expressions[id]; }
     [[nodiscard]] std::span<const ExprId> elements_of(const Expr& vector) const { return run(elements, vector.list); }
     [[nodiscard]] std::span<const Argument> arguments_of(const Expr& e) const { return run(arguments, e.list); }

@@ -10,12 +10,13 @@ std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
         assignments_.push_back(assignment);
         return std::nullopt;
     }
-    Argument& known = assignments_[at->second];
+    const std::size_t index = at->second;
+    Argument& known = assignments_[index];
     const SourceRange before = known.where;
     const bool again = std::any_of(overwritten_.begin(), overwritten_.end(),
-                                   [&](const auto& place) { return place.first == at->second; });
+                                   [&](const auto& place) { return place.first == index; });
     if (!again) {
-        overwritten_.emplace_back(at->second, before);
+        overwritten_.emplace_back(index, before);
     }
     known = assignment;
     return before;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <vector>
 
 namespace csg::scad {
@@ -76,6 +76,12 @@ std::string head(const Tree& tree, NodeId id) {
     return {};
 }
 
+/// Trees may be deep beyond what anybody reads; their text must not grow with the square of that.
+std::size_t indentation(std::size_t depth) {
+    constexpr std::size_t kMost = 1000;
+    return std::min(depth, kMost);
+}
+
 }  // namespace
 
 std::string csg_text(const Tree& tree) {
@@ -94,7 +100,7 @@ std::string csg_text(const Tree& tree) {
         if (top.next == children.size()) {
             open.pop_back();
             if (!open.empty()) {
-                text.append(open.size() - 1, '\t');
+                text.append(indentation(open.size() - 1), '\t');
                 text += "}\n";
             }
             continue;
@@ -103,7 +109,7 @@ std::string csg_text(const Tree& tree) {
         const Modifiers& modifiers = tree.node(child).modifiers;
         text += modifiers.background ? "%" : "";
         text += modifiers.highlight ? "#" : "";
-        text.append(open.size() - 1, '\t');
+        text.append(indentation(open.size() - 1), '\t');
         text += head(tree, child);
         if (tree.children(child).empty()) {
             text += ";\n";

@@ -56,6 +56,9 @@ Value Evaluator::variable_or_warn(ExprId id, const Scope& scope) {
 }
 
 Value Evaluator::evaluate(ExprId id, Scope& scope) {
+    while (id != kNone && p_[id].kind == ExprKind::Conditional) {
+        id = evaluate(p_[id].operand(0), scope) ? p_[id].operand(1) : p_[id].operand(2);
+    }
     if (id == kNone) {
         return {};
     }
@@ -68,17 +71,30 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
             return e.number != 0;
         case ExprKind::Number:
             return e.number;
-        case ExprKind::String:
-            return name(e.name);
+        case ExprKind::String: {
+            Value& text = strings_[e.name];
+            if (text.is_unset()) {
+                text = name(e.name);
+            }
+            return text;
+        }
         case ExprKind::Identifier:
             return variable_or_warn(id, scope);
         case ExprKind::Vector: {
+            Value* const constant = r_.of_expression[id] == kNone ? nullptr : &constants_[r_.of_expression[id]];
+            if (constant != nullptr && !constant->is_unset()) {
+                return *constant;
+            }
             std::vector<Value> elements;
             elements.reserve(e.list.count);
             for (const ExprId element : p_.elements_of(e)) {
                 collect(element, scope, elements);
             }
-            return elements;
+            Value value(std::move(elements));
+            if (constant != nullptr) {
+                *constant = value;
+            }
+            return value;
         }
         case ExprKind::Range:
             return evaluate_range(e, scope);
@@ -91,15 +107,13 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
             return result;
         }
         case ExprKind::Binary:
-            return evaluate_binary(e, scope);
+        case ExprKind::Index:
+        case ExprKind::Member:
+            return evaluate_chain(e, scope);
         case ExprKind::Conditional:
-            return evaluate(evaluate(e.operand(0), scope) ? e.operand(1) : e.operand(2), scope);
+            return {};  // See above.
         case ExprKind::Call:
             return call(id, scope);
-        case ExprKind::Index:
-            return element_of(evaluate(e.operand(0), scope), evaluate(e.operand(1), scope));
-        case ExprKind::Member:
-            return evaluate_member(e, scope);
         case ExprKind::Let: {
             const DynamicMark mark(*this);
             bind_let(p_.arguments_of(e), scope);
@@ -121,8 +135,76 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
     }
 }
 
-Value Evaluator::evaluate_binary(const Expr& e, Scope& scope) {
-    Value a = evaluate(e.operand(0), scope);
+/// `v.x`, `v.zy`, `v.rgb`, …: up to four of one set of letters; undef else, and where an element is missing.
+static Value swizzle(const Value& vector, std::string_view letters) {
+    constexpr std::size_t kMost = 4;
+    for (const std::string_view set : {"xyzw", "rgba"}) {
+        if (letters.empty() || letters.size() > kMost || letters.find_first_not_of(set) != std::string_view::npos) {
+            continue;
+        }
+        if (letters.size() == 1) {
+            return element_of(vector, static_cast<double>(set.find(letters[0])));
+        }
+        std::vector<Value> result;
+        for (const char letter : letters) {
+            const std::size_t index = set.find(letter);
+            if (index >= vector.elements().size()) {
+                return {};
+            }
+            result.push_back(vector.elements()[index]);
+        }
+        return result;
+    }
+    return {};
+}
+
+static Value member_of(const Value& value, std::string_view member) {
+    if (value.is_vector()) {
+        return swizzle(value, member);
+    }
+    if (value.is_range()) {
+        const Range& r = value.range();
+        return member == "begin"  ? Value(r.begin)
+               : member == "step" ? Value(r.step)
+               : member == "end"  ? Value(r.end)
+                                  : Value();
+    }
+    return {};
+}
+
+static bool is_link(ExprKind kind) {
+    return kind == ExprKind::Binary || kind == ExprKind::Index || kind == ExprKind::Member;
+}
+
+/// Chains (`a + b + c`, `a[0][1].x`) grow to the left without brackets. A long one is worked out in a loop.
+Value Evaluator::evaluate_chain(const Expr& e, Scope& scope) {
+    constexpr std::size_t kLong = 64;
+    std::size_t length = 0;
+    for (const Expr* x = &e; is_link(x->kind) && length < kLong; x = &p_[x->operand(0)]) {
+        ++length;
+    }
+    if (length < kLong) {
+        return apply(e, evaluate(e.operand(0), scope), scope);
+    }
+    std::vector<const Expr*> chain;
+    for (const Expr* x = &e; is_link(x->kind); x = &p_[x->operand(0)]) {
+        chain.push_back(x);
+    }
+    Value value = evaluate(chain.back()->operand(0), scope);
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
+        value = apply(**link, value, scope);
+    }
+    return value;
+}
+
+/// The value of a link of a chain whose left operand is `a`.
+Value Evaluator::apply(const Expr& e, const Value& a, Scope& scope) {
+    if (e.kind == ExprKind::Index) {
+        return element_of(a, evaluate(e.operand(1), scope));
+    }
+    if (e.kind == ExprKind::Member) {
+        return member_of(a, name(e.name));
+    }
     if (e.op == Operator::And) {
         return a && evaluate(e.operand(1), scope);
     }
@@ -177,45 +259,6 @@ Value Evaluator::evaluate_range(const Expr& e, Scope& scope) {
         warn(e.where, "begin is smaller than the end, but step is negative");
     }
     return range;
-}
-
-/// `v.x`, `v.zy`, `v.rgb`, …: up to four of one set of letters; undef else, and where an element is missing.
-static Value swizzle(const Value& vector, std::string_view letters) {
-    constexpr std::size_t kMost = 4;
-    for (const std::string_view set : {"xyzw", "rgba"}) {
-        if (letters.empty() || letters.size() > kMost || letters.find_first_not_of(set) != std::string_view::npos) {
-            continue;
-        }
-        if (letters.size() == 1) {
-            return element_of(vector, static_cast<double>(set.find(letters[0])));
-        }
-        std::vector<Value> result;
-        for (const char letter : letters) {
-            const std::size_t index = set.find(letter);
-            if (index >= vector.elements().size()) {
-                return {};
-            }
-            result.push_back(vector.elements()[index]);
-        }
-        return result;
-    }
-    return {};
-}
-
-Value Evaluator::evaluate_member(const Expr& e, Scope& scope) {
-    const Value value = evaluate(e.operand(0), scope);
-    const std::string& member = name(e.name);
-    if (value.is_vector()) {
-        return swizzle(value, member);
-    }
-    if (value.is_range()) {
-        const Range& r = value.range();
-        return member == "begin"  ? Value(r.begin)
-               : member == "step" ? Value(r.step)
-               : member == "end"  ? Value(r.end)
-                                  : Value();
-    }
-    return {};
 }
 
 Value Evaluator::make_closure(ExprId id, Scope& scope) {

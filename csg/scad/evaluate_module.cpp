@@ -97,18 +97,36 @@ void Evaluator::run_child(const ModuleCall& call, std::size_t index, Nodes& out)
 }
 
 void Evaluator::instantiate_if(const Instantiation& first, const Frame* frame, Nodes& out) {
-    const auto arguments = p_.arguments_of(first);
-    const bool chosen = !arguments.empty() && statement_value(arguments[0].value, frame);
-    const BlockId branch = chosen ? first.children : first.otherwise;
-    if (branch == kNone) {
-        return;
+    // `else if` after `else if`: each is a group in that of the one before it.
+    std::vector<const Instantiation*> chain{&first};
+    BlockId branch = kNone;
+    for (;;) {
+        const Instantiation& i = *chain.back();
+        const auto arguments = p_.arguments_of(i);
+        const bool chosen = !arguments.empty() && statement_value(arguments[0].value, frame);
+        branch = chosen ? i.children : i.otherwise;
+        if (chosen || branch == kNone || !p_.is_else_if(p_.blocks[branch])) {
+            break;
+        }
+        const Instantiation& next = p_.instantiations_of(p_.blocks[branch])[0];
+        if (next.modifiers.disabled) {
+            break;
+        }
+        has_root_modifier_ |= next.modifiers.root;
+        chain.push_back(&next);
     }
     Nodes nodes;
-    {
+    if (branch != kNone) {
         const BlockFrame inner(*this, branch, frame);
         run_block(branch, inner.get(), nodes);
+    } else {
+        chain.pop_back();  // The last makes nothing.
     }
-    out.push_back(builder_.combine(Operation::Group, nodes, location(first.where), modifiers(first)));
+    for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
+        const NodeId group = builder_.combine(Operation::Group, nodes, location((*i)->where), modifiers(**i));
+        nodes.assign(1, group);
+    }
+    out.insert(out.end(), nodes.begin(), nodes.end());
 }
 
 csg::Modifiers Evaluator::modifiers(const Instantiation& i) const {

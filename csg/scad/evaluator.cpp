@@ -40,6 +40,8 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
     for (Symbol s = 0; s < p_.symbols.size(); ++s) {
         dynamic_symbols_[s] = is_dynamic(name(s));
     }
+    strings_.assign(p_.symbols.size(), Value::unset());
+    constants_.assign(r_.constants, Value::unset());
     dynamic_.assign(r_.dynamic_names.size(), Value::unset());
     units_.resize(p_.units.size());
     for (std::uint32_t file = 0; file < p_.sources.size(); ++file) {

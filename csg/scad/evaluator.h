@@ -213,9 +213,9 @@ class Evaluator {
 
     // evaluate_expression.cpp
     Value evaluate(ExprId id, Scope& scope);
-    Value evaluate_binary(const Expr& e, Scope& scope);
+    Value evaluate_chain(const Expr& e, Scope& scope);
+    Value apply(const Expr& e, const Value& a, Scope& scope);
     Value evaluate_range(const Expr& e, Scope& scope);
-    Value evaluate_member(const Expr& e, Scope& scope);
     Value make_closure(ExprId id, Scope& scope);
     void bind_let(std::span<const Argument> arguments, Scope& scope);
     void bind_local(const Argument& a, Value value, Scope& scope);
@@ -273,6 +273,8 @@ class Evaluator {
     SourceRange call_where_;
     ValueStack stack_;
     std::vector<Value> dynamic_;
+    std::vector<Value> strings_;    ///< By symbol, once they are used.
+    std::vector<Value> constants_;  ///< Of constant lists, once they are used.
     struct Undo {
         std::uint32_t index;
         Value before;

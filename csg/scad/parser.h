@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "csg/scad/ast.h"
@@ -9,6 +10,9 @@
 #include "csg/scad/source.h"
 
 namespace csg::scad {
+
+/// The made-up name of the text that holds the definitions.
+inline constexpr std::string_view kCommandLine = "<command line>";
 
 struct ParseRequest {
     std::string path;  ///< Of the main file; names it in messages, and includes are looked for beside it.

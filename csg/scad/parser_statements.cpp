@@ -20,7 +20,7 @@ BlockId Parser::unit(std::span<const std::string> definitions) {
 
 /// Of the command line: name=expression, more of them after semicolons.
 void Parser::definition(BlockBuilder& block, const std::string& text) {
-    tokens_.emplace(files_, files_.add("<command line>", text), unit_);
+    tokens_.emplace(files_, files_.add(std::string(kCommandLine), text), unit_);
     while (!at(TokenKind::End)) {
         if (!at_assignment()) {
             fail_expected("name=expression as a definition");

@@ -78,7 +78,7 @@ struct ModuleInfo {
 /// Side tables of a Program; indexed as its arrays are.
 struct Resolution {
     std::vector<std::uint32_t> of_expression;  ///< Identifier: into variables. Call of a name: into calls. Function:
-                                               ///< into literals.
+                                               ///< into literals. Vector: number of the constant, where it is one.
     std::vector<VariableRef> variables;
     std::vector<CallTarget> calls;
     std::vector<LiteralInfo> literals;
@@ -88,6 +88,7 @@ struct Resolution {
     std::vector<ModuleTarget> module_of_instantiation;
     std::vector<ModuleInfo> module_info;
     std::vector<std::uint32_t> frame_slots;  ///< Of blocks; kNone for a block without a frame.
+    std::uint32_t constants = 0;             ///< How many lists there are whose value is known beforehand.
     std::uint32_t statement_locals = 0;      ///< The most that an expression of a statement needs.
     std::vector<Symbol> dynamic_names;       ///< By dynamic index.
 

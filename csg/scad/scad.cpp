@@ -66,7 +66,8 @@ class Job {
         result.sources = std::shared_ptr<const SourceSet>(program, &program->sources);
         for (std::uint32_t file = 0; file < program->sources.size(); ++file) {
             const std::string& name = program->sources[file].name();
-            if (std::find(result.files.begin(), result.files.end(), name) == result.files.end()) {
+            if (name != kCommandLine &&
+                std::find(result.files.begin(), result.files.end(), name) == result.files.end()) {
                 result.files.push_back(name);
             }
         }

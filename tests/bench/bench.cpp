@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "csg/scad/scad.h"
-#include "goldfeather/choice.h"
 #include "tests/bench/floor.h"
 #include "tests/bench/report.h"
 #include "ui/pipeline/camera.h"
@@ -18,8 +19,10 @@
 namespace bench {
 namespace {
 
+constexpr std::array kEngines{goldfeather::EngineKind::ListsCpu, goldfeather::EngineKind::Goldfeather};
+
 struct Settings {
-    std::string models = "models", json, markdown, context = "auto";
+    std::string models = "models", engine, json, markdown, context = "auto";
     std::vector<std::string> only;
     std::vector<int> sizes{512, 1024}, layers{1, 4, 0};
     int repeat = 5;
@@ -31,8 +34,8 @@ std::vector<std::string> model_names(const Settings& settings) {
         return settings.only;
     }
     std::ifstream file(std::filesystem::path(settings.models) / "manifest.json");
-    std::vector<std::string> names;
     const auto manifest = nlohmann::json::parse(file);
+    std::vector<std::string> names;
     for (const auto& model : manifest.at("models")) {
         names.push_back(std::filesystem::path(model.at("file").get<std::string>()).stem().string());
     }
@@ -42,11 +45,7 @@ std::vector<std::string> model_names(const Settings& settings) {
 class Bench {
   public:
     Bench(const Settings& settings, const gl::Context& context)
-        : settings_(settings),
-          software_(context.software()),
-          gl_(context.functions()),
-          renderer_(context),
-          peeler_(gl_) {
+        : settings_(settings), context_(context), gl_(context.functions()), peeler_(gl_) {
         report_.renderer = context.renderer();
         report_.opengl = context.version();
         report_.repeat = settings.repeat;
@@ -68,15 +67,23 @@ class Bench {
         preparation.place = model->statistics.place_ms;
         preparation.normalize = model->statistics.normalize_ms;
         const gl::Camera camera = ui::choose_camera({}, evaluation.view, model->box);
-        (void)watch.lap();
-        const auto choice = goldfeather::choose_engine({}, {software_, !model->over_budget.empty()});
-        peel::PeelModel peel_model(gl_, model->scene, model->geometry, model->products, choice.engine);
-        gl_.Finish();
-        preparation.upload = watch.lap();
-        report_.preparations.push_back(preparation);
-        for (const int size : settings_.sizes) {
-            for (const int layers : settings_.layers) {
-                report_.rows.push_back(measure(name, *model, peel_model, camera, size, layers));
+        bool first = true;
+        for (const goldfeather::EngineKind engine : kEngines) {
+            if (!settings_.engine.empty() && settings_.engine != goldfeather::name(engine)) {
+                continue;
+            }
+            (void)watch.lap();
+            peel::PeelModel peel_model(gl_, model->scene, model->geometry, model->products, engine);
+            gl_.Finish();
+            if (std::exchange(first, false)) {
+                preparation.upload = watch.lap();
+                report_.preparations.push_back(preparation);
+            }
+            ui::Renderer renderer(context_, engine);
+            for (const int size : settings_.sizes) {
+                for (const int layers : settings_.layers) {
+                    report_.rows.push_back(measure(name, *model, peel_model, renderer, camera, size, layers));
+                }
             }
         }
     }
@@ -84,20 +91,17 @@ class Bench {
     [[nodiscard]] const Report& report() const { return report_; }
 
   private:
-    Row measure(const std::string& name, const ui::Model& model, peel::PeelModel& peel_model, const gl::Camera& camera,
-                int size, int layers) {
-        Row row{name,
-                size,
-                layers,
-                model.statistics.leaves,
-                model.statistics.products,
-                model.statistics.triangles,
-                0,
-                0,
-                layers == 1 ? "shaded" : "blueprint",
-                {},
-                {},
-                {}};
+    Row measure(const std::string& name, const ui::Model& model, peel::PeelModel& peel_model, ui::Renderer& renderer,
+                const gl::Camera& camera, int size, int layers) {
+        Row row;
+        row.model = name;
+        row.engine = goldfeather::name(peel_model.engine);
+        row.size = size;
+        row.layers = layers;
+        row.leaves = model.statistics.leaves;
+        row.products = model.statistics.products;
+        row.triangles = model.statistics.triangles;
+        row.style = layers == 1 ? "shaded" : "blueprint";
         const gl::View view(camera, glm::ivec2(size), model.geometry.box.lo, model.geometry.box.hi);
         Floor floor(gl_, model.geometry, glm::ivec2(size));
         row.floor = median(4 * settings_.repeat, [&] { floor.draw(view); });
@@ -115,16 +119,15 @@ class Bench {
         request.style = row.style;
         request.layers = layers;
         request.samples = 1;
-        row.frame = median(settings_.repeat, [&] { (void)renderer_.render(model, request); });
-        std::cerr << fmt::format("{} {}² layers {}: floor {:.1f}, peel {:.1f}, frame {:.1f} CPU ms\n", name, size,
-                                 layers, row.floor.cpu, row.peel.cpu, row.frame.cpu);
+        row.frame = median(settings_.repeat, [&] { (void)renderer.render(model, request); });
+        std::cerr << fmt::format("{} {} {}² layers {}: floor {:.1f}, peel {:.1f}, frame {:.1f} CPU ms\n", name,
+                                 row.engine, size, layers, row.floor.cpu, row.peel.cpu, row.frame.cpu);
         return row;
     }
 
     const Settings& settings_;
-    bool software_;
+    const gl::Context& context_;
     const gl::Functions& gl_;
-    ui::Renderer renderer_;
     peel::Peeler peeler_;
     Report report_;
 };
@@ -146,6 +149,7 @@ int main(int argc, char** argv) {
     CLI::App app("Milliseconds per frame by stage, beside one plain z-buffer draw of all leaves (the floor).");
     app.add_option("--models", settings.models, "Folder with manifest.json")->capture_default_str();
     app.add_option("--only", settings.only, "Names of models instead of all")->delimiter(',');
+    app.add_option("--engine", settings.engine, "Only this engine");
     app.add_option("--sizes", settings.sizes, "Sides of the picture in pixels")->delimiter(',')->capture_default_str();
     app.add_option("--layers", settings.layers, "Layers; 0 stands for all")->delimiter(',')->capture_default_str();
     app.add_option("--repeat", settings.repeat, "Frames per figure")->capture_default_str()->check(CLI::PositiveNumber);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
+#include <tuple>
 
 namespace bench {
 
@@ -21,19 +23,24 @@ nlohmann::ordered_json to_json(const Time& t) {
     return {{"wall_ms", t.wall}, {"cpu_ms", t.cpu}};
 }
 
-/// Geometric means of the ratio to the floor, by size and layers.
+/// Geometric means of the ratio to the floor, by engine, size and layers.
 std::string means(const Report& report) {
-    std::map<std::pair<int, int>, std::pair<double, int>> sums;
+    struct Mean {
+        double logarithms = 0;
+        int count = 0;
+    };
+    std::map<std::tuple<std::string, int, int>, Mean> means;
     for (const Row& r : report.rows) {
-        auto& [sum, count] = sums[{r.size, r.layers == 0 ? 1 << 20 : r.layers}];
-        sum += std::log(ratio(r.peel, r.floor));
-        ++count;
+        Mean& mean = means[{r.engine, r.size, r.layers == 0 ? std::numeric_limits<int>::max() : r.layers}];
+        mean.logarithms += std::log(ratio(r.peel, r.floor));
+        ++mean.count;
     }
-    std::string text = "| size | layers | peel / floor, geometric mean |\n| --- | --- | --- |\n";
-    for (const auto& [key, value] : sums) {
-        text += fmt::format("| {}² | {} | {:.1f} |\n", key.first,
-                            key.second == 1 << 20 ? "all" : std::to_string(key.second),
-                            std::exp(value.first / value.second));
+    std::string text = "| engine | size | layers | peel / floor, geometric mean |\n| --- | --- | --- | --- |\n";
+    for (const auto& [key, mean] : means) {
+        const auto& [engine, size, layers] = key;
+        text += fmt::format("| {} | {}² | {} | {:.1f} |\n", engine, size,
+                            layers_text(layers == std::numeric_limits<int>::max() ? 0 : layers),
+                            std::exp(mean.logarithms / mean.count));
     }
     return text;
 }
@@ -51,6 +58,7 @@ nlohmann::ordered_json to_json(const Report& report) {
     }
     for (const Row& r : report.rows) {
         json["frames"].push_back({{"model", r.model},
+                                  {"engine", r.engine},
                                   {"size", r.size},
                                   {"layers", layers_text(r.layers)},
                                   {"leaves", r.leaves},
@@ -75,15 +83,15 @@ std::string to_markdown(const Report& report) {
         report.renderer, report.opengl, report.repeat);
     text += means(report);
     text +=
-        "\n| model | leaves | products | size | layers | passes | floor | peel | × | style | frame | × |\n"
-        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+        "\n| model | engine | leaves | products | size | layers | passes | floor | peel | × | style | frame | × |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Row& r : report.rows) {
         text += fmt::format(
-            "| {} | {} | {} | {}² | {} ({}) | {} | {:.1f} ({:.1f}) | {:.1f} ({:.1f}) | {:.1f} | {} | "
+            "| {} | {} | {} | {} | {}² | {} ({}) | {} | {:.1f} ({:.1f}) | {:.1f} ({:.1f}) | {:.1f} | {} | "
             "{:.1f} ({:.1f}) | {:.1f} |\n",
-            r.model, r.leaves, r.products, r.size, layers_text(r.layers), r.found_layers, r.passes, r.floor.cpu,
-            r.floor.wall, r.peel.cpu, r.peel.wall, ratio(r.peel, r.floor), r.style, r.frame.cpu, r.frame.wall,
-            ratio(r.frame, r.floor));
+            r.model, r.engine, r.leaves, r.products, r.size, layers_text(r.layers), r.found_layers, r.passes,
+            r.floor.cpu, r.floor.wall, r.peel.cpu, r.peel.wall, ratio(r.peel, r.floor), r.style, r.frame.cpu,
+            r.frame.wall, ratio(r.frame, r.floor));
     }
     text +=
         "\nBefore the first picture, wall milliseconds:\n\n"

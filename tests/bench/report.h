@@ -11,7 +11,7 @@ namespace bench {
 
 /// One model at one size with so many layers.
 struct Row {
-    std::string model;
+    std::string model, engine;
     int size = 0;
     int layers = 0;  ///< Asked for; 0: all.
     std::size_t leaves = 0, products = 0, triangles = 0;

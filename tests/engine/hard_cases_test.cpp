@@ -4,37 +4,25 @@
 #include <memory>
 
 #include "tests/engine/engine_test.h"
+#include "tests/random/build_model.h"
 
 namespace {
 
 using comparison::Subject;
 using csg::Operation;
+using random_tree::at;
+using random_tree::box;
+using random_tree::combine;
+using random_tree::leaf;
+using random_tree::matrix;
 using random_tree::Model;
 
-Model leaf(csg::LeafShape shape) {
-    return {Operation::Leaf, {}, std::move(shape), glm::dmat4(1.0), {}, {}};
-}
-Model combine(Operation operation, std::vector<Model> children) {
-    return {operation, {}, csg::Cube{}, glm::dmat4(1.0), {}, std::move(children)};
-}
-Model matrix(const glm::dmat4& m, Model child) {
-    return {Operation::Transform, {}, csg::Cube{}, m, {}, {std::move(child)}};
-}
-Model at(const glm::dvec3& p, Model child) {
-    glm::dmat4 m(1.0);
-    m[3] = glm::dvec4(p, 1.0);
-    return matrix(m, std::move(child));
-}
 Model scaled(double s, Model child) {
     return matrix(glm::dmat4(glm::dmat3(s)), std::move(child));
 }
 Model cube(double x, double y, double z) {
     return leaf(csg::Cube{{x, y, z}, false});
 }
-Model box(const glm::dvec3& lo, const glm::dvec3& size) {
-    return at(lo, leaf(csg::Cube{size, false}));
-}
-
 gl::Camera from(const glm::dvec3& eye, const glm::dvec3& center, double fov = 30) {
     gl::Camera camera = gl::camera_between(eye, center);
     camera.fov = fov;

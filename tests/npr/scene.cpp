@@ -6,22 +6,6 @@ namespace scene {
 
 using csg::Operation;
 
-Model leaf(csg::LeafShape shape) {
-    return {Operation::Leaf, {}, std::move(shape), glm::dmat4(1.0), {}, {}};
-}
-Model combine(Operation operation, std::vector<Model> children) {
-    return {operation, {}, csg::Cube{}, glm::dmat4(1.0), {}, std::move(children)};
-}
-Model matrix(const glm::dmat4& m, Model child) {
-    return {Operation::Transform, {}, csg::Cube{}, m, {}, {std::move(child)}};
-}
-Model at(const glm::dvec3& p, Model child) {
-    return matrix(glm::translate(glm::dmat4(1.0), p), std::move(child));
-}
-Model box(const glm::dvec3& lo, const glm::dvec3& size) {
-    return at(lo, leaf(csg::Cube{size, false}));
-}
-
 Model widget() {
     csg::Fineness fine;
     fine.fn = 48;

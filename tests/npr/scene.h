@@ -7,16 +7,16 @@
 
 #include "npr/accumulate.h"
 #include "tests/engine/comparison.h"
+#include "tests/random/build_model.h"
 
 namespace scene {
 
+using random_tree::at;
+using random_tree::box;
+using random_tree::combine;
+using random_tree::leaf;
+using random_tree::matrix;
 using random_tree::Model;
-
-[[nodiscard]] Model leaf(csg::LeafShape shape);
-[[nodiscard]] Model combine(csg::Operation operation, std::vector<Model> children);
-[[nodiscard]] Model matrix(const glm::dmat4& m, Model child);
-[[nodiscard]] Model at(const glm::dvec3& p, Model child);
-[[nodiscard]] Model box(const glm::dvec3& lo, const glm::dvec3& size);
 
 /// A rounded block with three bores, as in Kirsch and Döllner's figures.
 [[nodiscard]] Model widget();

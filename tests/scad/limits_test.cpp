@@ -92,6 +92,34 @@ TEST_P(Limits, EndsSoon) {
 INSTANTIATE_TEST_SUITE_P(Programs, Limits, testing::ValuesIn(kEndless),
                          [](const testing::TestParamInfo<Endless>& info) { return info.param.name; });
 
+std::string repeat(const std::string& part, int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) {
+        text += part;
+    }
+    return text;
+}
+
+TEST(Chains, AreAsLongAsAProgramMakesThem) {
+    constexpr int kMany = 200'000;
+    EXPECT_EQ(test::run("echo(0" + repeat(" + 1", kMany) + ");").console, "ECHO: 200000\n");
+    EXPECT_EQ(test::run("echo(true" + repeat(" && true", kMany) + ", false" + repeat(" || 0", kMany) + ");").console,
+              "ECHO: true, false\n");
+    EXPECT_EQ(test::run("echo(" + repeat("false ? 1 : ", kMany) + "2);").console, "ECHO: 2\n");
+    EXPECT_EQ(test::run("a = [1]; echo(a" + repeat("[0]", kMany) + ");").console, "ECHO: undef\n");
+    constexpr int kDeep = 20'000;
+    const test::Run run = test::run(repeat("if (false) cube(1); else ", kDeep) + "cube(2);");
+    ASSERT_TRUE(run.evaluation.ok) << run.console.substr(0, 1000);
+    EXPECT_EQ(run.evaluation.tree->size(), std::size_t{kDeep} + 2);  // Group in group, as OpenSCAD makes them.
+}
+
+TEST(Chains, OfCallsEndWithAnErrorWhereTheStackDoes) {
+    csg::scad::Request request;
+    request.limits.stack_bytes = std::size_t{16} << 20;
+    const test::Run run = test::run("f = function() f; echo(f" + repeat("()", 300'000) + ");", {}, request);
+    EXPECT_NE(run.console.find("ERROR: Recursion detected"), std::string::npos) << run.console.substr(0, 1000);
+}
+
 TEST(Stop, EndsARunningEvaluation) {
     for (const char* program : {
              "module m(n) { for (i = [0:999]) m(n + 1); }\nfor (i = [0:99999]) for (j = [0:99999]) if (false) cube();",

@@ -173,7 +173,7 @@ TEST_F(Cli, StatisticsAreComplete) {
 TEST_F(Cli, SummaryAndDependencies) {
     write("part.scad", "cube([1,2,3]);\n");
     write("main.scad", "include <part.scad>\n");
-    ASSERT_EQ(run("main.scad -o main.csg -d main.d --summary-file s.json").status, 0);
+    ASSERT_EQ(run("main.scad -o main.csg -d main.d --summary-file s.json -D unused=1").status, 0);
     EXPECT_EQ(nlohmann::json::parse(read(folder_ / "s.json")).at("bounding_box").at("size"), nlohmann::json({1, 2, 3}));
     EXPECT_EQ(read(folder_ / "main.d"), "main.csg: \\\n\tmain.scad \\\n\tpart.scad\n");
 }

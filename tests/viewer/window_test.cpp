@@ -30,7 +30,7 @@ struct Color {
     int r, g, b;
 };
 constexpr Color kCornfield{255, 255, 229}, kBlueprint{27, 63, 139}, kErrorBanner{189, 38, 38},
-    kGoneBanner{179, 115, 15};
+    kGoneBanner{179, 115, 15}, kForm{38, 42, 48};
 
 /// Yellow of added leaves and green of subtracted ones, in any light.
 bool is_face(const std::uint8_t* p) {
@@ -338,8 +338,7 @@ TEST_F(Window, SavesThePicture) {
     wait_for_picture();
     const std::string path = folder_.path("saved.png");
     robot("key ctrl+s");
-    std::this_thread::sleep_for(500ms);
-    robot("key ctrl+a");
+    ASSERT_TRUE(shows(kForm, 20'000));  // With the proposed name selected, so that typing replaces it.
     robot("type --delay 40 '" + path + "'");
     robot("key Return");
     for (int i = 0; i < 600 && !std::filesystem::exists(path); ++i) {

@@ -54,11 +54,12 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
             }
         });
     revision.files = reader.files();
-    for (const std::string& path : evaluation.files) {
-        revision.files.try_emplace(path, stamp_of(path));  // Files of import() and surface() go past the reader.
-    }
-    if (source.text) {
-        revision.files.erase(source.path);
+    // Files of import() and surface() go past the reader. Sources that are no files, such as the definitions of the
+    // command line, are listed as well; and the first is the main file, which may be none.
+    for (std::size_t i = source.text ? 1 : 0; i < evaluation.files.size(); ++i) {
+        if (const FileStamp stamp = stamp_of(evaluation.files[i]); stamp.exists) {
+            revision.files.try_emplace(evaluation.files[i], stamp);
+        }
     }
     revision.view = evaluation.view;
     revision.evaluate_ms = watch.lap();

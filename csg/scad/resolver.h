@@ -1,0 +1,100 @@
+// Works out a Resolution. Internal to resolve.
+#pragma once
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "csg/scad/resolve.h"
+
+namespace csg::scad {
+
+using Names = std::unordered_map<Symbol, std::uint32_t>;
+
+/// A block while it is resolved, and what it declares.
+struct BlockScope {
+    const BlockScope* outer = nullptr;
+    bool framed = false;
+    UnitId unit = kNone;  ///< For the root block of a unit.
+    Names variables;      ///< Slots of the frame.
+    Names functions;      ///< Indices into Program::functions.
+    Names modules;        ///< Indices into Program::modules.
+};
+
+/// The locals of a function, a literal, or the expression of a statement.
+struct Activation {
+    struct Local {
+        Symbol name;
+        std::uint32_t slot;
+        bool pending;  // Its value is being worked out; only literals see it.
+    };
+    Activation* outer = nullptr;  ///< Around a literal.
+    LiteralInfo* literal = nullptr;
+    std::vector<Symbol> capture_names;
+    std::vector<Local> locals;  ///< Visible ones, the innermost last.
+    std::uint32_t used = 0;
+    std::uint32_t most = 0;
+
+    std::uint32_t reserve() {
+        most = std::max(most, used + 1);
+        return used++;
+    }
+};
+
+class Resolver {
+  public:
+    Resolver(const Program& program, std::span<const Symbol> always_dynamic);
+
+    Resolution run();
+
+  private:
+    // resolve.cpp
+
+    /// Lists of constants are made once.
+    void number_constants();
+    std::uint32_t index_of(const Argument& a) const { return static_cast<std::uint32_t>(&a - p_.arguments.data()); }
+    std::uint32_t dynamic(Symbol name);
+    bool dynamic_name(Symbol name) const { return is_dynamic(p_.symbols.text(name)); }
+    void declare(BlockId id, BlockScope& scope, const BlockScope* outer, std::span<const Argument> extra, bool root);
+    void resolve_block(BlockId id, const BlockScope& scope);
+    /// What calls of a module need to know besides its parameters.
+    void look_into(const ModuleDefinition& m, BlockScope& body);
+    [[nodiscard]] bool is_literal(ExprId id) const;
+    void resolve_instantiation(const Instantiation& first, const BlockScope& scope);
+    void resolve_head_and_children(const Instantiation& i, const BlockScope& scope);
+    DefinitionRef find_module(Symbol name) const { return find_definition(name, &BlockScope::modules); }
+    DefinitionRef find_definition(Symbol name, Names BlockScope::*table) const;
+    /// In one scope; in the root of a unit also in the files it uses.
+    DefinitionRef definition_in(const BlockScope& s, Symbol name, Names BlockScope::*table, std::uint32_t hops) const;
+
+    // resolve_expression.cpp
+
+    void statement_expression(ExprId e);
+    void resolve_function(std::span<const Argument> parameters, ExprId body, Activation& activation);
+    void call_arguments(const Expr& e);
+    /// Variables of a let or for, in order; each sees those before it. Returns how many locals were visible before.
+    void bind(std::span<const Argument> arguments);
+    void resolve_expression(ExprId id);
+    /// Resolves all of an expression but one operand, which is returned: chains need no stack.
+    ExprId resolve_one(ExprId id);
+    /// Updates assign to the loop's own variables, or declare more, which later updates see.
+    void bind_update(std::span<const Argument> update, std::size_t first);
+    void resolve_literal(ExprId id, const Expr& e);
+    std::uint32_t add(VariableRef ref);
+    /// Among the locals of `act`, and those around it if it belongs to a literal.
+    VariableRef find_local(Activation& act, Symbol name, bool from_literal);
+    VariableRef find_variable(Symbol name);
+    VariableRef find_in_blocks(Symbol name, const BlockScope* s, std::uint32_t hops);
+    std::uint32_t find_call(Symbol name);
+
+    const Program& p_;
+    Resolution r_;
+    std::unordered_map<Symbol, std::set<Symbol>> passed_;  ///< Names of arguments, by name of the module called.
+    std::vector<BlockScope> roots_;
+    std::unordered_map<Symbol, std::uint32_t> dynamic_;
+    const BlockScope* block_ = nullptr;
+    Activation* activation_ = nullptr;
+};
+
+}  // namespace csg::scad
