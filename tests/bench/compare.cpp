@@ -22,8 +22,19 @@ namespace bench {
 
 namespace {
 
-/// Models with more leaves are too much for engines that take a pass a layer or a literal.
-constexpr std::size_t kMostLeavesOfPasses = 1500;
+/// Models with more leaves, or literals over all products, take minutes with engines that need a pass a layer or a
+/// literal.
+constexpr std::size_t kMostLeavesOfPasses = 1500, kMostLiteralsOfPasses = 6000;
+
+bool too_much_for_passes(const Subject& subject) {
+    std::size_t literals = 0;
+    for (const auto& part : subject.products) {
+        for (const goldfeather::Product& product : part) {
+            literals += product.literals.size();
+        }
+    }
+    return subject.over_budget || subject.scene.leaves.size() > kMostLeavesOfPasses || literals > kMostLiteralsOfPasses;
+}
 
 double peak_megabytes() {
     rusage usage{};
@@ -111,7 +122,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     const auto peel = [&](const std::string& name, goldfeather::EngineKind kind, int layers) {
         Compared& row = add(name);
         const bool walk = kind == goldfeather::EngineKind::Goldfeather;
-        if (walk && (subject.over_budget || subject.scene.leaves.size() > kMostLeavesOfPasses)) {
+        if (walk && too_much_for_passes(subject)) {
             return;
         }
         peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products, kind);
@@ -137,7 +148,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     for (const auto& [name, algorithm] : {std::pair("OpenCSG Goldfeather", opencsg::Algorithm::Goldfeather),
                                           std::pair("OpenCSG SCS", opencsg::Algorithm::Scs)}) {
         Compared& row = add(name);
-        if (!opencsg_ || subject.over_budget || subject.scene.leaves.size() > kMostLeavesOfPasses) {
+        if (!opencsg_ || too_much_for_passes(subject)) {
             continue;
         }
         opencsg_->load(subject.geometry, subject.products, view, algorithm);
