@@ -103,7 +103,8 @@ TEST(Annotations, ParametersAreLiteralsAboveTheFirstBrace) {
 TEST(Annotations, OnlyTheMainFileHasParameters) {
     const csg::scad::Parsed parsed =
         test::parse("include <b.scad>\na = 1;\nb = 2;\n", {{"b.scad", "b = 1;\nc = 3;\n"}}, {"a=4"});
-    EXPECT_EQ(ast_text(parsed.program), "//Parameter(\"\")\nb = 2;\nc = 3;\na = 4;\n");
+    EXPECT_EQ(ast_text(parsed.program), "//Parameter(\"\")\nb = 2;\nc = 3;\n//Parameter(\"\")\na = 4;\n")
+        << "a definition takes the place of what the main file says, its comments included";
 }
 
 }  // namespace
