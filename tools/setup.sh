@@ -31,8 +31,15 @@ build_jobs() {
     echo $((cores < memory ? cores : memory))
 }
 
-# build PRESET TARGET: builds with progress on stderr and says nothing where there is nothing to do.
+# build PRESET TARGET...: builds with progress on stderr and says nothing where there is nothing to do.
 build() {
-    cmake --build "build/$1" --target "$2" -j "$(build_jobs)" |
+    cmake --build "build/$1" --target "${@:2}" -j "$(build_jobs)" |
         sed -u -e '/no work to do/d' -e '/^\[0\/[0-9]*\] Re-checking/d' >&2
+}
+
+# build_with_tests PRESET TARGET...: the same, after installing and configuring what ./check needs.
+build_with_tests() {
+    install_packages tools/packages/build.txt tools/packages/test.txt
+    cmake --preset "$1" -DCSGSCOPE_TESTS=ON >&2
+    build "$@"
 }
