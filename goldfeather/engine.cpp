@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "goldfeather/goldfeather_shaders.h"
+#include "goldfeather/screen_triangles.h"
 
 namespace goldfeather {
 namespace {
@@ -46,18 +47,8 @@ gl::ShaderLibrary shaders() {
 
 /// Can the near plane be inside a leaf?
 bool eye_among(const gl::View& view, const ScreenPlan& plan, std::span<const csg::Box> boxes) {
-    if (view.orthographic())
-        return false;
-    for (const PlannedLeaf& leaf : plan.leaves) {
-        const csg::Box& box = boxes[leaf.leaf];
-        for (int i = 0; i < 8; ++i) {
-            const glm::dvec4 corner(i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
-                                    i & 4 ? box.hi.z : box.lo.z, 1.0);
-            if (-(view.eye_from_world() * corner).z <= view.near_distance())
-                return true;
-        }
-    }
-    return false;
+    return std::any_of(plan.leaves.begin(), plan.leaves.end(),
+                       [&](const PlannedLeaf& leaf) { return near_plane_cuts(view, boxes[leaf.leaf]); });
 }
 
 }  // namespace

@@ -29,11 +29,9 @@ class ExpressionTree {
     };
 
     [[nodiscard]] const Node& node(std::uint32_t i) const { return nodes_[i]; }
-    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     [[nodiscard]] std::uint32_t node_of(csg::LeafId leaf) const { return leaf_nodes_[leaf]; }
     /// Counts where no leaf is entered.
     [[nodiscard]] const std::vector<std::int32_t>& counts_outside() const { return counts_; }
-    [[nodiscard]] std::size_t leaf_count() const { return leaf_nodes_.size(); }
     [[nodiscard]] std::size_t part_count() const { return part_count_; }
 
   private:

@@ -45,11 +45,9 @@ HostLayers read_back(const gl::Functions& gl, const LayerStack& stack) {
                           static_cast<GLsizei>(count * sizeof(float)), depth.data());
     gl.GetTextureSubImage(stack.surface.id(), 0, 0, 0, 0, stack.size.x, stack.size.y, stack.layers, GL_RG_INTEGER,
                           GL_UNSIGNED_INT, static_cast<GLsizei>(count * sizeof(glm::uvec2)), surface.data());
-    host.surfaces.resize(count);
+    host.surfaces.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
-        if (surface[i].x != kNoSurface)
-            host.surfaces[i] = {depth[i], surface[i].x >> 1, surface[i].y >> 1, (surface[i].x & 1) != 0,
-                                (surface[i].y & 1) != 0};
+        host.surfaces.push_back(decode_surface(depth[i], surface[i]));
     return host;
 }
 

@@ -49,6 +49,12 @@ struct Surface {
     bool operator==(const Surface&) const = default;
 };
 
+/// What a texel of LayerStack::depth and one of LayerStack::surface say.
+[[nodiscard]] inline Surface decode_surface(float depth, const glm::uvec2& ids) {
+    return ids.x == kNoSurface ? Surface{}
+                               : Surface{depth, ids.x >> 1, ids.y >> 1, (ids.x & 1U) != 0, (ids.y & 1U) != 0};
+}
+
 /// A copy of a stack in main memory: surfaces[(layer * height + y) * width + x], rows from bottom to top.
 /// depth 0: no surface.
 struct HostLayers {

@@ -53,6 +53,13 @@ Bins make_bins(const std::vector<ScreenTriangle>& triangles, glm::ivec2 size) {
 
 }  // namespace
 
+void CpuLayers::reserve(std::size_t count) {
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    while (planes.size() < count) {
+        planes.push_back({std::vector<float>(pixels), std::vector<glm::uvec2>(pixels, {kNoSurface, 0})});
+    }
+}
+
 void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, unsigned threads, CpuLayers& out,
                 ListsStats& stats) {
     ListsJob job{model, view.size(), max_layers, out};
@@ -98,10 +105,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         }
         work();
     }
-    if (out.planes.empty()) {
-        const std::size_t pixels = static_cast<std::size_t>(out.size.x) * static_cast<std::size_t>(out.size.y);
-        out.planes.push_back({std::vector<float>(pixels), std::vector<glm::uvec2>(pixels, {kNoSurface, 0})});
-    }
+    out.reserve(1);
     out.layers = std::max(most, 1);
     out.complete = max_layers == 0 || most < max_layers;
     stats.triangles = static_cast<std::uint32_t>(job.triangles.size());
@@ -113,13 +117,18 @@ HostLayers to_host(const CpuLayers& layers) {
     for (int layer = 0; layer < layers.layers; ++layer) {
         const CpuLayer& plane = layers.planes[static_cast<std::size_t>(layer)];
         for (std::size_t i = 0; i < plane.depth.size(); ++i) {
-            const glm::uvec2 ids = plane.surface[i];
-            host.surfaces.push_back(ids.x == kNoSurface ? Surface{}
-                                                        : Surface{plane.depth[i], ids.x >> 1, ids.y >> 1,
-                                                                  (ids.x & 1U) != 0, (ids.y & 1U) != 0});
+            host.surfaces.push_back(decode_surface(plane.depth[i], plane.surface[i]));
         }
     }
     return host;
+}
+
+HostLayers peel_to_host(const csg::Scene& scene, const csg::solid::Geometry& geometry, const gl::View& view,
+                        int max_layers, unsigned threads) {
+    CpuLayers layers;
+    ListsStats stats;
+    peel_lists(ListsModel(scene, geometry), view, max_layers, threads, layers, stats);
+    return to_host(layers);
 }
 
 }  // namespace goldfeather

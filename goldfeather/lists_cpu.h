@@ -41,6 +41,9 @@ struct CpuLayers {
     bool complete = false;
     std::deque<CpuLayer> planes;  ///< A deque, so that those there stay where they are while it grows.
     std::vector<int> held;        ///< By tile: layers in which it holds a surface.
+
+    /// Makes planes, empty ones, until there are `count`.
+    void reserve(std::size_t count);
 };
 
 struct ListsStats {
@@ -58,5 +61,9 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
 
 /// The same stack as engines and tests compare it.
 [[nodiscard]] HostLayers to_host(const CpuLayers& layers);
+
+/// All of the above for one picture.
+[[nodiscard]] HostLayers peel_to_host(const csg::Scene& scene, const csg::solid::Geometry& geometry,
+                                      const gl::View& view, int max_layers = 0, unsigned threads = 0);
 
 }  // namespace goldfeather

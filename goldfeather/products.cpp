@@ -48,38 +48,6 @@ bool strictly_apart(const Box& a, const Box& b) {
            b.hi.y + margin < a.lo.y || a.hi.z + margin < b.lo.z || b.hi.z + margin < a.lo.z;
 }
 
-/// The boxes of all expressions of a part, by index from its first.
-std::vector<Box> expression_boxes(const csg::Scene& scene, const csg::Part& part, std::span<const Box> leaf_boxes) {
-    std::vector<Box> boxes(part.root - part.first_expression + 1);
-    for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {
-        const Expression& e = scene.expressions[i];
-        Box& box = boxes[i - part.first_expression];
-        const auto children = scene.children(e);
-        switch (e.kind) {
-            case ExpressionKind::Leaf:
-                box = leaf_boxes[e.leaf];
-                break;
-            case ExpressionKind::Union:
-                for (const std::uint32_t child : children)
-                    box = csg::enclose(box, boxes[child - part.first_expression]);
-                break;
-            case ExpressionKind::Intersection:
-            case ExpressionKind::Difference: {
-                const std::size_t positive =
-                    e.kind == ExpressionKind::Difference ? std::min<std::size_t>(1, children.size()) : children.size();
-                for (std::size_t c = 0; c < positive; ++c) {
-                    const Box& child = boxes[children[c] - part.first_expression];
-                    box = c == 0 ? child : csg::intersect(box, child);
-                }
-                if (box.empty())
-                    box = {};
-                break;
-            }
-        }
-    }
-    return boxes;
-}
-
 /// How many products each expression and its complement would give without pruning.
 double count_unpruned(const csg::Scene& scene, const csg::Part& part) {
     struct Count {
@@ -117,7 +85,7 @@ class Rewriter {
           part_(part),
           leaf_boxes_(leaf_boxes),
           stats_(stats),
-          boxes_(expression_boxes(scene, part, leaf_boxes)) {}
+          boxes_(csg::expression_boxes(scene, part, leaf_boxes)) {}
 
     Normalized run(const Budget& budget) {
         State start;

@@ -229,13 +229,9 @@ void TileWorker::reserve(std::size_t layers) {
         return;
     }
     const std::lock_guard lock(job_.growing);
-    const std::size_t pixels = static_cast<std::size_t>(job_.size.x) * static_cast<std::size_t>(job_.size.y);
-    auto& planes = job_.out.planes;
-    while (planes.size() < layers) {
-        planes.push_back({std::vector<float>(pixels), std::vector<glm::uvec2>(pixels, {kNoSurface, 0})});
-    }
+    job_.out.reserve(layers);
     targets_.clear();
-    for (CpuLayer& plane : planes) {
+    for (CpuLayer& plane : job_.out.planes) {
         targets_.push_back({plane.depth.data(), plane.surface.data()});
     }
 }

@@ -1,6 +1,7 @@
 // Antialiasing: samples at several places in the pixel, each of its own stack of layers, averaged in linear light.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 
@@ -11,6 +12,9 @@
 #include "npr/style.h"
 
 namespace npr {
+
+/// How many samples a pixel may have.
+inline constexpr std::array kSampleCounts{1, 4, 8, 16};
 
 /// Offsets from the pixel's centre, in pixels: 1 (the centre), 4 (rotated grid), 8 or 16 (each row and each column of
 /// the pixel's grid holds one). Other counts give the next larger set; counts above 16 give 16.

@@ -25,7 +25,7 @@ uint surface_bits(ivec2 p) {
     uint bits = 0u;
     for (int i = 0; i < layer_count; ++i) {
         uvec2 ids = surface_ids(p, i);
-        if (ids.x == kNone)
+        if (ids.x == kNoSurface)
             break;
         bits |= bit_of(ids);
     }
@@ -37,7 +37,7 @@ bool in_pixel(uvec2 a, ivec2 q, uint bits) {
         return false;
     for (int j = 0; j < layer_count; ++j) {
         uvec2 b = surface_ids(q, j);
-        if (b.x == kNone)
+        if (b.x == kNoSurface)
             return false;
         if (same_surface(a, b))
             return true;
@@ -65,25 +65,23 @@ void main() {
     if (i >= link_count)
         return;
     uint link = links[i];
-    int width = textureSize(layer_depths, 0).x;
-    int pixel = int(link >> 1);
-    int axis = int(link & 1u);
-    ivec2 p = ivec2(pixel % width, pixel / width);
+    int axis = link_axis(link);
+    ivec2 p = link_lower(link, textureSize(layer_depths, 0).x);
     ivec2 q = p + ivec2(1 - axis, axis);
     uint p_bits = surface_bits(p), q_bits = surface_bits(q);
     bool p_ahead = true, q_ahead = true;
     int last = -1;  // of the candidates
     for (int layer = 0; layer < layer_count; ++layer) {
-        uvec2 a = p_ahead ? surface_ids(p, layer) : uvec2(kNone);
-        uvec2 b = q_ahead ? surface_ids(q, layer) : uvec2(kNone);
-        p_ahead = a.x != kNone && !(visible_only && opaque(a));
-        q_ahead = b.x != kNone && !(visible_only && opaque(b));
-        if (a.x == kNone && b.x == kNone)
+        uvec2 a = p_ahead ? surface_ids(p, layer) : uvec2(kNoSurface);
+        uvec2 b = q_ahead ? surface_ids(q, layer) : uvec2(kNoSurface);
+        p_ahead = a.x != kNoSurface && !(visible_only && opaque(a));
+        q_ahead = b.x != kNoSurface && !(visible_only && opaque(b));
+        if (a.x == kNoSurface && b.x == kNoSurface)
             break;
-        if (a.x != kNone && b.x != kNone && same_surface(a, b))
+        if (a.x != kNoSurface && b.x != kNoSurface && same_surface(a, b))
             continue;
-        bool a_ends = a.x != kNone && !in_pixel(a, q, q_bits);
-        bool b_ends = b.x != kNone && !in_pixel(b, p, p_bits);
+        bool a_ends = a.x != kNoSurface && !in_pixel(a, q, q_bits);
+        bool b_ends = b.x != kNoSurface && !in_pixel(b, p, p_bits);
         if (a_ends && b_ends && smooth_joint(p, q, layer))
             continue;
         if (a_ends)

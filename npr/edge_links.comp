@@ -1,4 +1,5 @@
 // Lists the links between neighbouring pixels that do not see the same planes. Most do.
+#include "npr/edge_point.glsl"
 #include "npr/edge_search.glsl"
 
 layout(std430, binding = 2) buffer Links {
@@ -15,7 +16,7 @@ void main() {
     bvec2 open = bvec2(p.x + 1 < size.x, p.y + 1 < size.y), differs = bvec2(false);
     for (int i = 0; any(open); ++i) {
         uvec2 a = surface_ids(p, i);
-        bool last = a.x == kNone || (visible_only && opaque(a));
+        bool last = a.x == kNoSurface || (visible_only && opaque(a));
         for (int axis = 0; axis < 2; ++axis) {
             if (!open[axis])
                 continue;
@@ -25,5 +26,5 @@ void main() {
     }
     for (int axis = 0; axis < 2; ++axis)
         if (differs[axis])
-            links[atomicAdd(link_count, 1u)] = link_id(p, axis);
+            links[atomicAdd(link_count, 1u)] = link_id(p, axis, size.x);
 }

@@ -76,12 +76,10 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= min(candidate_count, candidate_room))
         return;
-    int width = textureSize(layer_depths, 0).x;
-    int axis = int(candidates[i].x & 1u);
-    int lower_index = int(candidates[i].x >> 1);
+    int axis = link_axis(candidates[i].x);
+    ivec2 lower = link_lower(candidates[i].x, textureSize(layer_depths, 0).x);
     int layer = int(candidates[i].y >> 1);
     bool upper = (candidates[i].y & 1u) != 0u;
-    ivec2 lower = ivec2(lower_index % width, lower_index / width);
     ivec2 offset = ivec2(1 - axis, axis);
     ivec2 p = upper ? lower + offset : lower;
     if (upper)

@@ -8,7 +8,7 @@
 namespace npr {
 namespace {
 
-constexpr int kEdgeLayers = 16;  // As in npr/edge_point.glsl.
+constexpr int kEdgeLayers = 16, kEdgeTile = 4;  // As in npr/edge_point.glsl.
 
 constexpr std::size_t candidate_bytes(std::uint32_t room) {
     return 8 * (static_cast<std::size_t>(room) + 1);
@@ -20,11 +20,11 @@ std::uint32_t read_count(const gl::Functions& gl, const gl::Buffer& list) {
     return count;
 }
 
-constexpr GLuint groups(std::uint32_t invocations) {
-    return (invocations + 63) / 64;
-}
-
 }  // namespace
+
+gl::Texture make_edge_tiles(const gl::Functions& gl, glm::ivec2 size) {
+    return gl::Texture::make_2d(gl, GL_R32UI, (size + kEdgeTile - 1) / kEdgeTile);
+}
 
 EdgeMap::EdgeMap(const gl::Functions& gl)
     : gl_(gl),
@@ -40,7 +40,7 @@ void EdgeMap::resize(glm::ivec2 size, int layers) {
     const int slices = 2 * std::min(layers, kEdgeLayers);
     if (!marks_ || marks_.size() != size) {
         marks_ = gl::Texture::make_2d(gl_, GL_R32UI, size);
-        tiles_ = gl::Texture::make_2d(gl_, GL_R32UI, (size + kEdgeTile - 1) / kEdgeTile);
+        tiles_ = make_edge_tiles(gl_, size);
         const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
         links_.reserve(4 * (1 + 2 * pixels), GL_DYNAMIC_COPY);
     }

@@ -8,8 +8,13 @@
 
 namespace npr {
 
-/// Side of the tiles for which marks are summed up, in pixels.
-inline constexpr int kEdgeTile = 4;
+/// R32UI: a texel for each of the tiles for which marks of a picture's edges are summed up (npr/edge_point.glsl).
+[[nodiscard]] gl::Texture make_edge_tiles(const gl::Functions& gl, glm::ivec2 size);
+
+/// Groups of 64 that hold so many invocations.
+[[nodiscard]] constexpr GLuint groups(std::uint32_t invocations) {
+    return (invocations + 63) / 64;
+}
 
 /// What counts as an edge.
 struct EdgeSettings {

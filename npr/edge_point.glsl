@@ -22,6 +22,20 @@ EdgePoint unpack_edge(uint bits) {
                      vec2(cos(angle), sin(angle)));
 }
 
+// The link from a pixel to its right (axis 0) or upper neighbour, in a picture of that width, as one number.
+uint link_id(ivec2 lower, int axis, int width) {
+    return uint(2 * (lower.y * width + lower.x) + axis);
+}
+
+int link_axis(uint link) {
+    return int(link & 1u);
+}
+
+ivec2 link_lower(uint link, int width) {
+    int pixel = int(link >> 1);
+    return ivec2(pixel % width, pixel / width);
+}
+
 // The last layer of the edge map holds all deeper ones too.
 const int kEdgeLayers = 16;
 

@@ -24,9 +24,7 @@ void main() {
         c.rgb = mix(vec3(1.0), c.rgb, shade);
         if ((lines >> edge_layer(i) & 1u) != 0u && !(hit && c.a == 0.0)) {
             Edge edge = edge_at(vec2(pixel), i, width);
-            float ink = max(edge.profile, inner_strength * edge.inner);
-            float alpha = mix(c.a, 1.0, ink);
-            c = vec4(mix(c.rgb * c.a, edge_color, ink) / max(alpha, 1e-6), alpha);
+            c = with_line(c, edge_color, max(edge.profile, inner_strength * edge.inner));
         }
         color += through * c.a * c.rgb;
         through *= 1.0 - c.a;

@@ -1,7 +1,7 @@
 #include "gl/view.glsl"
 #include "peel/layer_stack.glsl"
 
-// What every pass of a style knows (npr/style_pass.h). Colors are sRGB with straight alpha.
+// What every pass of a style knows (npr/frame_program.h). Colors are sRGB with straight alpha.
 uniform int layer_count;
 uniform vec3 centre_in_eye;  // eye coordinates of the origin of plane_rows
 uniform vec2 jitter;  // of the sample from the pixel's centre, in pixels

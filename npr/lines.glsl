@@ -65,6 +65,12 @@ Edge edge_at(vec2 at, int layer, float width) {
     return edge;
 }
 
+// A color with a line over it, of which there is so much ink (0 to 1). Straight alpha.
+vec4 with_line(vec4 c, vec3 line_color, float ink) {
+    float alpha = mix(c.a, 1.0, ink);
+    return vec4(mix(c.rgb * c.a, line_color, ink) / max(alpha, 1e-6), alpha);
+}
+
 // Lines of all layers in one search: the ink of each, by the strengths of its edges. `hidden_width` is that of all
 // layers but the first, and not above `width`.
 void all_edges_at(vec2 at, float width, float hidden_width, float profile_strength, float inner_strength,

@@ -68,10 +68,8 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= link_count)
         return;
-    int width = textureSize(edge_marks, 0).x;
-    int axis = int(links[i] & 1u);
-    int pixel = int(links[i] >> 1);
-    ivec2 lower = ivec2(pixel % width, pixel / width);
+    int axis = link_axis(links[i]);
+    ivec2 lower = link_lower(links[i], textureSize(edge_marks, 0).x);
     if ((texelFetch(edge_marks, lower, 0).x & edge_mark(0, axis)) == 0u)
         return;
     EdgePoint e = unpack_edge(texelFetch(edge_points, ivec3(lower, axis), 0).x);

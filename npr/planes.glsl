@@ -29,15 +29,16 @@ bool meet(Surface s, vec2 gradient, Surface t, vec2 other, ivec2 offset, float c
     return here * there <= 0.0 || apart <= slack;
 }
 
-bool sees(ivec2 p, uint key) {
+// The first layer of a pixel that lies in a plane, seen from one side (plane << 1 | leaving); -1: none.
+int layer_of(ivec2 p, uint key) {
     for (int j = 0; j < layer_count; ++j) {
         uvec2 ids = texelFetch(layer_surfaces, ivec3(p, j), 0).xy;
-        if (ids.x == 0xffffffffu)
-            return false;
+        if (ids.x == kNoSurface)
+            break;
         if (ids.y == key)
-            return true;
+            return j;
     }
-    return false;
+    return -1;
 }
 
 // How a surface goes on in a neighbouring pixel.
@@ -51,15 +52,10 @@ struct Continuation {
 
 // In its own plane. `offset`: of the neighbour. Both pixels must be in the picture.
 Continuation straight_on(Surface s, ivec2 pixel, ivec2 offset) {
-    uint key = s.plane << 1 | uint(s.leaving);
-    for (int j = 0; j < layer_count; ++j) {
-        uvec2 ids = texelFetch(layer_surfaces, ivec3(pixel + offset, j), 0).xy;
-        if (ids.x == 0xffffffffu)
-            break;
-        if (ids.y == key)
-            return Continuation(true, j, 1.0, 0.5, vec2(offset));
-    }
-    return Continuation(false, 0, -2.0, 0.5, vec2(offset));
+    int layer = layer_of(pixel + offset, s.plane << 1 | uint(s.leaving));
+    if (layer < 0)
+        return Continuation(false, 0, -2.0, 0.5, vec2(offset));
+    return Continuation(true, layer, 1.0, 0.5, vec2(offset));
 }
 
 // In another plane.
@@ -78,7 +74,8 @@ Continuation round_the_bend(Surface s, ivec2 pixel, ivec2 offset) {
         vec2 other = depth_gradient(t.plane);
         float here, there;
         // A plane that is seen on both sides goes on, and is no continuation of another.
-        if (meet(s, gradient, t, other, offset, cosine, here, there) && !sees(pixel, t.plane << 1 | uint(t.leaving))) {
+        if (meet(s, gradient, t, other, offset, cosine, here, there) &&
+            layer_of(pixel, t.plane << 1 | uint(t.leaving)) < 0) {
             float sum = abs(here) + abs(there);
             c.found = true;
             c.layer = j;

@@ -57,8 +57,10 @@ class Noise {
 
     void draw(const Frame& frame, float unit) {
         const Parameters& p = frame.parameters;
-        const Key key{frame.layers.size, p.integer(kSeed), p.choice(kMedium), p.choice(kAnchor),
-                      frame.view.eye_from_world()};
+        const bool on_model = p.choice(kAnchor) == 1;
+        Key key{frame.layers.size, p.integer(kSeed), p.choice(kMedium), {}};
+        if (on_model)
+            key.eye_from_world = frame.view.eye_from_world();
         if (!(texture_ && texture_.size() == key.size))
             texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
         if (!(key_ && *key_ == key)) {
@@ -66,7 +68,7 @@ class Noise {
             const gl::Program& program = pass_.program();
             program.set("seed", static_cast<unsigned>(key.seed));
             program.set("unit", unit);
-            program.set("on_model", key.anchor == 1);
+            program.set("on_model", on_model);
             program.set("correlated", key.medium != 2);
             pass_.draw(frame, target_);
             key_ = key;
@@ -77,8 +79,8 @@ class Noise {
   private:
     struct Key {
         glm::ivec2 size;
-        int seed, medium, anchor;
-        glm::dmat4 eye_from_world;
+        int seed, medium;
+        std::optional<glm::dmat4> eye_from_world;  ///< Where the noise is anchored to the model.
         bool operator==(const Key&) const = default;
     };
     const gl::Functions& gl_;

@@ -60,11 +60,8 @@ void main() {
             c.rgb = mix(min(base.rgb * light(s.normal), 1.0), background_color, fog);
             c.a = base.a * wall_opacity(s, ray);
         }
-        if (near && i < kEdgeLayers) {
-            float line = strength * (1.0 - fog) * lines[i];
-            float alpha = mix(c.a, 1.0, line);
-            c = vec4(mix(c.rgb * c.a, ink, line) / max(alpha, 1e-6), alpha);
-        }
+        if (near && i < kEdgeLayers)
+            c = with_line(c, ink, strength * (1.0 - fog) * lines[i]);
         color += through * c.a * c.rgb;
         through *= 1.0 - c.a;
         strength *= falloff;

@@ -3,6 +3,8 @@
 layout(binding = 0) uniform sampler2DArray layer_depths;
 layout(binding = 1) uniform usampler2DArray layer_surfaces;
 
+const uint kNoSurface = 0xffffffffu;  // in layer_surfaces' red: the pixel has no more layers
+
 struct LeafRow {
     vec4 color;
     uvec4 part;
@@ -39,7 +41,7 @@ Surface layer_surface(ivec2 pixel, int layer, vec3 ray) {
     if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, size.xy)) || layer >= size.z)
         return s;
     uvec2 ids = texelFetch(layer_surfaces, ivec3(pixel, layer), 0).xy;
-    if (ids.x == 0xffffffffu)
+    if (ids.x == kNoSurface)
         return s;
     s.hit = true;
     s.depth = texelFetch(layer_depths, ivec3(pixel, layer), 0).x;

@@ -1,7 +1,6 @@
 #include "peel/peeler.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace peel {
@@ -21,9 +20,11 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
     : engine(kind),
       lists(scene, geometry),
       tables(goldfeather::SurfaceTables::make(gl, scene, geometry)),
-      leaves(gl, geometry, tables->local_centre),
       products(std::move(part_products)),
       box(geometry.box) {
+    if (kind == EngineKind::Goldfeather) {
+        leaves.emplace(gl, geometry, tables->local_centre);
+    }
     leaf_boxes.reserve(geometry.leaves.size());
     for (const auto& leaf : geometry.leaves)
         leaf_boxes.push_back(leaf.box);
@@ -31,13 +32,7 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
         kinds.push_back(part.kind);
 }
 
-Peeler::Peeler(const gl::Functions& gl)
-    : gl_(gl),
-      engine_(gl),
-      merge_(gl, shaders(), {"peel/fullscreen.vert", "peel/merge.frag"}),
-      empty_array_(gl),
-      target_(gl),
-      upload_(gl) {}
+Peeler::Peeler(const gl::Functions& gl) : gl_(gl), empty_array_(gl), target_(gl), upload_(gl) {}
 
 LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
     if (model.engine == EngineKind::ListsCpu) {
@@ -62,17 +57,18 @@ LayerStack Peeler::peel_lists(const gl::View& view, const PeelModel& model, int 
 }
 
 LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
-    const auto walk = [&](std::size_t part) {
-        return engine_.walk(view, model.leaves, {model.products[part], model.leaf_boxes}, model.tables, max_layers,
-                            stats);
+    if (!engine_)
+        engine_.emplace(gl_);
+    const auto walk = [&](std::span<const goldfeather::Product> products) {
+        return engine_->walk(view, *model.leaves, {products, model.leaf_boxes}, model.tables, max_layers, stats);
     };
     if (model.products.empty())
-        return engine_.walk(view, model.leaves, {{}, model.leaf_boxes}, model.tables, max_layers, stats);
+        return walk({});
     // Highlighted parts come before all others, and each kind in order of the parts' ids.
     std::optional<LayerStack> plain, highlighted;
     for (std::size_t part = 0; part < model.products.size(); ++part) {
         std::optional<LayerStack>& kind = model.kinds[part] == csg::PartKind::Highlight ? highlighted : plain;
-        LayerStack next = walk(part);
+        LayerStack next = walk(model.products[part]);
         kind = kind ? merge(*kind, next, max_layers) : std::move(next);
     }
     if (plain && highlighted)
@@ -81,6 +77,9 @@ LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_la
 }
 
 LayerStack Peeler::merge(const LayerStack& front, const LayerStack& back, int max_layers) {
+    if (!merge_)
+        merge_.emplace(gl_, shaders(),
+                       std::initializer_list<std::string_view>{"peel/fullscreen.vert", "peel/merge.frag"});
     LayerStack merged;
     merged.size = front.size;
     merged.tables = front.tables;
@@ -104,10 +103,10 @@ LayerStack Peeler::merge(const LayerStack& front, const LayerStack& back, int ma
     back.surface.bind(3);
     gl_.BindImageTexture(0, merged.depth.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
     gl_.BindImageTexture(1, merged.surface.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32UI);
-    merge_.set("front_layers", front.layers);
-    merge_.set("back_layers", back.layers);
-    merge_.set("layers", merged.layers);
-    merge_.use();
+    merge_->set("front_layers", front.layers);
+    merge_->set("back_layers", back.layers);
+    merge_->set("layers", merged.layers);
+    merge_->use();
     empty_array_.bind();
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
     gl_.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);

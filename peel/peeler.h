@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,7 @@ using goldfeather::EngineKind;
 using goldfeather::kAllLayers;
 using goldfeather::WalkStats;
 
-/// A scene on the GPU with the sum of products of each part, ready to be peeled from any view.
+/// A scene ready to be peeled from any view by one engine.
 struct PeelModel {
     /// `products[i]` belongs to `scene.parts[i]`; only Goldfeather needs them. Scene and geometry must outlive this.
     PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg::solid::Geometry& geometry,
@@ -27,7 +28,7 @@ struct PeelModel {
     goldfeather::ListsModel lists;
 
     std::shared_ptr<const goldfeather::SurfaceTables> tables;
-    goldfeather::LeafBuffers leaves;
+    std::optional<goldfeather::LeafBuffers> leaves;  ///< Only for Goldfeather.
     std::vector<csg::Box> leaf_boxes;
     std::vector<std::vector<goldfeather::Product>> products;
     std::vector<csg::PartKind> kinds;
@@ -37,11 +38,12 @@ struct PeelModel {
 /// Peels scenes: part by part with the Goldfeather engine, merged by depth, or all at once with per-pixel lists.
 class Peeler {
   public:
-    /// Throws gl::Error. `gl` must outlive the peeler.
+    /// `gl` must outlive the peeler.
     explicit Peeler(const gl::Functions& gl);
 
-    /// The first `max_layers` surfaces of the whole scene (kAllLayers: all). Where surfaces of two parts coincide, a
-    /// highlighted part comes first, and otherwise the part with the smaller id.
+    /// Throws gl::Error where a program does not compile. The first `max_layers` surfaces of the whole scene
+    /// (kAllLayers: all). Where surfaces of two parts coincide, a highlighted part comes first, and otherwise the part
+    /// with the smaller id.
     [[nodiscard]] LayerStack peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
 
     /// Hands a stack back that nobody reads any more: the next one may use its textures again.
@@ -53,8 +55,8 @@ class Peeler {
     [[nodiscard]] LayerStack merge(const LayerStack& front, const LayerStack& back, int max_layers);
 
     const gl::Functions& gl_;
-    goldfeather::Goldfeather engine_;
-    gl::Program merge_;
+    std::optional<goldfeather::Goldfeather> engine_;  ///< Made when first used: its programs take time to compile.
+    std::optional<gl::Program> merge_;                ///< Likewise.
     gl::VertexArray empty_array_;
     gl::Framebuffer target_;
     gl::Texture target_color_;

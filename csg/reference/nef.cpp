@@ -16,6 +16,7 @@
 
 #include "csg/reference/expression_value.h"
 #include "csg/reference/hull.h"
+#include "csg/reference/point_ids.h"
 
 namespace csg::reference {
 namespace {
@@ -25,17 +26,17 @@ using Nef = CGAL::Nef_polyhedron_3<Kernel>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
 Nef to_nef(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& triangles) {
-    std::map<std::tuple<double, double, double>, std::size_t> ids;
+    PointIds ids;
     std::vector<Kernel::Point_3> soup_points;
     std::vector<std::vector<std::size_t>> faces;
     for (const glm::uvec3& t : triangles) {
         std::vector<std::size_t> face;
         for (int k = 0; k < 3; ++k) {
             const glm::dvec3& p = points[t[k]];
-            const auto [at, added] = ids.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, soup_points.size());
+            const auto [id, added] = ids.add(p);
             if (added)
                 soup_points.emplace_back(p.x, p.y, p.z);
-            face.push_back(at->second);
+            face.push_back(id);
         }
         if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0] &&
             !CGAL::collinear(soup_points[face[0]], soup_points[face[1]], soup_points[face[2]]))

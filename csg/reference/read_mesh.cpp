@@ -1,11 +1,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <stdexcept>
-#include <tuple>
 
 #include "csg/reference/mesh_files.h"
+#include "csg/reference/point_ids.h"
 
 namespace csg::reference {
 namespace {
@@ -47,8 +46,6 @@ class Words {
             ++at_;
     }
 
-    [[nodiscard]] bool done() const { return at_ >= text_.size(); }
-
   private:
     std::string_view text_;
     std::size_t at_ = 0;
@@ -57,11 +54,10 @@ class Words {
 class Joiner {
   public:
     std::uint32_t add(const glm::dvec3& p) {
-        const auto [at, added] =
-            ids_.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<std::uint32_t>(mesh.points.size()));
+        const auto [id, added] = ids_.add(p);
         if (added)
             mesh.points.push_back(p);
-        return at->second;
+        return id;
     }
     void triangle(const glm::uvec3& t) {
         if (t.x == t.y || t.y == t.z || t.z == t.x)
@@ -72,7 +68,7 @@ class Joiner {
     Mesh mesh;
 
   private:
-    std::map<std::tuple<double, double, double>, std::uint32_t> ids_;
+    PointIds ids_;
 };
 
 Mesh binary_stl(std::string_view bytes, std::size_t count) {

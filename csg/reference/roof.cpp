@@ -4,10 +4,9 @@
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/create_straight_skeleton_from_polygon_with_holes_2.h>
 
-#include <map>
 #include <stdexcept>
-#include <tuple>
 
+#include "csg/reference/point_ids.h"
 #include "csg/solid/triangulate.h"
 #include "csg/solid/triangulate_region.h"
 
@@ -53,28 +52,17 @@ std::vector<Region> regions_of(std::span<const std::vector<glm::dvec2>> loops) {
     return regions;
 }
 
-/// Points by their coordinates.
-class Points {
-  public:
-    explicit Points(Mesh& mesh) : mesh_(mesh) {}
-    std::uint32_t operator()(double x, double y, double z) {
-        const auto [known, added] =
-            ids_.try_emplace({x + 0.0, y + 0.0, z + 0.0}, static_cast<std::uint32_t>(mesh_.points.size()));
-        if (added)
-            mesh_.points.emplace_back(x, y, z);
-        return known->second;
-    }
-
-  private:
-    Mesh& mesh_;
-    std::map<std::tuple<double, double, double>, std::uint32_t> ids_;
-};
-
 }  // namespace
 
 Mesh roof(std::span<const std::vector<glm::dvec2>> loops) {
     Mesh mesh;
-    Points points(mesh);
+    PointIds known;
+    const auto point = [&](double x, double y, double z) {
+        const auto [id, added] = known.add({x, y, z});
+        if (added)
+            mesh.points.emplace_back(x, y, z);
+        return id;
+    };
     for (const Region& region : regions_of(loops)) {
         const auto skeleton = CGAL::create_interior_straight_skeleton_2(region);
         if (!skeleton)
@@ -84,7 +72,7 @@ Mesh roof(std::span<const std::vector<glm::dvec2>> loops) {
             auto edge = face->halfedge();
             do {
                 const auto vertex = edge->vertex();
-                corners.push_back(points(vertex->point().x(), vertex->point().y(), vertex->time()));
+                corners.push_back(point(vertex->point().x(), vertex->point().y(), vertex->time()));
                 edge = edge->next();
             } while (edge != face->halfedge());
             solid::triangulate(mesh.points, corners, mesh.triangles);
@@ -95,7 +83,7 @@ Mesh roof(std::span<const std::vector<glm::dvec2>> loops) {
     std::vector<std::uint32_t> ids;
     for (const auto& loop : loops) {
         for (const glm::dvec2& p : loop)
-            ids.push_back(points(p.x, p.y, 0));
+            ids.push_back(point(p.x, p.y, 0));
     }
     for (const glm::uvec3& t : solid::triangulate_region(floor))
         mesh.triangles.emplace_back(ids[t.x], ids[t.z], ids[t.y]);

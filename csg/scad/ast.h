@@ -188,8 +188,12 @@ struct Program {
 
     /// Whether the `otherwise` of an `if` is but another `if`.
     [[nodiscard]] bool is_else_if(const Block& b) const {
-        return b.instantiations.count == 1 && instantiations[b.instantiations.first].is_if &&
-               b.assignments.count == 0 && b.functions.count == 0 && b.modules.count == 0;
+        if (b.instantiations.count != 1) {
+            return false;
+        }
+        const Instantiation& only = instantiations[b.instantiations.first];
+        return only.is_if && !only.modifiers.disabled && b.assignments.count == 0 && b.functions.count == 0 &&
+               b.modules.count == 0;
     }
     [[nodiscard]] const Expr& operator[](ExprId id) const { return expressions[id]; }
     [[nodiscard]] std::span<const ExprId> elements_of(const Expr& vector) const { return run(elements, vector.list); }

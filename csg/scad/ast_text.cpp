@@ -92,15 +92,12 @@ class AstWriter {
             indent(level);
             out_ += "else";
             const Block& block = p_.blocks[i->otherwise];
-            const auto only = p_.instantiations_of(block);
-            const bool chained =
-                statements(block) == 1 && only.size() == 1 && only[0].is_if && !only[0].modifiers.disabled;
-            if (!chained) {
+            if (!p_.is_else_if(block)) {
                 children(i->otherwise, level);
                 return;
             }
             out_ += ' ';
-            i = &only[0];
+            i = &p_.instantiations_of(block)[0];
             lead = 0;
         }
     }

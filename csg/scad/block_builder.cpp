@@ -1,7 +1,5 @@
 #include "csg/scad/block_builder.h"
 
-#include <algorithm>
-
 namespace csg::scad {
 
 std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
@@ -13,11 +11,7 @@ std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
     const std::size_t index = at->second;
     Argument& known = assignments_[index];
     const SourceRange before = known.where;
-    const bool again = std::any_of(overwritten_.begin(), overwritten_.end(),
-                                   [&](const auto& place) { return place.first == index; });
-    if (!again) {
-        overwritten_.emplace_back(index, before);
-    }
+    overwritten_.try_emplace(index, before);
     known = assignment;
     return before;
 }

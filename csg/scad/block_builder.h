@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "csg/scad/ast.h"
@@ -25,8 +24,8 @@ class BlockBuilder {
     std::vector<FunctionDefinition> functions_;
     std::vector<ModuleDefinition> modules_;
     std::vector<Instantiation> instantiations_;
-    std::unordered_map<Symbol, std::size_t> places_;                ///< Of assignments.
-    std::vector<std::pair<std::size_t, SourceRange>> overwritten_;  ///< Assignment, and where it stood first.
+    std::unordered_map<Symbol, std::size_t> places_;            ///< Of assignments.
+    std::unordered_map<std::size_t, SourceRange> overwritten_;  ///< By assignment: where it stood first.
 };
 
 /// Moves the elements of `from` that begin at `mark` to the end of `to`.

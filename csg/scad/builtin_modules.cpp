@@ -102,6 +102,41 @@ std::optional<double> ModuleArguments::number(std::string_view parameter) const 
     return value.is_number() ? std::optional(value.number()) : std::nullopt;
 }
 
+void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out) {
+    out.push_back(c.evaluator.builder().leaf(std::move(shape), c.location(), c.modifiers));
+}
+
+bool is_true(const Value& value) {
+    return value.is_bool() && value.boolean();
+}
+
+bool is_positive(double x) {
+    return x > 0 && std::isfinite(x);
+}
+
+unsigned whole(const std::optional<double>& number, unsigned otherwise) {
+    return number && *number >= 1 && *number < 4294967296.0 ? static_cast<unsigned>(*number) : otherwise;
+}
+
+std::optional<double> radius(const ModuleContext& c, const ModuleArguments& arguments, std::string_view r,
+                             std::string_view d) {
+    const auto as_radius = arguments.number(r);
+    const auto as_diameter = arguments.number(d);
+    if (as_radius && as_diameter) {
+        c.warn(fmt::format("Ignoring radius variable \"{}\" as diameter \"{}\" is defined too.", r, d));
+    }
+    return as_diameter ? std::optional(*as_diameter / 2) : as_radius;
+}
+
+bool to_vec2(const Value& value, glm::dvec2& out) {
+    const auto elements = value.is_vector() ? value.elements() : std::span<const Value>();
+    if (elements.size() != 2 || !elements[0].is_number() || !elements[1].is_number()) {
+        return false;
+    }
+    out = {elements[0].number(), elements[1].number()};
+    return true;
+}
+
 bool to_vec3(const Value& value, glm::dvec3& out, double z_if_missing) {
     const auto elements = value.is_vector() ? value.elements() : std::span<const Value>();
     const bool two = elements.size() == 2 && !std::isnan(z_if_missing);

@@ -66,6 +66,25 @@ class ModuleArguments {
     std::uint32_t given_ = 0;
 };
 
+// What modules share.
+
+void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out);
+
+/// Only `true` itself: other values that count as true elsewhere do not here.
+[[nodiscard]] bool is_true(const Value& value);
+
+[[nodiscard]] bool is_positive(double x);
+
+/// A number of at least 1; others count as `otherwise`.
+[[nodiscard]] unsigned whole(const std::optional<double>& number, unsigned otherwise);
+
+/// A radius given as such or as a diameter, which counts first.
+[[nodiscard]] std::optional<double> radius(const ModuleContext& c, const ModuleArguments& arguments, std::string_view r,
+                                           std::string_view d);
+
+/// Two numbers.
+[[nodiscard]] bool to_vec2(const Value& value, glm::dvec2& out);
+
 /// Three numbers. `[x, y]` stands for `[x, y, z_if_missing]` unless that is NaN.
 [[nodiscard]] bool to_vec3(const Value& value, glm::dvec3& out, double z_if_missing);
 

@@ -1,6 +1,5 @@
 // Calls of functions. Calls in tail position loop; they use no stack.
 #include <algorithm>
-#include <bit>
 
 #include "csg/scad/evaluator.h"
 
@@ -187,9 +186,7 @@ Value Evaluator::call_builtin(const Expr& e, BuiltinFunction function, Scope& sc
         }
     }
     call_where_ = e.where;
-    Value result = function(function_name, {values.data(), arguments.size()}, host_);
-    check_memory(e.where);
-    return result;
+    return function(function_name, {values.data(), arguments.size()}, host_);
 }
 
 Value Evaluator::call(ExprId id, Scope& caller) {

@@ -4,12 +4,6 @@
 
 namespace csg::scad {
 
-void Evaluator::check_memory(const SourceRange& where) {
-    if (live_elements() > request_.limits.list_elements) {
-        fail(where, fmt::format("Lists hold more than {} elements", request_.limits.list_elements));
-    }
-}
-
 void Evaluator::collect(ExprId id, Scope& scope, std::vector<Value>& out) {
     while (id != kNone) {
         const Expr& e = p_[id];
@@ -103,7 +97,6 @@ void Evaluator::collect_for_c(ExprId id, Scope& scope, std::vector<Value>& out) 
         }
         check_stop(e.where);
         collect(e.operand(0), scope, out);
-        check_memory(e.where);
         bind_let(p_.update_of(e), scope);
     }
 }

@@ -109,9 +109,6 @@ void Evaluator::instantiate_if(const Instantiation& first, const Frame* frame, N
             break;
         }
         const Instantiation& next = p_.instantiations_of(p_.blocks[branch])[0];
-        if (next.modifiers.disabled) {
-            break;
-        }
         has_root_modifier_ |= next.modifiers.root;
         chain.push_back(&next);
     }

@@ -26,7 +26,7 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
       request_(request),
       sink_(std::move(sink)),
       stack_limit_(stack_limit),
-      r_(resolve(program, {})),
+      r_(resolve(program)),
       is_undef_(find_builtin_function("is_undef")),
       parent_modules_index_(index_of_special(program, r_, "$parent_modules")),
       fn_index_(index_of_special(program, r_, "$fn")),

@@ -73,7 +73,6 @@ class ValueStack {
         /// Takes over the values of `newer`, the innermost region; grows where they do not fit.
         void replace(Region& newer);
         void release();
-        [[nodiscard]] std::size_t size() const { return count_; }
 
       private:
         ValueStack& stack_;
@@ -123,7 +122,6 @@ class Evaluator {
         ~DynamicMark() { e_.unwind(mark_); }
         DynamicMark(const DynamicMark&) = delete;
         DynamicMark& operator=(const DynamicMark&) = delete;
-        void unwind() { e_.unwind(mark_); }
 
       private:
         Evaluator& e_;
@@ -171,7 +169,6 @@ class Evaluator {
             fail_stopped(where);
         }
     }
-    [[nodiscard]] ValueStack& stack() { return stack_; }
     [[nodiscard]] const Resolution& resolution() const { return r_; }
 
   private:
@@ -238,7 +235,6 @@ class Evaluator {
     void collect_for(const Expr& e, std::span<const Argument> left, Scope& scope, std::vector<Value>& out);
     void collect_for_c(ExprId id, Scope& scope, std::vector<Value>& out);
     void collect_each(const Value& value, const SourceRange& where, std::vector<Value>& out);
-    void check_memory(const SourceRange& where);
 
     // evaluate_call.cpp
     struct Callee;

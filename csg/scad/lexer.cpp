@@ -201,7 +201,7 @@ Token Lexer::take() {
         return number(begin, as_number);
     }
     if (as_word > 0) {
-        return word(begin);
+        return word(begin, as_word);
     }
     return peek() == '"' ? string(begin) : punctuation(begin);
 }
@@ -223,8 +223,7 @@ bool Lexer::angle_bracket_follows(std::size_t keyword_length) const {
     return i < text_.size() && text_[i] == '<';
 }
 
-Token Lexer::word(const Place& begin) {
-    const std::size_t length = word_length();
+Token Lexer::word(const Place& begin, std::size_t length) {
     const std::string_view text = text_.substr(place_.at, length);
     const bool includes = text == "include";
     if ((includes || text == "use") && angle_bracket_follows(length)) {

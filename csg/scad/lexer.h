@@ -42,7 +42,7 @@ class Lexer {
     [[nodiscard]] std::size_t blank_bytes() const;
     [[nodiscard]] std::string character_name() const;
 
-    Token word(const Place& begin);
+    Token word(const Place& begin, std::size_t length);
     Token number(const Place& begin, std::size_t length);
     Token hexadecimal(const Place& begin, std::size_t length);
     Token string(const Place& begin);

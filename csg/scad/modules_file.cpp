@@ -13,14 +13,6 @@ namespace {
 using Names = std::string_view;
 namespace fs = std::filesystem;
 
-void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out) {
-    out.push_back(c.evaluator.builder().leaf(std::move(shape), c.location(), c.modifiers));
-}
-
-bool is_true(const Value& value) {
-    return value.is_bool() && value.boolean();
-}
-
 fs::path folder_of(const std::string& file) {
     const fs::path folder = fs::path(file).parent_path();
     return folder.empty() ? fs::path(".") : folder;
@@ -77,13 +69,11 @@ void run_import(const ModuleContext& c, Nodes& out) {
     import->layer = text_of(arguments, "layer", "layername");
     import->id = text_of(arguments, "id", "id");
     import->fineness = c.evaluator.fineness(c.where());
-    const double convexity = arguments.number("convexity").value_or(1);
-    import->convexity = convexity >= 1 && convexity < 4294967296.0 ? static_cast<unsigned>(convexity) : 1;
+    import->convexity = whole(arguments.number("convexity"), 1);
     if (const Value& origin = arguments["origin"]; !origin.is_undef()) {
-        const auto xy = origin.is_vector() ? origin.elements() : std::span<const Value>();
-        if (xy.size() == 2 && xy[0].is_number() && xy[1].is_number() && std::isfinite(xy[0].number()) &&
-            std::isfinite(xy[1].number())) {
-            import->origin = {xy[0].number(), xy[1].number()};
+        glm::dvec2 xy(0.0);
+        if (to_vec2(origin, xy) && std::isfinite(xy.x) && std::isfinite(xy.y)) {
+            import->origin = xy;
         } else {
             c.warn(fmt::format("Unable to convert import(..., origin={}) parameter to vec2", origin.echo_text()));
         }

@@ -12,29 +12,6 @@ namespace {
 
 using Names = std::string_view;
 
-void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out) {
-    out.push_back(c.evaluator.builder().leaf(std::move(shape), c.location(), c.modifiers));
-}
-
-bool is_positive(double x) {
-    return x > 0 && std::isfinite(x);
-}
-
-/// Two numbers, the first two of more where `more` allows it.
-bool to_vec2(const Value& value, glm::dvec2& out, bool more = false) {
-    const auto elements = value.is_vector() ? value.elements() : std::span<const Value>();
-    if (elements.size() < 2 || (elements.size() > 2 && !more) || !elements[0].is_number() || !elements[1].is_number()) {
-        return false;
-    }
-    out = {elements[0].number(), elements[1].number()};
-    return true;
-}
-
-unsigned convexity_of(const ModuleArguments& arguments) {
-    const double convexity = arguments.number("convexity").value_or(1);
-    return convexity >= 1 && convexity < 4294967296.0 ? static_cast<unsigned>(convexity) : 1;
-}
-
 void run_square(const ModuleContext& c, Nodes& out) {
     static constexpr std::array<Names, 2> kParameters{"size", "center"};
     c.expect_no_children();
@@ -50,7 +27,7 @@ void run_square(const ModuleContext& c, Nodes& out) {
     if ((!is_positive(square.size.x) || !is_positive(square.size.y)) && c.evaluator.request().check_ranges) {
         c.warn(fmt::format("square(size={}, ...)", size.echo_text()));
     }
-    square.center = arguments["center"].is_bool() && arguments["center"].boolean();
+    square.center = is_true(arguments["center"]);
     add_leaf(c, square, out);
 }
 
@@ -61,11 +38,7 @@ void run_circle(const ModuleContext& c, Nodes& out) {
     const ModuleArguments arguments(c, kParameters, kNamed);
     Circle circle;
     circle.fineness = c.evaluator.fineness(c.where());
-    const auto r = arguments.number("r"), d = arguments.number("d");
-    if (r && d) {
-        c.warn("Ignoring radius variable \"r\" as diameter \"d\" is defined too.");
-    }
-    circle.radius = d ? *d / 2 : r.value_or(1);
+    circle.radius = radius(c, arguments, "r", "d").value_or(1);
     if (!is_positive(circle.radius) && c.evaluator.request().check_ranges) {
         c.warn(fmt::format("circle(r={})", number_text(circle.radius)));
     }
@@ -132,7 +105,7 @@ void run_polygon(const ModuleContext& c, Nodes& out) {
     } else if (!paths.is_undef()) {
         c.warn(fmt::format("Unable to convert paths = {} to a vector of vector of point indices", paths.echo_text()));
     }
-    polygon->convexity = convexity_of(arguments);
+    polygon->convexity = whole(arguments.number("convexity"), 1);
     add_leaf(c, std::shared_ptr<const Polygon>(std::move(polygon)), out);
 }
 

@@ -15,15 +15,6 @@ void add_mesh(const ModuleContext& c, const MeshOperation& operation, Nodes& out
     out.push_back(c.evaluator.builder().mesh(operation, c.children(), c.location(), c.modifiers));
 }
 
-bool is_true(const Value& value) {
-    return value.is_bool() && value.boolean();
-}
-
-/// A number of at least 1; others count as `otherwise`.
-unsigned whole(const std::optional<double>& number, unsigned otherwise) {
-    return number && *number >= 1 && *number < 4294967296.0 ? static_cast<unsigned>(*number) : otherwise;
-}
-
 /// A number that is finite; warns of anything else that is given.
 std::optional<double> finite_number(const ModuleContext& c, const ModuleArguments& arguments, Names parameter) {
     const Value& value = arguments[parameter];
@@ -90,10 +81,7 @@ void read_scale(const ModuleContext& c, const Value& scale, glm::dvec2& out) {
     glm::dvec2 read(1.0);
     if (scale.is_number()) {
         read = glm::dvec2(scale.number());
-    } else if (scale.is_vector() && scale.elements().size() == 2 && scale.elements()[0].is_number() &&
-               scale.elements()[1].is_number()) {
-        read = {scale.elements()[0].number(), scale.elements()[1].number()};
-    } else {
+    } else if (!to_vec2(scale, read)) {
         read.x = std::nan("");
     }
     if (std::isfinite(read.x) && std::isfinite(read.y)) {

@@ -11,29 +11,6 @@ namespace {
 
 using Names = std::string_view;
 
-void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out) {
-    out.push_back(c.evaluator.builder().leaf(std::move(shape), c.location(), c.modifiers));
-}
-
-/// Only `true` itself: other values that count as true elsewhere do not here.
-bool is_true(const Value& value) {
-    return value.is_bool() && value.boolean();
-}
-
-/// A radius given as such or as a diameter, which counts first.
-std::optional<double> radius(const ModuleContext& c, const ModuleArguments& arguments, Names r, Names d) {
-    const auto as_radius = arguments.number(r);
-    const auto as_diameter = arguments.number(d);
-    if (as_radius && as_diameter) {
-        c.warn(fmt::format("Ignoring radius variable \"{}\" as diameter \"{}\" is defined too.", r, d));
-    }
-    return as_diameter ? std::optional(*as_diameter / 2) : as_radius;
-}
-
-bool is_positive(double x) {
-    return x > 0 && std::isfinite(x);
-}
-
 void check_ranges(const ModuleContext& c, const Cylinder& cylinder) {
     if (!is_positive(cylinder.height)) {
         c.warn(fmt::format("cylinder(h={}, ...)", number_text(cylinder.height)));
@@ -171,8 +148,7 @@ void run_polyhedron(const ModuleContext& c, Nodes& out) {
     } else if (arguments["points"].is_vector()) {
         c.warn(fmt::format("Unable to convert faces = {} to a vector of vector of point indices", faces.echo_text()));
     }
-    const double convexity = arguments.number("convexity").value_or(1);
-    polyhedron->convexity = convexity >= 1 && convexity < 4294967296.0 ? static_cast<unsigned>(convexity) : 1;
+    polyhedron->convexity = whole(arguments.number("convexity"), 1);
     add_leaf(c, std::shared_ptr<const Polyhedron>(std::move(polyhedron)), out);
 }
 

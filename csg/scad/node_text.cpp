@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "csg/scad/expression_writer.h"
+
 namespace csg::scad {
 
 namespace {
@@ -21,30 +23,6 @@ std::string vector(const glm::dvec2& v) {
 
 std::string fineness(const Fineness& f) {
     return fmt::format("$fn = {:g}, $fa = {:g}, $fs = {:g}", f.fn, f.fa, f.fs);
-}
-
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        switch (c) {
-            case '\t':
-                result += "\\t";
-                break;
-            case '\n':
-                result += "\\n";
-                break;
-            case '\r':
-                result += "\\r";
-                break;
-            case '"':
-            case '\\':
-                result += '\\';
-                [[fallthrough]];
-            default:
-                result += c;
-        }
-    }
-    return result + '"';
 }
 
 struct LeafText {

@@ -60,7 +60,7 @@ ExprId Parser::add(Expr e) {
 }
 
 bool Parser::is_element(ExprId e) const {
-    return program_[e].kind >= ExprKind::ListFor;
+    return is_element_kind(program_[e].kind);
 }
 
 bool Parser::begins_expression() const {

@@ -17,7 +17,7 @@ bool declares_for_children(std::string_view name) {
     return name == "for" || name == "intersection_for" || name == "let" || name == "assign";
 }
 
-Resolver::Resolver(const Program& program, std::span<const Symbol> always_dynamic) : p_(program) {
+Resolver::Resolver(const Program& program) : p_(program) {
     r_.of_expression.assign(p_.expressions.size(), kNone);
     r_.argument_slots.assign(p_.arguments.size(), kNone);
     r_.repeated_parameters.assign(p_.arguments.size(), false);
@@ -32,9 +32,6 @@ Resolver::Resolver(const Program& program, std::span<const Symbol> always_dynami
                 passed_[i.name].insert(a.name);
             }
         }
-    }
-    for (const Symbol name : always_dynamic) {
-        dynamic(name);
     }
 }
 
@@ -260,8 +257,8 @@ DefinitionRef Resolver::definition_in(const BlockScope& s, Symbol name, Names Bl
     return {};
 }
 
-Resolution resolve(const Program& program, std::span<const Symbol> always_dynamic) {
-    return Resolver(program, always_dynamic).run();
+Resolution resolve(const Program& program) {
+    return Resolver(program).run();
 }
 
 }  // namespace csg::scad

@@ -112,7 +112,6 @@ struct Resolution {
 /// True for the modules whose arguments declare variables for their children: for, intersection_for, let, assign.
 [[nodiscard]] bool declares_for_children(std::string_view module_name);
 
-/// `always_dynamic`: names that get an index even where the program does not mention them.
-[[nodiscard]] Resolution resolve(const Program& program, std::span<const Symbol> always_dynamic);
+[[nodiscard]] Resolution resolve(const Program& program);
 
 }  // namespace csg::scad

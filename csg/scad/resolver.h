@@ -44,7 +44,7 @@ struct Activation {
 
 class Resolver {
   public:
-    Resolver(const Program& program, std::span<const Symbol> always_dynamic);
+    explicit Resolver(const Program& program);
 
     Resolution run();
 

@@ -38,7 +38,6 @@ class SourceFile {
 
     [[nodiscard]] const std::string& name() const { return name_; }  ///< The path as it was found, or a made-up name.
     [[nodiscard]] const std::string& text() const { return text_; }
-    [[nodiscard]] std::uint32_t line_count() const { return static_cast<std::uint32_t>(line_starts_.size()); }
     /// Without its line end. `line` counts from 1; empty outside the file.
     [[nodiscard]] std::string_view line(std::uint32_t line) const;
 

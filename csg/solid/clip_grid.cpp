@@ -38,11 +38,13 @@ std::size_t ClipGrid::Hash::operator()(const std::pair<ClipperLib::cInt, Clipper
     return mix(mix(std::uint64_t{0}, static_cast<std::uint64_t>(p.first)), static_cast<std::uint64_t>(p.second));
 }
 
-void ClipGrid::measure(const Loop& loop) {
-    if (!std::all_of(loop.begin(), loop.end(), is_finite))
-        return;
-    for (const glm::dvec2& p : loop)
-        largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y)});
+void ClipGrid::measure(std::span<const Loop> loops) {
+    for (const Loop& loop : loops) {
+        if (!std::all_of(loop.begin(), loop.end(), is_finite))
+            continue;
+        for (const glm::dvec2& p : loop)
+            largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y)});
+    }
 }
 
 void ClipGrid::measure(double length) {

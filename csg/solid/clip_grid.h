@@ -12,7 +12,7 @@ namespace csg::solid {
 /// unchanged; points that round to one become one.
 class ClipGrid {
   public:
-    void measure(const Loop& loop);
+    void measure(std::span<const Loop> loops);
     void measure(double length);
     [[nodiscard]] double scale();  ///< Grid units per unit; a power of two.
 

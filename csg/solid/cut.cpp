@@ -1,6 +1,5 @@
 // projection(): the cut of solids by the plane z = 0, and their shadow on it.
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "csg/solid/node_geometry.h"
@@ -58,8 +57,7 @@ Outline cut_on(std::span<const Piece> pieces, Side side);
 
 std::shared_ptr<const Outline> cut_piece(const Piece& piece, Side side) {
     if (piece.boolean) {
-        if (piece.boolean->depth > 500)
-            throw GeometryError("differences and intersections nest deeper than 500");
+        check_depth(*piece.boolean);
         std::vector<std::shared_ptr<const Outline>> operands;
         for (const auto& operand : piece.boolean->operands) {
             std::vector<Piece> moved = operand;

@@ -11,15 +11,6 @@
 namespace csg::solid {
 namespace {
 
-constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
-
-std::size_t corner_count(const Outline& outline) {
-    std::size_t sum = 0;
-    for (const Loop& loop : outline.loops)
-        sum += loop.size();
-    return sum;
-}
-
 /// The outline turned clockwise by `degrees`, then scaled.
 void add_ring(Solid& solid, const Outline& outline, const glm::dvec3& offset, double degrees, const glm::dvec2& scale) {
     const double c = cos_degrees(-degrees), s = sin_degrees(-degrees);
@@ -53,16 +44,13 @@ void finish(Solid& solid) {
     solid.box = {};
     for (const glm::dvec3& p : solid.points)
         solid.box = enclose(solid.box, p);
-    if (solid.triangles.empty())
-        return;
-    const std::vector<std::string> warnings = std::move(solid.warnings);
-    check_mesh(solid);
-    solid.warnings = warnings;  // What check_mesh tells is about meshes given by hand.
+    if (!solid.triangles.empty())
+        check_mesh(solid);
 }
 
 std::shared_ptr<Solid> linear_extrude(const Outline& outline, const LinearExtrude& how) {
     auto solid = std::make_shared<Solid>();
-    const std::size_t corners = corner_count(outline);
+    const std::size_t corners = outline.corners();
     if (corners == 0 || !(how.height > 0) || !std::isfinite(how.height))
         return solid;
     std::size_t slices = slice_count(outline, how);

@@ -223,8 +223,6 @@ class Drawing {
             p = glm::dvec2(placed * glm::dvec4(p, 0.0, 1.0));
         if (closed && line.front() != line.back())
             line.push_back(line.front());
-        if (closed)
-            line.back() = line.front();
         lines_.push_back(std::move(line));
     }
 

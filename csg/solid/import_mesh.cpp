@@ -63,17 +63,10 @@ std::shared_ptr<Solid> to_solid(FileMesh mesh, std::vector<std::string> warnings
     auto solid = std::make_shared<Solid>();
     const std::vector<std::uint32_t> first = first_of_equals(mesh.points);
     solid->points = std::move(mesh.points);
-    std::vector<std::uint32_t> face;
-    for (const auto& loop : mesh.faces) {
-        face.clear();
-        for (const std::uint32_t index : loop) {
-            if (face.empty() || face.back() != first[index])
-                face.push_back(first[index]);
-        }
-        while (face.size() > 1 && face.front() == face.back())
-            face.pop_back();
+    for (auto& face : mesh.faces) {
+        weld(face, first);
         triangulate(solid->points, face, solid->triangles);
-        if (solid->triangles.size() > kMostFaces) {
+        if (solid->triangles.size() > kMostTriangles) {
             warnings.emplace_back("mesh has more than 16777216 triangles; the rest is left out");
             break;
         }
@@ -85,13 +78,15 @@ std::shared_ptr<Solid> to_solid(FileMesh mesh, std::vector<std::string> warnings
     return solid;
 }
 
-void place(const Import& import, FileMesh& mesh) {
+void centre(FileMesh& mesh) {
     Box box;
     for (const glm::dvec3& p : mesh.points)
         box = enclose(box, p);
-    const glm::dvec3 centre = import.center && !box.empty() ? box.centre() : glm::dvec3(0.0);
+    if (box.empty())
+        return;
+    const glm::dvec3 middle = box.centre();
     for (glm::dvec3& p : mesh.points)
-        p -= centre;
+        p -= middle;
 }
 
 }  // namespace
@@ -205,7 +200,8 @@ std::shared_ptr<Solid> import_solid(const Import& import) {
                 ? "import() without a file"
                 : fmt::format("Unsupported file format while trying to import file '{}'", import.file.path));
     }
-    place(import, mesh);
+    if (import.center)
+        centre(mesh);
     return to_solid(std::move(mesh), std::move(warnings));
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "csg/solid/mesh_operations.h"
+#include "csg/solid/solid.h"
 
 namespace csg::solid {
 
@@ -16,7 +16,7 @@ struct FileMesh {
     std::vector<std::vector<std::uint32_t>> faces;  ///< Counter-clockwise seen from outside.
 };
 
-inline constexpr std::size_t kMostFaces = std::size_t{1} << 24;
+inline constexpr std::size_t kMostFaces = kMostTriangles;
 
 void read_stl(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings);
 void read_off(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings);

@@ -1,9 +1,7 @@
 // SVG: basic shapes and paths with their transforms; every shape counts as filled, as in OpenSCAD.
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
 
-#include "csg/solid/clip_grid.h"
 #include "csg/solid/file_text.h"
 #include "csg/solid/files.h"
 #include "csg/solid/import_outline.h"
@@ -16,11 +14,6 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 constexpr std::size_t kMostLoops = std::size_t{1} << 20;
-
-std::string_view value(const Attributes& attributes, std::string_view name) {
-    const auto found = attributes.find(name);
-    return found == attributes.end() ? std::string_view() : std::string_view(found->second);
-}
 
 /// Millimetres in one of the units; 0 for a percentage, the pixel's size for none.
 double unit(std::string_view name, double pixel) {
@@ -57,10 +50,10 @@ class Svg {
 
     void open(const std::string& name, const Attributes& a) {
         State state = stack_.back();
-        state.matrix *= read_svg_transform(value(a, "transform"));
-        state.shown = state.shown || (is_filtered() && wanted(value(a, "id"), value(a, "label")));
+        state.matrix *= read_svg_transform(attribute(a, "transform"));
+        state.shown = state.shown || (is_filtered() && wanted(attribute(a, "id"), attribute(a, "label")));
         state.hidden = state.hidden || name == "defs" || name == "clipPath" || name == "mask" || name == "symbol" ||
-                       name == "pattern" || name == "marker" || value(a, "display") == "none";
+                       name == "pattern" || name == "marker" || attribute(a, "display") == "none";
         if (name == "svg" && stack_.size() == 1)
             page(a, state);
         stack_.push_back(state);
@@ -88,8 +81,8 @@ class Svg {
     /// To millimetres, y up from the page's lower edge.
     void page(const Attributes& a, State& state) const {
         const double pixel = 25.4 / import_.dpi;
-        const Length w = length(value(a, "width")), h = length(value(a, "height"));
-        std::vector<double> box = read_svg_numbers(value(a, "viewBox"));
+        const Length w = length(attribute(a, "width")), h = length(attribute(a, "height"));
+        std::vector<double> box = read_svg_numbers(attribute(a, "viewBox"));
         if (box.size() != 4 || !(box[2] > 0) || !(box[3] > 0))
             box.clear();
         const double wide = w.number * unit(w.unit, pixel), high = h.number * unit(h.unit, pixel);
@@ -109,7 +102,7 @@ class Svg {
     }
 
     void draw(const std::string& name, const Attributes& a, const glm::dmat4& matrix) {
-        const auto number = [&](std::string_view key) { return length(value(a, key)).number; };
+        const auto number = [&](std::string_view key) { return length(attribute(a, key)).number; };
         std::vector<Loop> loops;
         const double size = std::sqrt(std::abs(matrix[0][0] * matrix[1][1] - matrix[1][0] * matrix[0][1]));
         const auto around = [&](double radius) { return circle_segments(radius * size, import_.fineness); };
@@ -119,7 +112,7 @@ class Svg {
                         around(std::max(rx, ry)));
         };
         if (name == "path") {
-            loops = read_svg_path(value(a, "d"), around(10 / std::max(size, 1e-9)));
+            loops = read_svg_path(attribute(a, "d"), around(10 / std::max(size, 1e-9)));
         } else if (name == "rect") {
             rectangle(a, loops, around(std::max(number("rx"), number("ry"))));
         } else if (name == "circle") {
@@ -127,27 +120,27 @@ class Svg {
         } else if (name == "ellipse") {
             ellipse(number("rx"), number("ry"));
         } else if (name == "polygon" || name == "polyline") {
-            const std::vector<double> n = read_svg_numbers(value(a, "points"));
+            const std::vector<double> n = read_svg_numbers(attribute(a, "points"));
             Loop& loop = loops.emplace_back();
             for (std::size_t i = 0; i + 1 < n.size(); i += 2)
                 loop.emplace_back(n[i], n[i + 1]);
         }
         if (loops.empty())
             return;
-        const bool even_odd =
-            value(a, "fill-rule") == "evenodd" || value(a, "style").find("fill-rule:evenodd") != std::string_view::npos;
+        const bool even_odd = attribute(a, "fill-rule") == "evenodd" ||
+                              attribute(a, "style").find("fill-rule:evenodd") != std::string_view::npos;
         shapes_.push_back(std::make_shared<Outline>(
             transform(clean(loops, even_odd ? FillRule::EvenOdd : FillRule::NonZero), matrix)));
     }
 
     static void rectangle(const Attributes& a, std::vector<Loop>& loops, int around) {
-        const auto number = [&](std::string_view key) { return length(value(a, key)).number; };
+        const auto number = [&](std::string_view key) { return length(attribute(a, key)).number; };
         const double x = number("x"), y = number("y"), w = number("width"), h = number("height");
         if (!(w > 0) || !(h > 0))
             return;
         double rx = number("rx"), ry = number("ry");
-        rx = std::min(value(a, "rx").empty() ? ry : rx, w / 2);
-        ry = std::min(value(a, "ry").empty() ? rx : ry, h / 2);
+        rx = std::min(attribute(a, "rx").empty() ? ry : rx, w / 2);
+        ry = std::min(attribute(a, "ry").empty() ? rx : ry, h / 2);
         Loop& loop = loops.emplace_back();
         if (!(rx > 0) || !(ry > 0)) {
             loop = {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
@@ -168,14 +161,10 @@ class Svg {
 };
 
 void centre(Outline& outline) {
-    Box box;
-    for (const Loop& loop : outline.loops) {
-        for (const glm::dvec2& p : loop)
-            box = enclose(box, glm::dvec3(p, 0.0));
-    }
+    const glm::dvec2 middle(bounds_of(outline.loops).centre());
     for (Loop& loop : outline.loops) {
         for (glm::dvec2& p : loop)
-            p -= glm::dvec2(box.centre());
+            p -= middle;
     }
 }
 

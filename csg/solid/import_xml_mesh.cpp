@@ -15,16 +15,11 @@ namespace {
 
 constexpr std::size_t kMostUnpacked = std::size_t{256} << 20;
 
-std::string value(const Attributes& attributes, std::string_view name) {
-    const auto found = attributes.find(name);
-    return found == attributes.end() ? std::string() : found->second;
-}
-
-double number(const std::string& text) {
+double number(std::string_view text) {
     return to_number(text).value_or(0);
 }
 
-std::optional<std::uint32_t> index(const std::string& text, std::size_t first, std::size_t count) {
+std::optional<std::uint32_t> index(std::string_view text, std::size_t first, std::size_t count) {
     const auto number = to_number(text);
     if (!number || *number < 0 || *number >= static_cast<double>(count))
         return std::nullopt;
@@ -32,9 +27,9 @@ std::optional<std::uint32_t> index(const std::string& text, std::size_t first, s
 }
 
 /// Adds the face where all of its indices are good.
-bool add_face(FileMesh& mesh, const std::array<std::string, 3>& words, std::size_t first) {
+bool add_face(FileMesh& mesh, const std::array<std::string_view, 3>& words, std::size_t first) {
     std::vector<std::uint32_t> face;
-    for (const std::string& word : words) {
+    for (const std::string_view word : words) {
         if (const auto i = index(word, first, mesh.points.size() - first))
             face.push_back(*i);
     }
@@ -45,7 +40,7 @@ bool add_face(FileMesh& mesh, const std::array<std::string, 3>& words, std::size
 }
 
 /// A transform of 3MF: twelve numbers, four rows of three for row vectors.
-glm::dmat4 matrix(const std::string& text) {
+glm::dmat4 matrix(std::string_view text) {
     glm::dmat4 m(1.0);
     Words words(text);
     for (int row = 0; row < 4; ++row) {
@@ -64,7 +59,7 @@ class Model3mf {
   public:
     void open(const std::string& name, const Attributes& a) {
         if (name == "model") {
-            const std::string unit = value(a, "unit");
+            const std::string_view unit = attribute(a, "unit");
             scale_ = unit == "micron"       ? 0.001
                      : unit == "centimeter" ? 10
                      : unit == "inch"       ? 25.4
@@ -72,15 +67,16 @@ class Model3mf {
                      : unit == "meter"      ? 1000
                                             : 1;
         } else if (name == "object") {
-            object_ = &objects_[value(a, "id")];
+            object_ = &objects_[std::string(attribute(a, "id"))];
         } else if (name == "vertex" && object_ != nullptr) {
-            object_->mesh.points.emplace_back(number(value(a, "x")), number(value(a, "y")), number(value(a, "z")));
+            object_->mesh.points.emplace_back(number(attribute(a, "x")), number(attribute(a, "y")),
+                                              number(attribute(a, "z")));
         } else if (name == "triangle" && object_ != nullptr) {
-            bad_ |= !add_face(object_->mesh, {value(a, "v1"), value(a, "v2"), value(a, "v3")}, 0);
+            bad_ |= !add_face(object_->mesh, {attribute(a, "v1"), attribute(a, "v2"), attribute(a, "v3")}, 0);
         } else if (name == "component" && object_ != nullptr) {
-            object_->components.push_back({value(a, "objectid"), matrix(value(a, "transform"))});
+            object_->components.push_back(reference(a));
         } else if (name == "item") {
-            items_.push_back({value(a, "objectid"), matrix(value(a, "transform"))});
+            items_.push_back(reference(a));
         }
     }
 
@@ -101,6 +97,9 @@ class Model3mf {
         std::string object;
         glm::dmat4 placed;
     };
+    static Reference reference(const Attributes& a) {
+        return {std::string(attribute(a, "objectid")), matrix(attribute(a, "transform"))};
+    }
     struct Object {
         FileMesh mesh;
         std::vector<Reference> components;
@@ -175,7 +174,7 @@ void read_amf(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
     XmlEvents events;
     events.open = [&](const std::string& name, const Attributes& attributes) {
         if (name == "amf") {
-            const std::string unit = value(attributes, "unit");
+            const std::string_view unit = attribute(attributes, "unit");
             scale = unit == "inch"     ? 25.4
                     : unit == "feet"   ? 304.8
                     : unit == "meter"  ? 1000
@@ -195,7 +194,7 @@ void read_amf(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
         else if (name == "v1" || name == "v2" || name == "v3")
             corners[static_cast<std::size_t>(name[1] - '1')] = std::string(Words(content).next());
         else if (name == "triangle")
-            bad |= !add_face(mesh, corners, first);
+            bad |= !add_face(mesh, {corners[0], corners[1], corners[2]}, first);
     };
     read_xml(text, events, warnings);
     if (bad)

@@ -40,12 +40,8 @@ bool is_convex(const Solid& solid) {
     return true;
 }
 
-struct EdgeCount {
-    bool open = false;
-    bool non_manifold = false;
-};
-
-EdgeCount count_edges(const Solid& solid) {
+/// Counts the uses of each edge.
+MeshFaults check_edges(const Solid& solid) {
     struct Edge {
         std::uint32_t lo, hi;
         int direction;
@@ -60,7 +56,7 @@ EdgeCount count_edges(const Solid& solid) {
     }
     std::sort(edges.begin(), edges.end(),
               [](const Edge& a, const Edge& b) { return std::tie(a.lo, a.hi) < std::tie(b.lo, b.hi); });
-    EdgeCount result;
+    MeshFaults result;
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t j = i;
         int balance = 0;
@@ -92,17 +88,20 @@ std::vector<std::uint32_t> first_of_equals(std::span<const glm::dvec3> points) {
     return first;
 }
 
-void check_mesh(Solid& solid) {
-    const EdgeCount edges = count_edges(solid);
-    solid.closed = !edges.open && !edges.non_manifold;
-    if (edges.open)
-        solid.warnings.emplace_back("polyhedron is not closed, or its faces are not all oriented alike");
-    else if (edges.non_manifold)
-        solid.warnings.emplace_back("polyhedron has an edge that more than two faces share");
-    if (!edges.open && volume6(solid) < 0)
-        solid.warnings.emplace_back("polyhedron is inside out: its faces are to be clockwise seen from outside");
-    else
-        solid.convex = solid.closed && is_convex(solid);
+void weld(std::vector<std::uint32_t>& face, std::span<const std::uint32_t> first) {
+    for (std::uint32_t& index : face)
+        index = first[index];
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    while (face.size() > 1 && face.front() == face.back())
+        face.pop_back();
+}
+
+MeshFaults check_mesh(Solid& solid) {
+    MeshFaults faults = check_edges(solid);
+    faults.inside_out = !faults.open && volume6(solid) < 0;
+    solid.closed = !faults.open && !faults.non_manifold;
+    solid.convex = solid.closed && !faults.inside_out && is_convex(solid);
+    return faults;
 }
 
 }  // namespace csg::solid

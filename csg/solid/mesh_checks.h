@@ -13,8 +13,18 @@ namespace csg::solid {
 /// For each point the smallest index of a point with the same coordinates.
 [[nodiscard]] std::vector<std::uint32_t> first_of_equals(std::span<const glm::dvec3> points);
 
-/// Sets `closed` and `convex` and adds warnings for a mesh that is open, non-manifold or inside out. A mesh too big
-/// to be tested for convexity counts as not convex.
-void check_mesh(Solid& solid);
+/// Puts the first of equals for each index of the loop `face`; of neighbours that become one, one is left.
+void weld(std::vector<std::uint32_t>& face, std::span<const std::uint32_t> first);
+
+/// What keeps a mesh from being a solid.
+struct MeshFaults {
+    bool open = false;          ///< Or its faces are not all oriented alike.
+    bool non_manifold = false;  ///< An edge has more than two faces.
+    bool inside_out = false;    ///< Never told of an open mesh.
+};
+
+/// Sets `closed` and `convex`, and tells what was found. A mesh too big to be tested for convexity counts as not
+/// convex.
+MeshFaults check_mesh(Solid& solid);
 
 }  // namespace csg::solid

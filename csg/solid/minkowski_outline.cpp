@@ -1,7 +1,7 @@
 // The Minkowski sum of regions: what the edges of one sweep along the edges of the other, and each region where the
 // other's components begin. A point of the sum that no pair of edges reaches has a whole component of one region around
 // every point of a component of the other.
-#include "csg/solid/clip_grid.h"
+#include "csg/solid/outline.h"
 
 namespace csg::solid {
 namespace {
@@ -13,13 +13,6 @@ Loop moved(const Loop& loop, const glm::dvec2& by) {
     for (glm::dvec2& p : result)
         p += by;
     return result;
-}
-
-std::size_t corners(const Outline& outline) {
-    std::size_t sum = 0;
-    for (const Loop& loop : outline.loops)
-        sum += loop.size();
-    return sum;
 }
 
 /// The parallelograms of all pairs of edges, all counter-clockwise.
@@ -48,7 +41,7 @@ std::vector<Loop> sweeps(const Outline& a, const Outline& b) {
 Outline minkowski(const Outline& a, const Outline& b) {
     if (a.empty() || b.empty())
         return {};
-    if (corners(a) * corners(b) > kMostPairs)
+    if (a.corners() * b.corners() > kMostPairs)
         throw OutlineError("minkowski() of outlines with more than 4194304 pairs of edges");
     std::vector<std::shared_ptr<const Outline>> all{std::make_shared<Outline>(clean(sweeps(a, b), FillRule::NonZero))};
     const auto place = [&](const Outline& region, const Outline& where) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/solid/clip_grid.h"
 #include "csg/solid/extrude.h"
 #include "csg/solid/files.h"
 #include "csg/solid/text_outline.h"
@@ -33,6 +32,7 @@ Outlines outlines_of(Children children, NodeGeometry& result, const char* proble
 constexpr const char* kMixed = "Mixing 2D and 3D objects is not supported";
 constexpr const char* kSolidIgnored = "Ignoring 3D child object for 2D operation";
 constexpr const char* kFlatIgnored = "Ignoring 2D child object for 3D operation";
+constexpr const char* kMeshes = "exact meshes";
 
 /// The pieces of all children that are solid; warns of others.
 std::vector<Piece> pieces_of(Children children, NodeGeometry& result, const char* problem) {
@@ -58,18 +58,6 @@ void add(NodeGeometry& result, std::shared_ptr<const Solid> solid) {
     result.warnings.insert(result.warnings.end(), solid->warnings.begin(), solid->warnings.end());
     if (!solid->triangles.empty())
         result.pieces.push_back({std::move(solid), nullptr, glm::dmat4(1.0)});
-}
-
-Mesh ask(MeshResult result) {
-    if (!result.problem.empty())
-        throw GeometryError(result.problem);
-    return std::move(result.mesh);
-}
-
-const MeshOperations& need(const Tools& tools) {
-    if (tools.operations == nullptr)
-        throw GeometryError("it needs exact meshes, which this build has not");
-    return *tools.operations;
 }
 
 /// A node that unites its children, under a matrix.
@@ -162,11 +150,12 @@ class MeshMaker {
     void operator()(const Offset& how) const { result_.outline = share(offset(flat_children(), how)); }
     void operator()(const Fill&) const { result_.outline = share(fill(flat_children())); }
     void operator()(const Render&) const { unite(children_, dimension_, nullptr, result_); }
-    void operator()(const Roof& how) const { add(result_, to_solid(ask(need(tools_).roof(flat_children(), how)))); }
+    void operator()(const Roof& how) const {
+        add(result_, to_solid(ask(need(tools_, kMeshes).roof(flat_children(), how))));
+    }
 
     void operator()(const Projection& how) const {
         const std::vector<Piece> pieces = pieces_of(children_, result_, kFlatIgnored);
-        result_.outline = std::make_shared<Outline>();
         result_.outline = share(how.cut ? cut(pieces) : shadow(meshes_of(pieces, tools_)));
     }
 
@@ -184,7 +173,7 @@ class MeshMaker {
         for (const Mesh& mesh : meshes_of(pieces_of(children_, result_, kMixed), tools_))
             points.insert(points.end(), mesh.points.begin(), mesh.points.end());
         if (!points.empty())
-            add(result_, to_solid(ask(need(tools_).hull(points))));
+            add(result_, to_solid(ask(need(tools_, kMeshes).hull(points))));
     }
 
     void operator()(const Minkowski&) const {
@@ -207,19 +196,14 @@ class MeshMaker {
             return;
         Mesh sum = std::move(operands[0]);
         for (std::size_t i = 1; i < operands.size(); ++i)
-            sum = ask(need(tools_).minkowski(sum, operands[i]));
+            sum = ask(need(tools_, kMeshes).minkowski(sum, operands[i]));
         add(result_, to_solid(std::move(sum)));
     }
 
     void operator()(const Resize& how) const {
         unite(children_, dimension_, nullptr, result_);
         if (result_.outline) {
-            Box box;
-            for (const Loop& loop : result_.outline->loops) {
-                for (const glm::dvec2& p : loop)
-                    box = enclose(box, glm::dvec3(p, 0.0));
-            }
-            const glm::dvec3 factor = factors(how, box.size());
+            const glm::dvec3 factor = factors(how, bounds_of(result_.outline->loops).size());
             result_.outline = share(transform(*result_.outline, scaling({factor.x, factor.y, 1.0})));
             return;
         }
@@ -288,9 +272,6 @@ NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension, Chi
     try {
         make(tree, id, dimension, children, tools, result);
     } catch (const GeometryError& error) {
-        result.warnings.push_back(std::string("this object is left out: ") + error.what());
-        result.pieces.clear();
-    } catch (const OutlineError& error) {
         result.warnings.push_back(std::string("this object is left out: ") + error.what());
         result.pieces.clear();
     }

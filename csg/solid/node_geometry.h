@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "csg/solid/mesh_operations.h"
@@ -55,11 +56,12 @@ struct Tools {
 
 // pieces.cpp
 
-/// Something cannot be computed, for the reason given.
-class GeometryError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
+/// The operations on meshes. Throws GeometryError where there are none, with `what` as what is missed.
+[[nodiscard]] const MeshOperations& need(const Tools& tools, std::string_view what);
+/// The mesh of an answer. Throws GeometryError where it is a problem.
+[[nodiscard]] Mesh ask(MeshResult result);
+/// Throws GeometryError where differences and intersections nest deeper than can be computed.
+void check_depth(const BooleanNode& node);
 
 /// Each piece as a mesh in the coordinates of the node. Throws GeometryError.
 [[nodiscard]] std::vector<Mesh> meshes_of(std::span<const Piece> pieces, const Tools& tools);

@@ -14,10 +14,6 @@ bool usable(double size) {
     return std::isfinite(size) && size > 0;
 }
 
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 ClipperLib::ClipType clip_type(BooleanKind kind) {
     switch (kind) {
         case BooleanKind::Difference:
@@ -34,10 +30,24 @@ ClipperLib::ClipType clip_type(BooleanKind kind) {
 
 double area2(const Loop& loop) {
     double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const glm::dvec2 a = loop[i] - loop[0], b = loop[(i + 1) % loop.size()] - loop[0];
-        sum += a.x * b.y - a.y * b.x;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        sum += turn(loop[0], loop[i], loop[(i + 1) % loop.size()]);
+    return sum;
+}
+
+Box bounds_of(std::span<const Loop> loops) {
+    Box box;
+    for (const Loop& loop : loops) {
+        for (const glm::dvec2& p : loop)
+            box = enclose(box, glm::dvec3(p, 0.0));
     }
+    return box;
+}
+
+std::size_t Outline::corners() const {
+    std::size_t sum = 0;
+    for (const Loop& loop : loops)
+        sum += loop.size();
     return sum;
 }
 
@@ -50,8 +60,7 @@ double Outline::area() const {
 
 Outline clean(std::span<const Loop> loops, FillRule rule) {
     ClipGrid grid;
-    for (const Loop& loop : loops)
-        grid.measure(loop);
+    grid.measure(loops);
     return grid.read(
         grid.unite(grid.paths(loops), rule == FillRule::EvenOdd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero));
 }
@@ -62,10 +71,8 @@ Outline combine(BooleanKind kind, std::span<const std::shared_ptr<const Outline>
     if (operands.size() == 1)
         return *operands[0];
     ClipGrid grid;
-    for (const auto& operand : operands) {
-        for (const Loop& loop : operand->loops)
-            grid.measure(loop);
-    }
+    for (const auto& operand : operands)
+        grid.measure(operand->loops);
     if (kind != BooleanKind::Intersection) {
         ClipperLib::Paths first = grid.paths(operands[0]->loops), rest;
         for (const auto& operand : operands.subspan(1)) {
@@ -88,8 +95,7 @@ Outline offset(const Outline& outline, const Offset& how) {
         return outline;
     constexpr double kMiterLimit = 1e6;  // OpenSCAD's: corners stay sharp.
     ClipGrid grid;
-    for (const Loop& loop : outline.loops)
-        grid.measure(loop);
+    grid.measure(outline.loops);
     grid.measure(how.distance);
     const double distance = std::abs(how.distance);
     const int segments = circle_segments(distance, how.fineness);

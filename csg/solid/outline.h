@@ -8,15 +8,22 @@
 #include <stdexcept>
 #include <vector>
 
+#include "csg/tree/box.h"
 #include "csg/tree/leaf_shape.h"
 #include "csg/tree/mesh_operation.h"
 
 namespace csg::solid {
 
-/// Coordinates beyond what can be worked with.
-class OutlineError : public std::runtime_error {
+/// Something cannot be computed, for the reason given.
+class GeometryError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
+};
+
+/// Coordinates beyond what can be worked with.
+class OutlineError : public GeometryError {
+  public:
+    using GeometryError::GeometryError;
 };
 
 using Loop = std::vector<glm::dvec2>;
@@ -26,12 +33,22 @@ struct Outline {
     std::vector<Loop> loops;
 
     [[nodiscard]] bool empty() const { return loops.empty(); }
+    /// Of all loops together.
+    [[nodiscard]] std::size_t corners() const;
     /// Square units; holes count against it.
     [[nodiscard]] double area() const;
 };
 
+/// Twice the signed area of a triangle: positive where c lies to the left of the way from a to b.
+[[nodiscard]] inline double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
 /// Twice the signed area of a loop: positive where it is counter-clockwise.
 [[nodiscard]] double area2(const Loop& loop);
+
+/// Flat, at z = 0; empty where there are no corners.
+[[nodiscard]] Box bounds_of(std::span<const Loop> loops);
 
 enum class FillRule : std::uint8_t { EvenOdd, NonZero };
 

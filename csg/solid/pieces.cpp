@@ -21,26 +21,39 @@ void place(Mesh& mesh, const glm::dmat4& matrix) {
     }
 }
 
-MeshResult no_operations() {
-    return {{}, "it needs a boolean of meshes, which this build has not"};
+Mesh boolean(BooleanKind kind, std::span<const Mesh> operands, const Tools& tools) {
+    return ask(need(tools, "a boolean of meshes").boolean(kind, operands));
 }
 
 std::shared_ptr<const Solid> compute(const BooleanNode& node, const Tools& tools) {
     if (node.computed)
         return node.computed;
-    if (node.depth > kDeepest)
-        throw GeometryError(fmt::format("differences and intersections nest deeper than {}", kDeepest));
+    check_depth(node);
     std::vector<Mesh> operands;
     for (const auto& pieces : node.operands)
         operands.push_back(united(meshes_of(pieces, tools), tools));
-    MeshResult result = tools.operations ? tools.operations->boolean(node.kind, operands) : no_operations();
-    if (!result.problem.empty())
-        throw GeometryError(result.problem);
-    node.computed = to_solid(std::move(result.mesh));
+    node.computed = to_solid(boolean(node.kind, operands, tools));
     return node.computed;
 }
 
 }  // namespace
+
+const MeshOperations& need(const Tools& tools, std::string_view what) {
+    if (tools.operations == nullptr)
+        throw GeometryError(fmt::format("it needs {}, which this build has not", what));
+    return *tools.operations;
+}
+
+Mesh ask(MeshResult result) {
+    if (!result.problem.empty())
+        throw GeometryError(result.problem);
+    return std::move(result.mesh);
+}
+
+void check_depth(const BooleanNode& node) {
+    if (node.depth > kDeepest)
+        throw GeometryError(fmt::format("differences and intersections nest deeper than {}", kDeepest));
+}
 
 std::shared_ptr<Solid> to_solid(Mesh mesh) {
     auto solid = std::make_shared<Solid>();
@@ -85,12 +98,8 @@ Mesh united(std::vector<Mesh> meshes, const Tools& tools) {
         for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lo.x <= boxes[i].hi.x && apart; ++j)
             apart = !overlap(boxes[i], boxes[j]);
     }
-    if (!apart) {
-        MeshResult result = tools.operations ? tools.operations->boolean(BooleanKind::Union, meshes) : no_operations();
-        if (!result.problem.empty())
-            throw GeometryError(result.problem);
-        return std::move(result.mesh);
-    }
+    if (!apart)
+        return boolean(BooleanKind::Union, meshes, tools);
     Mesh all;
     for (const Mesh& mesh : meshes) {
         const auto first = static_cast<std::uint32_t>(all.points.size());

@@ -10,8 +10,6 @@
 namespace csg::solid {
 namespace {
 
-constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
-
 struct Sweep {
     double start, angle;
     std::uint32_t steps;

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "csg/solid/mesh_checks.h"
 #include "csg/solid/triangulate.h"
 #include "csg/tree/degrees.h"
-#include "csg/tree/hash.h"
 
 namespace csg::solid {
 namespace {
 
 constexpr double kSmallestRadius = 0x1p-20;  // OpenSCAD's GRID_FINE
 constexpr int kMostSegments = 1 << 16;
-constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
 
 bool usable(double size) {
     return std::isfinite(size) && size > 0;
@@ -133,18 +132,23 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
     bool out_of_bounds = false;
     for (const auto& loop : polyhedron->faces) {
         face.clear();
-        for (auto index = loop.rbegin(); index != loop.rend(); ++index) {
-            if (*index >= points.size())
-                out_of_bounds = true;
-            else if (face.empty() || face.back() != first[*index])
-                face.push_back(first[*index]);
-        }
-        while (face.size() > 1 && face.front() == face.back())
-            face.pop_back();
+        std::copy_if(loop.rbegin(), loop.rend(), std::back_inserter(face),
+                     [&](std::uint32_t index) { return index < points.size(); });
+        out_of_bounds |= face.size() < loop.size();
+        weld(face, first);
         triangulate(points, face, solid.triangles);
     }
     if (out_of_bounds)
         solid.warnings.emplace_back("polyhedron has a face with a point index that is out of bounds; it is ignored");
+}
+
+void warn_of(const MeshFaults& faults, std::vector<std::string>& warnings) {
+    if (faults.open)
+        warnings.emplace_back("polyhedron is not closed, or its faces are not all oriented alike");
+    else if (faults.non_manifold)
+        warnings.emplace_back("polyhedron has an edge that more than two faces share");
+    if (faults.inside_out)
+        warnings.emplace_back("polyhedron is inside out: its faces are to be clockwise seen from outside");
 }
 
 /// Outlines and what comes from files are made elsewhere (node_geometry.h).
@@ -174,7 +178,7 @@ std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
         return solid;
     }
     if (!solid->triangles.empty())
-        check_mesh(*solid);
+        warn_of(check_mesh(*solid), solid->warnings);
     return solid;
 }
 

@@ -1,6 +1,7 @@
 // Closed triangle meshes of the leaves.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -11,6 +12,9 @@
 #include "csg/tree/leaf_shape.h"
 
 namespace csg::solid {
+
+/// About as many as a shape or a file may give.
+inline constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
 
 /// A triangle mesh in leaf coordinates, oriented counter-clockwise seen from outside. Meshes made from cube, sphere
 /// and cylinder are closed and convex. A polyhedron is taken as given: where it is open, non-manifold or inside out,

@@ -78,10 +78,9 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
                 if (!tree.node(child).modifiers.background)
                     children.push_back(entries_[tree.node(child).hash].geometry.get());
             }
-            auto made = std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools()));
-            entries_[tree.node(id).hash].geometry = std::move(made);
+            known.geometry = std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools()));
         }
-        for (const std::string& warning : entries_[tree.node(id).hash].geometry->warnings)
+        for (const std::string& warning : known.geometry->warnings)
             warnings.push_back(located(tree, tree.node(id).where, warning));
     }
     return *entries_[tree.node(top).hash].geometry;

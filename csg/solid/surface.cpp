@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 
 #include "csg/solid/extrude.h"

@@ -13,7 +13,6 @@
 #include <map>
 #include <set>
 
-#include "csg/solid/clip_grid.h"
 #include "csg/solid/solid.h"
 
 namespace csg::solid {
@@ -244,10 +243,7 @@ Outline text_outline(const Text& text, FontLibrary& fonts, std::vector<std::stri
             std::vector<Loop> loops;
             Pen outline{loops, segments, pen + glyph.offset};
             FT_Outline_Decompose(&font->face->glyph->outline, &kPen, &outline);
-            for (const Loop& loop : loops) {
-                for (const glm::dvec2& p : loop)
-                    box = enclose(box, glm::dvec3(p, 0.0));
-            }
+            box = enclose(box, bounds_of(loops));
             letters.push_back(std::make_shared<Outline>(clean(loops, FillRule::NonZero)));
         }
         pen += glyph.advance * text.spacing;

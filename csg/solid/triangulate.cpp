@@ -1,6 +1,6 @@
 #include "csg/solid/triangulate.h"
 
-#include <cmath>
+#include "csg/solid/outline.h"
 
 namespace csg::solid {
 namespace {
@@ -28,10 +28,6 @@ std::vector<glm::dvec2> project(std::span<const glm::dvec3> points, std::span<co
         flat.push_back(normal[axis] < 0 ? glm::dvec2(p[v], p[u]) : glm::dvec2(p[u], p[v]));
     }
     return flat;
-}
-
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 /// Turns left everywhere and goes around once.

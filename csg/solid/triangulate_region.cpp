@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
 
 #include "csg/solid/triangulate.h"
 
@@ -17,10 +17,6 @@ struct Corner {
     std::uint32_t index;
 };
 using Ring = std::vector<Corner>;
-
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 bool holds(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& p) {
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
@@ -34,13 +30,6 @@ bool is_inside(const Ring& ring, const glm::dvec2& p) {
             inside = !inside;
     }
     return inside;
-}
-
-double area2(const Ring& ring) {
-    double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-        sum += turn(ring[0].at, ring[i].at, ring[(i + 1) % ring.size()].at);
-    return sum;
 }
 
 /// Of the corners at the place of `corner` (bridges come back to where they began) the one with `from` in its angle.
@@ -177,7 +166,7 @@ class EarCutter {
             before_[i] = (i + n - 1) % n;
             convex[i] = turn(at(before_[i]), at(i), at(next_[i])) > 0;
         }
-        grid_.emplace_back(ring, convex);
+        grid_.emplace(ring, convex);
     }
 
     void run() {
@@ -205,7 +194,7 @@ class EarCutter {
         if (!(turn(a, b, c) > 0))
             return false;
         const glm::dvec2 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
-        return !grid_[0].any(lo, hi, [&](std::uint32_t other) {
+        return !grid_->any(lo, hi, [&](std::uint32_t other) {
             const glm::dvec2& p = at(other);
             return gone_[other] == 0 && p != a && p != b && p != c && holds(a, b, c, p);
         });
@@ -224,7 +213,7 @@ class EarCutter {
     std::vector<glm::uvec3>& triangles_;
     std::vector<std::uint32_t> next_, before_;
     std::vector<char> gone_;
-    std::vector<CornerGrid> grid_;
+    std::optional<CornerGrid> grid_;
 };
 
 bool is_convex(const Ring& ring) {
@@ -258,17 +247,21 @@ void fill_ring(const Ring& ring, std::vector<glm::uvec3>& triangles) {
 
 std::vector<glm::uvec3> triangulate_region(const Outline& outline) {
     std::vector<Ring> outer, holes;
+    std::vector<double> areas;  // Of the outer ones.
     std::uint32_t index = 0;
     for (const Loop& loop : outline.loops) {
         Ring ring;
         for (const glm::dvec2& p : loop)
             ring.push_back({p, index++});
-        (area2(ring) < 0 ? holes : outer).push_back(std::move(ring));
+        const double area = area2(loop);
+        if (area < 0) {
+            holes.push_back(std::move(ring));
+        } else {
+            outer.push_back(std::move(ring));
+            areas.push_back(area);
+        }
     }
     // Each hole belongs to the smallest loop around it.
-    std::vector<double> areas;
-    for (const Ring& ring : outer)
-        areas.push_back(area2(ring));
     std::vector<std::vector<std::size_t>> holes_of(outer.size());
     std::vector<glm::uvec3> triangles;
     for (std::size_t h = 0; h < holes.size(); ++h) {

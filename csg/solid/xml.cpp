@@ -3,7 +3,6 @@
 #include <expat.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 namespace csg::solid {
@@ -58,6 +57,11 @@ void XMLCALL on_entity(void* self, const char*, int, const char*, int, const cha
 }
 
 }  // namespace
+
+std::string_view attribute(const Attributes& attributes, std::string_view name) {
+    const auto found = attributes.find(name);
+    return found == attributes.end() ? std::string_view() : std::string_view(found->second);
+}
 
 bool read_xml(std::string_view text, const XmlEvents& events, std::vector<std::string>& warnings) {
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);

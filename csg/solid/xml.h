@@ -11,6 +11,9 @@ namespace csg::solid {
 
 using Attributes = std::map<std::string, std::string, std::less<>>;
 
+/// Empty where there is none of the name.
+[[nodiscard]] std::string_view attribute(const Attributes& attributes, std::string_view name);
+
 /// Called in document order. Names come without their namespace prefix.
 struct XmlEvents {
     std::function<void(const std::string& name, const Attributes& attributes)> open;

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <string_view>
 
 namespace csg {
@@ -18,6 +19,10 @@ namespace csg {
 /// Zeros of either sign hash alike, as they compare equal.
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t seed, double value) {
     return mix(seed, std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value));
+}
+
+[[nodiscard]] inline std::uint64_t mix(std::uint64_t seed, const glm::dvec3& v) {
+    return mix(mix(mix(seed, v.x), v.y), v.z);
 }
 
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t seed, std::string_view text) {

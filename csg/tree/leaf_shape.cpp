@@ -5,10 +5,6 @@
 namespace csg {
 namespace {
 
-std::uint64_t mix(std::uint64_t seed, const glm::dvec3& v) {
-    return csg::mix(csg::mix(csg::mix(seed, v.x), v.y), v.z);
-}
-
 std::uint64_t mix(std::uint64_t seed, const glm::dvec2& v) {
     return csg::mix(csg::mix(seed, v.x), v.y);
 }
@@ -27,14 +23,10 @@ std::uint64_t mix(std::uint64_t seed, const std::vector<std::vector<std::uint32_
     return seed;
 }
 
-std::uint64_t mix(std::uint64_t seed, const Fineness& f) {
-    return csg::mix(csg::mix(csg::mix(seed, f.fn), f.fa), f.fs);
-}
-
 struct Hasher {
     std::uint64_t seed;
 
-    std::uint64_t operator()(const Cube& c) const { return csg::mix(mix(seed, c.size), std::uint64_t{c.center}); }
+    std::uint64_t operator()(const Cube& c) const { return csg::mix(csg::mix(seed, c.size), std::uint64_t{c.center}); }
     std::uint64_t operator()(const Sphere& s) const { return mix(csg::mix(seed, s.radius), s.fineness); }
     std::uint64_t operator()(const Cylinder& c) const {
         std::uint64_t h = csg::mix(csg::mix(csg::mix(seed, c.height), c.radius1), c.radius2);
@@ -43,7 +35,7 @@ struct Hasher {
     std::uint64_t operator()(const std::shared_ptr<const Polyhedron>& p) const {
         std::uint64_t h = csg::mix(seed, std::uint64_t{p->points.size()});
         for (const glm::dvec3& point : p->points)
-            h = mix(h, point);
+            h = csg::mix(h, point);
         return csg::mix(mix(h, p->faces), std::uint64_t{p->convexity});
     }
     std::uint64_t operator()(const Square& s) const { return csg::mix(mix(seed, s.size), std::uint64_t{s.center}); }
@@ -91,6 +83,10 @@ bool is_flat(const LeafShape& shape) {
     return std::holds_alternative<Square>(shape) || std::holds_alternative<Circle>(shape) ||
            std::holds_alternative<std::shared_ptr<const Polygon>>(shape) ||
            std::holds_alternative<std::shared_ptr<const Text>>(shape);
+}
+
+std::uint64_t mix(std::uint64_t seed, const Fineness& f) {
+    return mix(mix(mix(seed, f.fn), f.fa), f.fs);
 }
 
 std::uint64_t content_hash(const LeafShape& shape) {

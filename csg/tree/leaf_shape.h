@@ -123,6 +123,9 @@ using LeafShape = std::variant<Cube, Sphere, Cylinder, std::shared_ptr<const Pol
 /// A hash of kind and parameters; equal shapes have equal hashes in every run.
 [[nodiscard]] std::uint64_t content_hash(const LeafShape& shape);
 
+/// As those of hash.h.
+[[nodiscard]] std::uint64_t mix(std::uint64_t seed, const Fineness& fineness);
+
 /// Outlines in the plane, or a solid.
 [[nodiscard]] bool is_flat(const LeafShape& shape);
 

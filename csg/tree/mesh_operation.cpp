@@ -5,14 +5,6 @@
 namespace csg {
 namespace {
 
-std::uint64_t mix(std::uint64_t seed, const Fineness& f) {
-    return csg::mix(csg::mix(csg::mix(seed, f.fn), f.fa), f.fs);
-}
-
-std::uint64_t mix(std::uint64_t seed, const glm::dvec3& v) {
-    return csg::mix(csg::mix(csg::mix(seed, v.x), v.y), v.z);
-}
-
 std::uint64_t mix(std::uint64_t seed, const std::optional<unsigned>& number) {
     return csg::mix(seed, number ? std::uint64_t{*number} + 1 : 0);
 }
@@ -21,7 +13,7 @@ struct Hasher {
     std::uint64_t seed;
 
     std::uint64_t operator()(const LinearExtrude& e) const {
-        std::uint64_t h = mix(csg::mix(seed, e.height), e.direction);
+        std::uint64_t h = csg::mix(csg::mix(seed, e.height), e.direction);
         h = csg::mix(
             h, std::uint64_t{e.has_direction} | std::uint64_t{e.center} << 1 | std::uint64_t{e.twist.has_value()} << 2);
         h = csg::mix(csg::mix(h, e.twist.value_or(0)), e.scale.x);
@@ -41,7 +33,7 @@ struct Hasher {
     std::uint64_t operator()(const Hull&) const { return seed; }
     std::uint64_t operator()(const Minkowski& m) const { return csg::mix(seed, std::uint64_t{m.convexity}); }
     std::uint64_t operator()(const Resize& r) const {
-        std::uint64_t h = mix(seed, r.size);
+        std::uint64_t h = csg::mix(seed, r.size);
         for (const bool automatic : r.automatic)
             h = csg::mix(h, std::uint64_t{automatic});
         return csg::mix(h, std::uint64_t{r.convexity});

@@ -166,29 +166,39 @@ class SceneMaker {
 
 }  // namespace
 
-Box bounds(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes) {
+std::vector<Box> expression_boxes(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes) {
     std::vector<Box> boxes(part.root - part.first_expression + 1);
     for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {
         const Expression& e = scene.expressions[i];
-        const auto children = scene.children(e);
         Box& box = boxes[i - part.first_expression];
-        if (e.kind == ExpressionKind::Leaf) {
-            box = leaf_boxes[e.leaf];
-            continue;
+        const auto children = scene.children(e);
+        switch (e.kind) {
+            case ExpressionKind::Leaf:
+                box = leaf_boxes[e.leaf];
+                break;
+            case ExpressionKind::Union:
+                for (const std::uint32_t child : children)
+                    box = enclose(box, boxes[child - part.first_expression]);
+                break;
+            case ExpressionKind::Intersection:
+            case ExpressionKind::Difference: {
+                const std::size_t positive =
+                    e.kind == ExpressionKind::Difference ? std::min<std::size_t>(1, children.size()) : children.size();
+                for (std::size_t c = 0; c < positive; ++c) {
+                    const Box& child = boxes[children[c] - part.first_expression];
+                    box = c == 0 ? child : intersect(box, child);
+                }
+                if (box.empty())
+                    box = {};
+                break;
+            }
         }
-        for (std::size_t k = 0; k < children.size(); ++k) {
-            const Box& child = boxes[children[k] - part.first_expression];
-            if (k == 0)
-                box = child;
-            else if (e.kind == ExpressionKind::Union)
-                box = enclose(box, child);
-            else if (e.kind == ExpressionKind::Intersection)
-                box = intersect(box, child);
-        }
-        if (box.empty())
-            box = {};
     }
-    return boxes.back();
+    return boxes;
+}
+
+Box bounds(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes) {
+    return expression_boxes(scene, part, leaf_boxes).back();
 }
 
 Scene make_scene(const Tree& tree) {

@@ -68,7 +68,11 @@ struct Scene {
 /// The first part, if any, is the Solid one. A tree without geometry gives no parts.
 [[nodiscard]] Scene make_scene(const Tree& tree);
 
-/// A box that encloses the part: boxes of leaves (by LeafId) united and intersected, a difference's that of its first.
+/// Boxes that enclose the part's expressions, by index from its first: boxes of leaves (by LeafId) united and
+/// intersected, a difference's that of its first operand.
+[[nodiscard]] std::vector<Box> expression_boxes(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes);
+
+/// That of the whole part.
 [[nodiscard]] Box bounds(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes);
 
 /// The value of a part's expression where `inside(leaf)` tells whether the point is in a leaf. Each leaf of the part

@@ -38,15 +38,20 @@ std::uint32_t TreeBuilder::file(const std::string& name) {
     return static_cast<std::uint32_t>(files.size() - 1);
 }
 
+template <typename T>
+NodeId TreeBuilder::keep(Node node, std::span<const NodeId> children, std::vector<T>& payloads, T payload) {
+    node.payload = static_cast<std::uint32_t>(payloads.size());
+    payloads.push_back(std::move(payload));
+    const NodeId id = add(node, children);
+    if (tree_.nodes_[id].payload != node.payload)
+        payloads.pop_back();  // an equal node from the same place existed
+    return id;
+}
+
 NodeId TreeBuilder::leaf(LeafShape shape, SourceLocation where, Modifiers modifiers) {
     Node n{Operation::Leaf, modifiers, where};
     n.hash = content_hash(shape);
-    n.payload = static_cast<std::uint32_t>(tree_.shapes_.size());
-    tree_.shapes_.push_back(std::move(shape));
-    const NodeId id = add(n, {});
-    if (tree_.nodes_[id].payload != n.payload)
-        tree_.shapes_.pop_back();  // an equal leaf from the same place existed
-    return id;
+    return keep(n, {}, tree_.shapes_, std::move(shape));
 }
 
 NodeId TreeBuilder::combine(Operation operation, std::span<const NodeId> children, SourceLocation where,
@@ -60,36 +65,21 @@ NodeId TreeBuilder::transform(const glm::dmat4& matrix, std::span<const NodeId> 
                               Modifiers modifiers) {
     Node n{Operation::Transform, modifiers, where};
     n.hash = hash_of(matrix);
-    n.payload = static_cast<std::uint32_t>(tree_.matrices_.size());
-    tree_.matrices_.push_back(matrix);
-    const NodeId id = add(n, children);
-    if (tree_.nodes_[id].payload != n.payload)
-        tree_.matrices_.pop_back();
-    return id;
+    return keep(n, children, tree_.matrices_, matrix);
 }
 
 NodeId TreeBuilder::color(const Rgba& color, std::span<const NodeId> children, SourceLocation where,
                           Modifiers modifiers) {
     Node n{Operation::Color, modifiers, where};
     n.hash = hash_of(color);
-    n.payload = static_cast<std::uint32_t>(tree_.colors_.size());
-    tree_.colors_.push_back(color);
-    const NodeId id = add(n, children);
-    if (tree_.nodes_[id].payload != n.payload)
-        tree_.colors_.pop_back();
-    return id;
+    return keep(n, children, tree_.colors_, color);
 }
 
 NodeId TreeBuilder::mesh(const MeshOperation& operation, std::span<const NodeId> children, SourceLocation where,
                          Modifiers modifiers) {
     Node n{Operation::Mesh, modifiers, where};
     n.hash = content_hash(operation);
-    n.payload = static_cast<std::uint32_t>(tree_.meshes_.size());
-    tree_.meshes_.push_back(operation);
-    const NodeId id = add(n, children);
-    if (tree_.nodes_[id].payload != n.payload)
-        tree_.meshes_.pop_back();
-    return id;
+    return keep(n, children, tree_.meshes_, operation);
 }
 
 NodeId TreeBuilder::add(Node node, std::span<const NodeId> children) {

@@ -110,6 +110,9 @@ class TreeBuilder {
 
   private:
     NodeId add(Node node, std::span<const NodeId> children);
+    /// Adds a node and what it has beside its children; `payloads` are the tree's of its kind.
+    template <typename T>
+    NodeId keep(Node node, std::span<const NodeId> children, std::vector<T>& payloads, T payload);
 
     Tree tree_;
     std::vector<NodeId> buckets_;  ///< Open hash table of nodes, for sharing.

@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
+
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
+
+using test_support::read_file;
 
 const fs::path kRoot = CSGSCOPE_SOURCE_DIR;
 
@@ -47,13 +49,6 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
     {"csgscope_viewer", "ui/viewer"},
     {"ui_command_line", "ui/command_line"},
 };
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 /// The longest key of kMayInclude that is a folder of `path`, relative to the root; "" where there is none.
 std::string folder_of(const std::string& path) {
@@ -90,7 +85,7 @@ TEST(Architecture, IncludesGoDownOnly) {
     for (const std::string& file : files_of(kProgram, kSources)) {
         const std::string from = folder_of(file);
         ASSERT_FALSE(from.empty()) << file << " is in a folder that this test does not know";
-        const std::string text = read(kRoot / file);
+        const std::string text = read_file(kRoot / file);
         for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at) {
             const std::string to = folder_of((*at)[1]);
             ASSERT_FALSE(to.empty()) << file << " includes " << (*at)[1] << ": name it from the root";
@@ -103,14 +98,14 @@ TEST(Architecture, IncludesGoDownOnly) {
 
 TEST(Architecture, ProgramDoesNotIncludeTests) {
     for (const std::string& file : files_of(kProgram, kSources)) {
-        EXPECT_EQ(read(kRoot / file).find("#include \"tests/"), std::string::npos) << file;
+        EXPECT_EQ(read_file(kRoot / file).find("#include \"tests/"), std::string::npos) << file;
     }
 }
 
 TEST(Architecture, OnlyTheReferenceIncludesCgal) {
     for (const std::string& file : files_of(kProgram, kSources)) {
         if (folder_of(file) != "csg/reference") {
-            EXPECT_EQ(read(kRoot / file).find("#include <CGAL/"), std::string::npos) << file;
+            EXPECT_EQ(read_file(kRoot / file).find("#include <CGAL/"), std::string::npos) << file;
         }
     }
 }
@@ -119,7 +114,7 @@ TEST(Architecture, WindowLibrariesStayInTheViewer) {
     const std::regex window("#include [<\"](GLFW/|imgui)");
     for (const std::string& file : files_of(kProgram, kSources)) {
         if (folder_of(file) != "ui/viewer") {
-            EXPECT_FALSE(std::regex_search(read(kRoot / file), window)) << file;
+            EXPECT_FALSE(std::regex_search(read_file(kRoot / file), window)) << file;
         }
     }
 }
@@ -133,7 +128,7 @@ TEST(Architecture, LibrariesLinkWhatTheirFolderMayInclude) {
             continue;
         }
         const std::string from = fs::path(file).parent_path().string();
-        const std::string text = read(kRoot / file);
+        const std::string text = read_file(kRoot / file);
         for (std::sregex_iterator at(text.begin(), text.end(), library), end; at != end; ++at) {
             const std::string arguments = (*at)[1];
             for (std::sregex_iterator name(arguments.begin(), arguments.end(), word); name != end; ++name) {
@@ -153,13 +148,13 @@ TEST(Architecture, FilesAreShort) {
     Names all = kProgram;
     all.insert("tests");
     for (const std::string& file : files_of(all, kSources)) {
-        const std::string text = read(kRoot / file);
+        const std::string text = read_file(kRoot / file);
         EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 600) << file;
     }
 }
 
 TEST(Architecture, TheManifestNamesEveryModel) {
-    const std::string manifest = read(kRoot / "models/manifest.json");
+    const std::string manifest = read_file(kRoot / "models/manifest.json");
     for (const std::string& file : files_of({"models"}, {".scad"})) {
         EXPECT_NE(manifest.find('"' + fs::path(file).filename().string() + '"'), std::string::npos) << file;
     }

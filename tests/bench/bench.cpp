@@ -4,13 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <utility>
 
-#include "csg/scad/scad.h"
 #include "tests/bench/floor.h"
 #include "tests/bench/report.h"
+#include "tests/bench/subject.h"
+#include "tests/support/output.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/heap.h"
 #include "ui/pipeline/renderer.h"
@@ -33,11 +33,9 @@ std::vector<std::string> model_names(const Settings& settings) {
     if (!settings.only.empty()) {
         return settings.only;
     }
-    std::ifstream file(std::filesystem::path(settings.models) / "manifest.json");
-    const auto manifest = nlohmann::json::parse(file);
     std::vector<std::string> names;
-    for (const auto& model : manifest.at("models")) {
-        names.push_back(std::filesystem::path(model.at("file").get<std::string>()).stem().string());
+    for (const std::filesystem::path& file : gallery(settings.models)) {
+        names.push_back(file.stem().string());
     }
     return names;
 }
@@ -53,15 +51,7 @@ class Bench {
 
     void run(const std::string& name) {
         ui::Stopwatch watch;
-        csg::scad::Request request;
-        request.path = (std::filesystem::path(settings_.models) / (name + ".scad")).string();
-        const csg::scad::Evaluation evaluation =
-            csg::scad::evaluate(request, [](const csg::scad::Message& message, const csg::scad::SourceSet& sources) {
-                std::cerr << csg::scad::render(message, sources);
-            });
-        if (!evaluation.ok) {
-            throw std::runtime_error(request.path + " does not evaluate");
-        }
+        const auto evaluation = evaluate((std::filesystem::path(settings_.models) / (name + ".scad")).string());
         Preparation preparation{name, watch.lap(), 0, 0, 0};
         const auto model = ui::ModelBuilder().build(evaluation.tree);
         preparation.place = model->statistics.place_ms;
@@ -132,14 +122,6 @@ class Bench {
     Report report_;
 };
 
-void write(const std::string& path, const std::string& text) {
-    if (path == "-") {
-        std::cout << text << '\n';
-    } else if (!path.empty()) {
-        gl::write_file(path, text);
-    }
-}
-
 }  // namespace
 }  // namespace bench
 
@@ -166,8 +148,8 @@ int main(int argc, char** argv) {
         for (const std::string& name : bench::model_names(settings)) {
             bench.run(name);
         }
-        bench::write(settings.json, to_json(bench.report()).dump(2));
-        bench::write(settings.markdown, to_markdown(bench.report()));
+        test_support::write_output(settings.json, to_json(bench.report()).dump(2));
+        test_support::write_output(settings.markdown, to_markdown(bench.report()));
     } catch (const std::exception& error) {
         std::cerr << "csgscope_bench: error: " << error.what() << '\n';
         return 1;

@@ -10,14 +10,6 @@
 #include "tests/bench/floor.h"
 #include "tests/truth/ray_caster.h"
 
-#ifdef CSGSCOPE_WITH_OPENCSG
-#include "tests/opencsg/opencsg.h"
-#else
-namespace opencsg {
-class OpenCsg {};
-}  // namespace opencsg
-#endif
-
 namespace bench {
 
 namespace {
@@ -26,14 +18,9 @@ namespace {
 /// literal.
 constexpr std::size_t kMostLeavesOfPasses = 1500, kMostLiteralsOfPasses = 6000;
 
-bool too_much_for_passes(const Subject& subject) {
-    std::size_t literals = 0;
-    for (const auto& part : subject.products) {
-        for (const goldfeather::Product& product : part) {
-            literals += product.literals.size();
-        }
-    }
-    return subject.over_budget || subject.scene.leaves.size() > kMostLeavesOfPasses || literals > kMostLiteralsOfPasses;
+bool too_much_for_passes(const ui::Model& model) {
+    return !model.over_budget.empty() || model.statistics.leaves > kMostLeavesOfPasses ||
+           model.statistics.literals > kMostLiteralsOfPasses;
 }
 
 double peak_megabytes() {
@@ -45,8 +32,8 @@ double peak_megabytes() {
 /// The true distance of the first surface in some of a picture's pixels.
 class FirstSurfaces {
   public:
-    FirstSurfaces(const Subject& subject, const gl::View& view) : diagonal_(subject.geometry.box.diagonal()) {
-        const truth::RayCaster caster(subject.scene, subject.geometry, view);
+    FirstSurfaces(const ui::Model& model, const gl::View& view) : diagonal_(model.geometry.box.diagonal()) {
+        const truth::RayCaster caster(model.scene, model.geometry, view);
         // A step that is prime to the width visits all columns.
         const int pixels = view.size().x * view.size().y;
         const int step = std::max(1, pixels / 1500) | 1;
@@ -78,29 +65,23 @@ class FirstSurfaces {
 
 Comparison::Comparison(gl::Context& context, int largest, int repeat)
     : context_(context), repeat_(repeat), peeler_(context.functions()) {
-#ifdef CSGSCOPE_WITH_OPENCSG
     auto made = opencsg::create(glm::ivec2(largest));
     opencsg_ = std::move(made.engine);
     missing_ = opencsg_ ? "" : "OpenCSG: " + made.reason;
-#else
-    (void)largest;
-    missing_ = "OpenCSG: the library was missing when this was built";
-#endif
 }
-
-Comparison::~Comparison() = default;
 
 std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     context_.make_current();
     const gl::Functions& gl = context_.functions();
-    const gl::View view(subject.camera, glm::ivec2(side), subject.geometry.box.lo, subject.geometry.box.hi);
-    const FirstSurfaces truth(subject, view);
+    const ui::Model& model = *subject.model;
+    const gl::View view(subject.camera, glm::ivec2(side), model.geometry.box.lo, model.geometry.box.hi);
+    const FirstSurfaces truth(model, view);
     const Compared head{subject.name,
                         subject.size,
                         side,
-                        subject.scene.leaves.size(),
-                        subject.product_count,
-                        subject.triangles,
+                        model.statistics.leaves,
+                        model.statistics.products,
+                        model.statistics.triangles,
                         {},
                         false,
                         {},
@@ -114,7 +95,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     };
     {
         Compared& row = add("floor");
-        Floor floor(gl, subject.geometry, glm::ivec2(side));
+        Floor floor(gl, model.geometry, glm::ivec2(side));
         row.time = median(4 * repeat_, [&] { floor.draw(view); });
         row.drawn = true;
         row.peak = peak_megabytes();
@@ -122,15 +103,15 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     const auto peel = [&](const std::string& name, goldfeather::EngineKind kind, int layers) {
         Compared& row = add(name);
         const bool walk = kind == goldfeather::EngineKind::Goldfeather;
-        if (walk && too_much_for_passes(subject)) {
+        if (walk && too_much_for_passes(model)) {
             return;
         }
-        peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products, kind);
+        peel::PeelModel peel_model(gl, model.scene, model.geometry, model.products, kind);
         peel::WalkStats stats;
         goldfeather::LayerStack stack;
         row.time = median(repeat_, [&] {
             peeler_.give_back(std::move(stack));
-            stack = peeler_.peel(view, model, layers, stats);
+            stack = peeler_.peel(view, peel_model, layers, stats);
             gl.Finish();
         });
         row.drawn = true;
@@ -144,14 +125,16 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     peel("lists-cpu", goldfeather::EngineKind::ListsCpu, 1);
     peel("lists-cpu all", goldfeather::EngineKind::ListsCpu, peel::kAllLayers);
     peel("goldfeather", goldfeather::EngineKind::Goldfeather, 1);
-#ifdef CSGSCOPE_WITH_OPENCSG
+    if (!opencsg::built()) {
+        return rows;
+    }
     for (const auto& [name, algorithm] : {std::pair("OpenCSG Goldfeather", opencsg::Algorithm::Goldfeather),
                                           std::pair("OpenCSG SCS", opencsg::Algorithm::Scs)}) {
         Compared& row = add(name);
-        if (!opencsg_ || too_much_for_passes(subject)) {
+        if (!opencsg_ || too_much_for_passes(model)) {
             continue;
         }
-        opencsg_->load(subject.geometry, subject.products, view, algorithm);
+        opencsg_->load(model.geometry, model.products, view, algorithm);
         row.time = median(repeat_, [&] { opencsg_->draw(); });
         row.drawn = true;
         row.peak = peak_megabytes();
@@ -159,7 +142,6 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
         row.wrong = truth.wrong_percent([&](std::size_t i) { return picture.distance[i]; });
     }
     context_.make_current();
-#endif
     return rows;
 }
 

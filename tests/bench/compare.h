@@ -10,10 +10,7 @@
 #include "peel/peeler.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/subject.h"
-
-namespace opencsg {
-class OpenCsg;
-}
+#include "tests/opencsg/opencsg.h"
 
 namespace bench {
 
@@ -34,7 +31,6 @@ class Comparison {
   public:
     /// `largest`: side of the largest picture.
     Comparison(gl::Context& context, int largest, int repeat);
-    ~Comparison();
 
     /// Measures all engines; every frame ends with the first surface, "all" with all of them, in textures.
     [[nodiscard]] std::vector<Compared> run(const Subject& subject, int side);

@@ -4,15 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
-#include "gl/image.h"
 #include "tests/bench/compare.h"
 #include "tests/stability/family.h"
+#include "tests/support/output.h"
 #include "ui/pipeline/heap.h"
 
 namespace {
+
+using test_support::write_output;
 
 struct Settings {
     std::string models = "models", json, markdown, plots;
@@ -24,25 +25,14 @@ struct Settings {
 };
 
 std::vector<std::string> model_files(const Settings& settings) {
-    std::ifstream file(std::filesystem::path(settings.models) / "manifest.json");
     std::vector<std::string> files;
-    const auto manifest = nlohmann::json::parse(file);
-    for (const auto& model : manifest.at("models")) {
-        const std::filesystem::path path = std::filesystem::path(settings.models) / model.at("file").get<std::string>();
+    for (const std::filesystem::path& path : bench::gallery(settings.models)) {
         if (settings.only.empty() ||
             std::find(settings.only.begin(), settings.only.end(), path.stem().string()) != settings.only.end()) {
             files.push_back(path.string());
         }
     }
     return files;
-}
-
-void write(const std::string& path, const std::string& text) {
-    if (path == "-") {
-        std::cout << text << '\n';
-    } else if (!path.empty()) {
-        gl::write_file(path, text);
-    }
 }
 
 std::vector<bench::Compared> run(const Settings& settings, gl::Context& context) {
@@ -69,8 +59,8 @@ std::vector<bench::Compared> run(const Settings& settings, gl::Context& context)
     for (const stability::Family& family : stability::families()) {
         if (std::find(settings.families.begin(), settings.families.end(), family.name) != settings.families.end()) {
             for (const double level : family.levels) {
-                const stability::Case shown = family.make(level);
-                measure(bench::from_tree(family.name, level, shown.tree, shown.camera));
+                stability::Case shown = family.make(level);
+                measure(bench::from_tree(family.name, level, std::move(shown.tree), shown.camera));
             }
         }
     }
@@ -95,12 +85,12 @@ int main(int argc, char** argv) {
     try {
         const auto context = gl::create_context(gl::ContextKind::Auto);
         const auto rows = run(settings, *context);
-        write(settings.json, to_json(rows).dump(1));
-        write(settings.markdown, bench::to_markdown(rows));
+        write_output(settings.json, to_json(rows).dump(1));
+        write_output(settings.markdown, bench::to_markdown(rows));
         if (!settings.plots.empty()) {
             std::filesystem::create_directories(settings.plots);
             for (const auto& [name, text] : to_plots(rows)) {
-                write(settings.plots + "/" + name, text);
+                write_output(settings.plots + "/" + name, text);
             }
         }
     } catch (const std::exception& error) {

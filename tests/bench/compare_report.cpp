@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "tests/bench/compare.h"
 #include "tests/plot/plot.h"
@@ -11,8 +10,9 @@ namespace bench {
 
 namespace {
 
-std::vector<std::string> distinct(const std::vector<Compared>& rows, std::string Compared::*field) {
-    std::vector<std::string> values;
+template <typename T>
+std::vector<T> distinct(const std::vector<Compared>& rows, T Compared::*field) {
+    std::vector<T> values;
     for (const Compared& r : rows) {
         if (std::find(values.begin(), values.end(), r.*field) == values.end()) {
             values.push_back(r.*field);
@@ -33,22 +33,12 @@ const Compared* beside(const std::vector<Compared>& rows, const Compared& row, c
     return found == rows.end() ? nullptr : &*found;
 }
 
-double ratio(const Time& a, const Time& b) {
-    return a.cpu / std::max(b.cpu, 1e-3);
-}
-
 /// Geometric means over the gallery of CPU time over the floor's, and the worst error.
 std::string means(const std::vector<Compared>& rows) {
     std::string text =
         "| size | engine | CPU time / floor, geometric mean | least | most | models drawn | wrong pixels, most |\n"
         "| --- | --- | --- | --- | --- | --- | --- |\n";
-    std::vector<int> sides;
-    for (const Compared& r : rows) {
-        if (std::find(sides.begin(), sides.end(), r.side) == sides.end()) {
-            sides.push_back(r.side);
-        }
-    }
-    for (const int side : sides) {
+    for (const int side : distinct(rows, &Compared::side)) {
         for (const std::string& engine : engines(rows)) {
             double sum = 0, least = 1e300, most = 0, wrong = 0;
             int drawn = 0, all = 0;

@@ -1,6 +1,7 @@
 // Wall and CPU time of a piece of work.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 namespace bench {
@@ -14,6 +15,11 @@ struct Time {
 [[nodiscard]] Time now();
 [[nodiscard]] inline Time operator-(const Time& a, const Time& b) {
     return {a.wall - b.wall, a.cpu - b.cpu};
+}
+
+/// In CPU time.
+[[nodiscard]] inline double ratio(const Time& a, const Time& b) {
+    return a.cpu / std::max(b.cpu, 1e-3);
 }
 
 /// Runs `work` once to warm up and then `repeat` times; the medians of wall and of CPU time.

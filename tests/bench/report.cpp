@@ -11,10 +11,6 @@ namespace bench {
 
 namespace {
 
-double ratio(const Time& a, const Time& b) {
-    return a.cpu / std::max(b.cpu, 1e-3);
-}
-
 std::string layers_text(int layers) {
     return layers == 0 ? "all" : fmt::format("{}", layers);
 }

@@ -1,13 +1,14 @@
-// What the comparison of engines draws: models of the gallery, and families that grow.
+// What is measured: models of the gallery, and families that grow.
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "csg/solid/placed.h"
-#include "csg/tree/scene.h"
+#include "csg/scad/scad.h"
 #include "gl/camera.h"
-#include "goldfeather/products.h"
+#include "ui/pipeline/model.h"
 
 namespace bench {
 
@@ -15,18 +16,20 @@ namespace bench {
 struct Subject {
     std::string name;
     double size = 0;  ///< What grows in its family; 0 for models of the gallery.
-    csg::Scene scene;
-    csg::solid::Geometry geometry;
-    std::vector<std::vector<goldfeather::Product>> products;  ///< By part.
-    std::size_t product_count = 0, triangles = 0;
-    bool over_budget = false;  ///< Some part has no sum of products.
+    std::shared_ptr<const ui::Model> model;
     gl::Camera camera;
 };
 
-/// Throws std::runtime_error where the file does not evaluate.
+/// The files of the gallery in a folder, in the order of its manifest.json.
+[[nodiscard]] std::vector<std::filesystem::path> gallery(const std::filesystem::path& folder);
+
+/// Messages go to standard error. Throws std::runtime_error where the file does not evaluate.
+[[nodiscard]] csg::scad::Evaluation evaluate(const std::string& path);
+
+/// Throws as `evaluate`.
 [[nodiscard]] Subject from_file(const std::string& path);
 
 /// A model by its tree.
-[[nodiscard]] Subject from_tree(std::string name, double size, const csg::Tree& tree, const gl::Camera& camera);
+[[nodiscard]] Subject from_tree(std::string name, double size, csg::Tree tree, const gl::Camera& camera);
 
 }  // namespace bench

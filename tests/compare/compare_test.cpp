@@ -1,71 +1,37 @@
 // Export and comparison, as their users run them; and what may go wrong while a file is written.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
+
+#include "tests/support/program_test.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-struct Result {
-    int status = -1;  ///< Exit status; -1 where a signal or the time limit ended it.
-    std::string out, err;
-};
-
-class Export : public testing::Test {
+class Export : public test_support::ProgramTest {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "csgscope_export_XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-        write("m.scad", "difference() { cube(10, center = true); sphere(6, $fn = 24); }\n");
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-    }
-
-    [[nodiscard]] Result run(const std::string& arguments, const std::string& before = "") const {
-        const std::string command = "cd '" + folder_.string() + "' && " + before +
-                                    " timeout 100 '" CSGSCOPE_PROGRAM "' " + arguments + " >out.txt 2>err.txt";
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) && WEXITSTATUS(status) < 124 ? WEXITSTATUS(status) : -1, read(folder_ / "out.txt"),
-                read(folder_ / "err.txt")};
-    }
+    Export() : ProgramTest(100) {}
 
     /// Names in the folder that a broken write might have left.
     [[nodiscard]] std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path("")), {}));
     }
-
-    fs::path folder_;
 };
 
 TEST_F(Export, AllFormats) {
     const Result result = run("m.scad -o m.stl -o m.off -o m.obj -o m.amf -o m.3mf -o m.wrl --summary-file s.json");
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_TRUE(read(folder_ / "m.stl").starts_with("solid "));
-    EXPECT_TRUE(read(folder_ / "m.off").starts_with("OFF\n"));
-    EXPECT_NE(read(folder_ / "m.obj").find("\nf "), std::string::npos);
-    EXPECT_NE(read(folder_ / "m.amf").find("</amf>"), std::string::npos);
-    EXPECT_TRUE(read(folder_ / "m.3mf").starts_with("PK\3\4"));
-    EXPECT_TRUE(read(folder_ / "m.wrl").starts_with("#VRML V2.0 utf8"));
-    const Json geometry = Json::parse(read(folder_ / "s.json")).at("geometry");
+    EXPECT_TRUE(folder_.read("m.stl").starts_with("solid "));
+    EXPECT_TRUE(folder_.read("m.off").starts_with("OFF\n"));
+    EXPECT_NE(folder_.read("m.obj").find("\nf "), std::string::npos);
+    EXPECT_NE(folder_.read("m.amf").find("</amf>"), std::string::npos);
+    EXPECT_TRUE(folder_.read("m.3mf").starts_with("PK\3\4"));
+    EXPECT_TRUE(folder_.read("m.wrl").starts_with("#VRML V2.0 utf8"));
+    const Json geometry = Json::parse(folder_.read("s.json")).at("geometry");
     EXPECT_EQ(geometry.at("simple"), true);
     EXPECT_EQ(geometry.at("bounding_box").at("size"), Json({10.0, 10.0, 10.0}));
     EXPECT_GT(geometry.at("volume"), 0.0);
@@ -78,11 +44,11 @@ TEST_F(Export, FormatOfStandardOutput) {
 }
 
 TEST_F(Export, EmptyGeometryIsRefused) {
-    write("empty.scad", "difference() { cube(1); cube(2); }");
+    folder_.write("empty.scad", "difference() { cube(1); cube(2); }");
     const Result result = run("empty.scad -o empty.stl");
     EXPECT_EQ(result.status, 1);
     EXPECT_NE(result.err.find("empty"), std::string::npos) << result.err;
-    EXPECT_FALSE(fs::exists(folder_ / "empty.stl"));
+    EXPECT_FALSE(fs::exists(folder_.path("empty.stl")));
 }
 
 TEST_F(Export, MissingFolderIsRefused) {
@@ -92,82 +58,82 @@ TEST_F(Export, MissingFolderIsRefused) {
 }
 
 TEST_F(Export, AFullDiskLeavesTheOldFile) {
-    write("m.stl", "old");
+    folder_.write("m.stl", "old");
     // 1 block of 1024 bytes: the mesh needs many. Without SIGXFSZ the write fails as on a full disk.
     const Result result = run("m.scad -o m.stl", "trap '' XFSZ; ulimit -f 1;");
     EXPECT_EQ(result.status, 1) << result.err;
-    EXPECT_EQ(read(folder_ / "m.stl"), "old");
+    EXPECT_EQ(folder_.read("m.stl"), "old");
     EXPECT_EQ(files(), 4u);  // m.scad, m.stl, out.txt, err.txt
 }
 
 TEST_F(Export, KilledWhileExporting) {
-    write("big.scad",
-          "difference() { sphere(10, $fn = 200); for (i = [0:35]) rotate(10 * i) "
-          "translate([10, 0, 0]) sphere(2, $fn = 40); }");
-    write("big.stl", "old");
+    folder_.write("big.scad",
+                  "difference() { sphere(10, $fn = 200); for (i = [0:35]) rotate(10 * i) "
+                  "translate([10, 0, 0]) sphere(2, $fn = 40); }");
+    folder_.write("big.stl", "old");
     for (const char* after : {"0.05", "0.2", "0.4", "0.8"}) {
-        const std::string command = "cd '" + folder_.string() + "' && timeout -s KILL " + after +
+        const std::string command = "cd '" + folder_.path("") + "' && timeout -s KILL " + after +
                                     " '" CSGSCOPE_PROGRAM "' big.scad -o big.stl >out.txt 2>err.txt";
         (void)std::system(command.c_str());
-        const std::string bytes = read(folder_ / "big.stl");
+        const std::string bytes = folder_.read("big.stl");
         EXPECT_TRUE(bytes == "old" || bytes.ends_with("endsolid csgscope\n"));
     }
 }
 
 TEST_F(Export, ConcurrentExportsToOneFile) {
-    const std::string command = "cd '" + folder_.string() +
+    const std::string command = "cd '" + folder_.path("") +
                                 "' && for i in 1 2 3 4 5 6; do '" CSGSCOPE_PROGRAM
                                 "' m.scad -o m.stl 2>>err.txt & done; wait";
     ASSERT_EQ(std::system(command.c_str()), 0);
-    const std::string together = read(folder_ / "m.stl");
+    const std::string together = folder_.read("m.stl");
     ASSERT_EQ(run("m.scad -o one.stl").status, 0);
-    EXPECT_EQ(together, read(folder_ / "one.stl"));
+    EXPECT_EQ(together, folder_.read("one.stl"));
 }
 
 TEST_F(Export, MeshesAreKept) {
     ASSERT_EQ(run("m.scad -o a.stl --cache kept --stats a.json").status, 0);
     ASSERT_EQ(run("m.scad -o b.stl --cache kept --stats b.json").status, 0);
-    EXPECT_EQ(Json::parse(read(folder_ / "a.json")).at("mesh").at("cached"), false);
-    EXPECT_EQ(Json::parse(read(folder_ / "b.json")).at("mesh").at("cached"), true);
-    EXPECT_EQ(read(folder_ / "a.stl"), read(folder_ / "b.stl"));
+    EXPECT_EQ(Json::parse(folder_.read("a.json")).at("mesh").at("cached"), false);
+    EXPECT_EQ(Json::parse(folder_.read("b.json")).at("mesh").at("cached"), true);
+    EXPECT_EQ(folder_.read("a.stl"), folder_.read("b.stl"));
     // Another model is not taken for it.
     ASSERT_EQ(run("m.scad -D '$fn=7' -o c.stl --cache kept").status, 0);
-    write("n.scad", "difference() { cube(10, center = true); sphere(6, $fn = 25); }\n");
+    folder_.write("n.scad", "difference() { cube(10, center = true); sphere(6, $fn = 25); }\n");
     ASSERT_EQ(run("n.scad -o n.stl --cache kept").status, 0);
-    EXPECT_NE(read(folder_ / "n.stl"), read(folder_ / "a.stl"));
+    EXPECT_NE(folder_.read("n.stl"), folder_.read("a.stl"));
 }
 
 TEST_F(Export, DamagedCacheFilesAreMadeAgain) {
     ASSERT_EQ(run("m.scad -o a.stl --cache kept").status, 0);
-    const fs::path kept = fs::directory_iterator(folder_ / "kept")->path();
-    const std::string whole = read(kept);
+    const fs::path kept = fs::directory_iterator(folder_.path("kept"))->path();
+    const std::string whole = test_support::read_file(kept);
     for (std::size_t i = 0; i < 40; ++i) {
         std::string bytes = whole;
         if (i % 2 == 0)
             bytes.resize(whole.size() * i / 40);  // torn
         else
             bytes[whole.size() * i / 40] ^= 0x10;  // a flipped bit
-        write("kept/" + kept.filename().string(), bytes);
+        folder_.write("kept/" + kept.filename().string(), bytes);
         ASSERT_EQ(run("m.scad -o b.stl --cache kept").status, 0);
-        ASSERT_EQ(read(folder_ / "b.stl"), read(folder_ / "a.stl"));
-        ASSERT_EQ(read(kept), whole);
+        ASSERT_EQ(folder_.read("b.stl"), folder_.read("a.stl"));
+        ASSERT_EQ(test_support::read_file(kept), whole);
     }
 }
 
 TEST_F(Export, KilledWhileKeeping) {
-    write("big.scad", "difference() { sphere(10, $fn = 120); translate([5, 0, 0]) sphere(8, $fn = 100); }");
+    folder_.write("big.scad", "difference() { sphere(10, $fn = 120); translate([5, 0, 0]) sphere(8, $fn = 100); }");
     for (const char* after : {"0.05", "0.1", "0.2", "0.4"}) {
-        const std::string command = "cd '" + folder_.string() + "' && timeout -s KILL " + after +
+        const std::string command = "cd '" + folder_.path("") + "' && timeout -s KILL " + after +
                                     " '" CSGSCOPE_PROGRAM "' big.scad -o big.off --cache kept >out.txt 2>err.txt";
         (void)std::system(command.c_str());
     }
     ASSERT_EQ(run("big.scad -o a.off --cache kept").status, 0);
     ASSERT_EQ(run("big.scad -o b.off").status, 0);
-    EXPECT_EQ(read(folder_ / "a.off"), read(folder_ / "b.off"));
+    EXPECT_EQ(folder_.read("a.off"), folder_.read("b.off"));
 }
 
 TEST_F(Export, ACacheThatCannotBeWrittenIsAWarning) {
-    write("file", "");
+    folder_.write("file", "");
     const Result result = run("m.scad -o a.stl --cache file/kept");
     EXPECT_EQ(result.status, 0);
     EXPECT_NE(result.err.find("not kept"), std::string::npos) << result.err;
@@ -181,18 +147,18 @@ TEST_F(Export, ThePictureAgreesWithTheMesh) {
     EXPECT_EQ(json.at("without_band").at("layer_error"), 0.0);
     EXPECT_EQ(json.at("all").at("edge_f_score"), 1.0);
     EXPECT_GT(json.at("without_band").at("surfaces"), 1000);
-    const std::string page = read(folder_ / "report/report.html");
+    const std::string page = folder_.read("report/report.html");
     EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
     EXPECT_EQ(page.find("http"), std::string::npos) << "the page must stand alone";
-    EXPECT_TRUE(fs::exists(folder_ / "report/difference_3.png"));
-    EXPECT_EQ(Json::parse(read(folder_ / "report/report.json")), json);
+    EXPECT_TRUE(fs::exists(folder_.path("report/difference_3.png")));
+    EXPECT_EQ(Json::parse(folder_.read("report/report.json")), json);
 }
 
 TEST_F(Export, AnotherMeshIsFoundOut) {
     ASSERT_EQ(run("m.scad -o m.stl").status, 0);
     EXPECT_EQ(run("compare m.scad --imgsize 96 --against m.stl").status, 0);
-    write("other.scad",
-          "difference() { cube(10, center = true); sphere(6.1, $fn = 24); translate([3, 3, 4]) cube(9); }\n");
+    folder_.write("other.scad",
+                  "difference() { cube(10, center = true); sphere(6.1, $fn = 24); translate([3, 3, 4]) cube(9); }\n");
     const Result result = run("compare other.scad --imgsize 96 --against m.stl");
     EXPECT_EQ(result.status, 1) << result.err;
     EXPECT_GT(Json::parse(result.out).at("without_band").at("layer_error"), 0.01);
@@ -202,14 +168,14 @@ TEST_F(Export, AnotherMeshIsFoundOut) {
 TEST_F(Export, PictureToPicture) {
     ASSERT_EQ(run("m.scad -o m.png --imgsize 96,96 --engine lists-cpu").status, 0);
     EXPECT_EQ(run("compare m.scad --reference m.png").status, 0);
-    write("other.scad", "cube(10, center = true);");
+    folder_.write("other.scad", "cube(10, center = true);");
     EXPECT_EQ(run("compare other.scad --against m.png").status, 1);
 }
 
 TEST_F(Export, ComparisonsThatCannotBe) {
     EXPECT_NE(run("compare missing.scad").err.find("missing.scad"), std::string::npos);
     EXPECT_NE(run("compare m.scad --against missing.stl").err.find("missing.stl"), std::string::npos);
-    write("broken.stl", "solid");
+    folder_.write("broken.stl", "solid");
     EXPECT_NE(run("compare m.scad --against broken.stl").err.find("broken.stl"), std::string::npos);
     EXPECT_EQ(run("compare").status, 1);
     EXPECT_EQ(run("compare m.scad --views 0").status, 1);

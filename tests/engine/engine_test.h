@@ -27,7 +27,7 @@ struct MaybeEngine {
 };
 [[nodiscard]] MaybeEngine make_engine(const std::string& name);
 
-/// Runs once per name. Where the engine cannot be had the test is skipped visibly, or fails with CSGSCOPE_REQUIRE_GL=1.
+/// Runs once per name. Where the engine cannot be had: test_support::skip_or_fail.
 class EngineTest : public testing::TestWithParam<std::string> {
   protected:
     void SetUp() override;

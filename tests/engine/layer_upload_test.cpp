@@ -24,11 +24,7 @@ TEST_P(LayerUploads, TexturesUsedAgainHoldJustTheNewPicture) {
             used_again += stack.depth.id() == before ? 1 : 0;
             before = stack.depth.id();
 
-            const goldfeather::ListsModel lists(subject.scene, subject.geometry);
-            goldfeather::CpuLayers fresh;
-            goldfeather::ListsStats ignored;
-            goldfeather::peel_lists(lists, view, layers, 1, fresh, ignored);
-            const auto expected = goldfeather::to_host(fresh);
+            const auto expected = goldfeather::peel_to_host(subject.scene, subject.geometry, view, layers, 1);
             const auto actual = goldfeather::read_back(gl(), stack);
             ASSERT_EQ(actual.layers, expected.layers) << "seed " << seed;
             ASSERT_EQ(actual.surfaces, expected.surfaces) << "seed " << seed << ", picture " << picture;

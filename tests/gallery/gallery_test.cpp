@@ -1,15 +1,13 @@
 // The pictures of the README are what the program draws today.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "gl/image.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -18,13 +16,6 @@ const fs::path kRoot = CSGSCOPE_SOURCE_DIR;
 
 /// Pictures that the program does not draw by itself.
 const std::set<std::string> kTakenElsewhere{"torture_openscad.png", "filler_openscad.png", "window.png"};
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 /// Share of pixels that differ by more than an eighth of the range in some channel. Another OpenGL driver may cover the
 /// pixels of outlines a little differently; a style that has changed differs in far more.
@@ -41,11 +32,9 @@ double difference(const gl::Image& a, const gl::Image& b) {
 }
 
 TEST(Gallery, PicturesAreCurrent) {
-    std::string name = (fs::temp_directory_path() / "csgscope_gallery_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    const fs::path folder = name;
+    const test_support::TemporaryFolder folder;
     const std::string command =
-        "CSGSCOPE='" CSGSCOPE_PROGRAM "' '" + (kRoot / "tools/gallery").string() + "' '" + name + "' 2>&1";
+        "CSGSCOPE='" CSGSCOPE_PROGRAM "' '" + (kRoot / "tools/gallery").string() + "' '" + folder.path("") + "' 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
     int compared = 0;
     for (const auto& entry : fs::directory_iterator(kRoot / "docs/pictures")) {
@@ -54,19 +43,18 @@ TEST(Gallery, PicturesAreCurrent) {
             continue;
         }
         SCOPED_TRACE(file);
-        ASSERT_TRUE(fs::exists(folder / file)) << "tools/gallery.txt does not name it";
-        const gl::Image today = gl::read_png(folder / file), kept = gl::read_png(entry.path());
+        ASSERT_TRUE(fs::exists(folder.path(file))) << "tools/gallery.txt does not name it";
+        const gl::Image today = gl::read_png(folder.path(file)), kept = gl::read_png(entry.path());
         ASSERT_EQ(today.width, kept.width);
         ASSERT_EQ(today.height, kept.height);
         EXPECT_LT(difference(today, kept), 0.01) << "tools/gallery draws it anew";
         ++compared;
     }
     EXPECT_GE(compared, 6);
-    fs::remove_all(folder);
 }
 
 TEST(Gallery, TheReadmeShowsWhatThereIs) {
-    const std::string readme = read(kRoot / "README.md");
+    const std::string readme = test_support::read_file(kRoot / "README.md");
     const std::regex link("\\]\\(([^)#:]+)\\)");
     int links = 0;
     for (std::sregex_iterator at(readme.begin(), readme.end(), link), end; at != end; ++at, ++links) {

@@ -8,15 +8,9 @@
 
 #include "csg/solid/placed.h"
 #include "tests/scad/evaluate_text.h"
+#include "tests/solid/mesh_volume.h"
 
 namespace {
-
-double volume(const csg::solid::PlacedLeaf& leaf) {
-    double six = 0;
-    for (const glm::uvec3& t : leaf.triangles)
-        six += glm::dot(leaf.points[t.x], glm::cross(leaf.points[t.y], leaf.points[t.z]));
-    return six / 6;
-}
 
 /// Every edge is used as often in one direction as in the other.
 bool is_closed(const csg::solid::PlacedLeaf& leaf) {
@@ -49,7 +43,7 @@ TEST(Volumes, AreWhatGeometrySays) {
             csg::solid::place(*run.evaluation.tree, csg::make_scene(*run.evaluation.tree), cache);
         double sum = 0;
         for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
-            sum += volume(leaf);
+            sum += test::mesh_volume(leaf.points, leaf.triangles);
             EXPECT_TRUE(is_closed(leaf)) << line;
         }
         EXPECT_NEAR(sum, expected, tolerance) << line;

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "csg/solid/placed.h"
+#include "tests/random/build_model.h"
 #include "tests/random/rapidcheck_models.h"
 
 namespace {
@@ -14,6 +15,8 @@ namespace {
 using csg::ExpressionKind;
 using csg::Operation;
 using goldfeather::Product;
+using random_tree::box;
+using random_tree::combine;
 using random_tree::Model;
 
 struct Subject {
@@ -57,15 +60,6 @@ std::string text(const std::vector<Product>& products) {
     return result;
 }
 
-Model box(const glm::dvec3& lo, const glm::dvec3& size) {
-    Model leaf{Operation::Leaf, {}, csg::Cube{size, false}, glm::dmat4(1.0), {}, {}};
-    glm::dmat4 m(1.0);
-    m[3] = glm::dvec4(lo, 1.0);
-    return {Operation::Transform, {}, csg::Cube{}, m, {}, {leaf}};
-}
-Model combine(Operation operation, std::vector<Model> children) {
-    return {operation, {}, csg::Cube{}, glm::dmat4(1.0), {}, std::move(children)};
-}
 std::string products_text(const Model& model) {
     Subject subject(model);
     return text(products_of(subject.normalize(subject.scene.parts.at(0))));

@@ -21,11 +21,7 @@ nlohmann::json manifest() {
 }
 
 goldfeather::HostLayers peel(const ui::Model& model, const gl::View& view) {
-    const goldfeather::ListsModel lists(model.scene, model.geometry);
-    goldfeather::CpuLayers layers;
-    goldfeather::ListsStats stats;
-    goldfeather::peel_lists(lists, view, 0, 0, layers, stats);
-    return goldfeather::to_host(layers);
+    return goldfeather::peel_to_host(model.scene, model.geometry, view);
 }
 
 /// The volume as the picture knows it: along each ray of an orthographic view the solid lies between an entering and a

@@ -154,12 +154,9 @@ TEST_P(EdgeMapTest, NoEdgeWithinAPlane) {
 }
 
 TEST_P(EdgeMapTest, PartsAndColorsWithinAPlane) {
-    const auto colored = [](const csg::Rgba& color, scene::Model model) {
-        return scene::Model{Operation::Color, {}, csg::Cube{}, glm::dmat4(1.0), color, {std::move(model)}};
-    };
     const scene::Model model =
-        scene::combine(Operation::Union, {colored({1, 0, 0, 1}, scene::box({0, 0, 0}, glm::dvec3(4))),
-                                          colored({0, 1, 0, 1}, scene::box({4, 0, 0}, glm::dvec3(4)))});
+        scene::combine(Operation::Union, {scene::colored({1, 0, 0, 1}, scene::box({0, 0, 0}, glm::dvec3(4))),
+                                          scene::colored({0, 1, 0, 1}, scene::box({4, 0, 0}, glm::dvec3(4)))});
     npr::EdgeSettings settings;
     settings.parts = false;
     find(model, nullptr, 128, settings);

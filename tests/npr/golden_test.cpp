@@ -19,20 +19,16 @@ struct Golden {
     scene::Studio::Request request;
 };
 
-scene::Model colored(const csg::Rgba& color, scene::Model model) {
-    return {Operation::Color, {}, csg::Cube{}, glm::dmat4(1.0), color, {std::move(model)}};
-}
-
 /// A rounded block with bores of another colour, a pin in one of them, and a translucent plate.
 scene::Model subject() {
     csg::Fineness fine;
     fine.fn = 24;
     const glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), glm::radians(90.0), {0, 1, 0});
-    return scene::combine(
-        Operation::Union,
-        {colored({0.35F, 0.5F, 0.7F, 1}, scene::widget()),
-         colored({0.8F, 0.45F, 0.2F, 1}, scene::matrix(turned, scene::leaf(csg::Cylinder{24, 2.5, 2.5, true, fine}))),
-         colored({0.3F, 0.7F, 0.3F, 0.4F}, scene::box({-9, -11, -9}, {18, 1, 18}))});
+    return scene::combine(Operation::Union,
+                          {scene::colored({0.35F, 0.5F, 0.7F, 1}, scene::widget()),
+                           scene::colored({0.8F, 0.45F, 0.2F, 1},
+                                          scene::matrix(turned, scene::leaf(csg::Cylinder{24, 2.5, 2.5, true, fine}))),
+                           scene::colored({0.3F, 0.7F, 0.3F, 0.4F}, scene::box({-9, -11, -9}, {18, 1, 18}))});
 }
 
 std::vector<Golden> goldens() {

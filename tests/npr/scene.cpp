@@ -22,6 +22,10 @@ Model flush_blocks() {
     return combine(Operation::Union, {box({0, 0, 0}, {4, 4, 4}), box({4, 0, 0}, {4, 4, 4}), box({0, 4, 0}, {8, 4, 2})});
 }
 
+Model colored(const csg::Rgba& color, Model model) {
+    return {Operation::Color, {}, csg::Cube{}, glm::dmat4(1.0), color, {std::move(model)}};
+}
+
 gl::Camera camera(const csg::Box& box) {
     gl::Camera c;
     gl::view_all(c, box.lo, box.hi, true);

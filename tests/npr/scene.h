@@ -23,6 +23,8 @@ using random_tree::Model;
 /// A staircase of three boxes whose faces meet flush.
 [[nodiscard]] Model flush_blocks();
 
+[[nodiscard]] Model colored(const csg::Rgba& color, Model model);
+
 /// OpenSCAD's default direction of view, all of the box in the picture.
 [[nodiscard]] gl::Camera camera(const csg::Box& box);
 

@@ -262,6 +262,10 @@ class Engine final : public OpenCsg {
 
 }  // namespace
 
+bool built() {
+    return true;
+}
+
 MaybeOpenCsg create(glm::ivec2 largest_size) {
     try {
         return {std::make_unique<Engine>(largest_size), {}};

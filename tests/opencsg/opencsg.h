@@ -34,7 +34,11 @@ class OpenCsg {
     [[nodiscard]] virtual Picture read() = 0;
 };
 
-/// Null and a reason where there is no OpenGL for it. Its context is made current by every call of the object.
+/// False where the library was missing when this was built.
+[[nodiscard]] bool built();
+
+/// Null and a reason where there is no library or no OpenGL for it. Its context is made current by every call of the
+/// object.
 struct MaybeOpenCsg {
     std::unique_ptr<OpenCsg> engine;
     std::string reason;

@@ -4,13 +4,14 @@
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
 #include "csg/reference/nef.h"
-#include "csg/reference/projection.h"
 #include "csg/reference/self_intersection.h"
+#include "csg/solid/node_geometry.h"
 #include "tests/reference/meshes.h"
 
 namespace {
 
 using csg::reference::Mesh;
+namespace solid = csg::solid;
 
 Mesh mesh_of(const std::string& program) {
     return ui::make_mesh(*meshes::model_of(program)).mesh;
@@ -58,20 +59,30 @@ TEST(Minkowski, OfAnL) {
     EXPECT_NEAR(volume(csg::reference::minkowski_sum(operands)), (25.0 - 4) * 2, 1e-9);
 }
 
+solid::Outline shadow(const std::string& program) {
+    Mesh mesh = mesh_of(program);
+    const solid::Mesh plain{std::move(mesh.points), std::move(mesh.triangles)};
+    return solid::shadow(std::span(&plain, 1));
+}
+
+solid::Outline cut(const std::string& program) {
+    Mesh mesh = mesh_of(program);
+    const solid::Piece piece{solid::to_solid({std::move(mesh.points), std::move(mesh.triangles)}), nullptr};
+    return solid::cut(std::span(&piece, 1));
+}
+
 TEST(Projection, Shadow) {
-    EXPECT_NEAR(csg::reference::projection(mesh_of("cube([2, 3, 4]);"), false).area(), 6, 1e-12);
-    const auto ring = csg::reference::projection(
-        mesh_of("difference() { cube(4, center = true); cube([2, 2, 9], center = true); }"), false);
+    EXPECT_NEAR(shadow("cube([2, 3, 4]);").area(), 6, 1e-12);
+    const auto ring = shadow("difference() { cube(4, center = true); cube([2, 2, 9], center = true); }");
     EXPECT_NEAR(ring.area(), 12, 1e-12);
     EXPECT_EQ(ring.loops.size(), 2u);
-    EXPECT_NEAR(csg::reference::projection(mesh_of("cube(2); translate([1, 1, 5]) cube(2);"), false).area(), 7, 1e-12);
+    EXPECT_NEAR(shadow("cube(2); translate([1, 1, 5]) cube(2);").area(), 7, 1e-12);
 }
 
 TEST(Projection, Cut) {
-    EXPECT_NEAR(csg::reference::projection(mesh_of("translate([0, 0, -1]) cube([2, 3, 4]);"), true).area(), 6, 1e-12);
-    EXPECT_TRUE(csg::reference::projection(mesh_of("translate([0, 0, 1]) cube(2);"), true).loops.empty());
-    const auto ring = csg::reference::projection(
-        mesh_of("difference() { cube(4, center = true); cube([2, 2, 9], center = true); }"), true);
+    EXPECT_NEAR(cut("translate([0, 0, -1]) cube([2, 3, 4]);").area(), 6, 1e-12);
+    EXPECT_TRUE(cut("translate([0, 0, 1]) cube(2);").loops.empty());
+    const auto ring = cut("difference() { cube(4, center = true); cube([2, 2, 9], center = true); }");
     EXPECT_NEAR(ring.area(), 12, 1e-12);
     EXPECT_EQ(ring.loops.size(), 2u);
 }

@@ -1,4 +1,4 @@
-// Syntax trees of small files. CSGSCOPE_REGENERATE=1 in the environment writes the expected texts anew.
+// Syntax trees of small files. CSGSCOPE_UPDATE_GOLDENS=1 in the environment writes the expected texts anew.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ TEST_P(Golden, SyntaxTree) {
     ASSERT_TRUE(parsed.ok) << test::messages(parsed);
     const std::string text = ast_text(parsed.program);
     const fs::path expected = kFolder / (GetParam() + ".ast");
-    if (std::getenv("CSGSCOPE_REGENERATE") != nullptr) {
+    if (const char* update = std::getenv("CSGSCOPE_UPDATE_GOLDENS"); update != nullptr && *update == '1') {
         std::ofstream(expected, std::ios::binary) << text;
     }
     EXPECT_EQ(text, test::read_file(expected));

@@ -10,19 +10,14 @@
 
 #include "csg/solid/placed.h"
 #include "tests/random/random_tree.h"
+#include "tests/solid/mesh_volume.h"
 
 namespace {
 
 using csg::Fineness;
 using csg::solid::make_solid;
 using csg::solid::Solid;
-
-double volume(std::span<const glm::dvec3> points, std::span<const glm::uvec3> triangles) {
-    double six = 0;
-    for (const glm::uvec3& t : triangles)
-        six += glm::dot(points[t.x], glm::cross(points[t.y], points[t.z]));
-    return six / 6;
-}
+using test::mesh_volume;
 
 /// Every directed edge has exactly one opposite, and no other use.
 bool closed(std::span<const glm::uvec3> triangles) {
@@ -119,7 +114,7 @@ TEST(Solid, ShapesAreClosedConvexAndOfTheRightVolume) {
             const auto solid = make_solid(shape);
             EXPECT_TRUE(solid->closed && solid->convex && solid->warnings.empty());
             EXPECT_TRUE(closed(solid->triangles));
-            const double v = volume(solid->points, solid->triangles);
+            const double v = mesh_volume(solid->points, solid->triangles);
             if (expected > 0)
                 EXPECT_NEAR(v, expected, 1e-12 * expected);
             else
@@ -130,8 +125,8 @@ TEST(Solid, ShapesAreClosedConvexAndOfTheRightVolume) {
             EXPECT_EQ(box, solid->box);
         }
     }
-    const double ball =
-        volume(make_solid(csg::Sphere{1, {200, 12, 2}})->points, make_solid(csg::Sphere{1, {200, 12, 2}})->triangles);
+    const double ball = mesh_volume(make_solid(csg::Sphere{1, {200, 12, 2}})->points,
+                                    make_solid(csg::Sphere{1, {200, 12, 2}})->triangles);
     EXPECT_NEAR(ball, 4 * M_PI / 3, 3e-3);
 }
 
@@ -154,7 +149,7 @@ Solid solid_of(const csg::Polyhedron& p) {
 }
 
 TEST(Solid, PolyhedraAreCheckedNotBelieved) {
-    EXPECT_NEAR(volume(solid_of(tetrahedron()).points, solid_of(tetrahedron()).triangles), 1.0 / 6, 1e-15);
+    EXPECT_NEAR(mesh_volume(solid_of(tetrahedron()).points, solid_of(tetrahedron()).triangles), 1.0 / 6, 1e-15);
     EXPECT_TRUE(solid_of(tetrahedron()).closed && solid_of(tetrahedron()).convex);
     EXPECT_TRUE(solid_of(tetrahedron()).warnings.empty());
 
@@ -203,9 +198,10 @@ TEST(Placed, TransformsKeepOrientation) {
             if (leaf.triangles.empty())
                 continue;
             ++seen;
-            const double before = volume(leaf.solid->points, leaf.solid->triangles);
+            const double before = mesh_volume(leaf.solid->points, leaf.solid->triangles);
             const double scale = std::abs(glm::determinant(glm::dmat3(scene.leaves[i].to_world)));
-            EXPECT_NEAR(volume(leaf.points, leaf.triangles), before * scale, 1e-9 * (1 + std::abs(before * scale)));
+            EXPECT_NEAR(mesh_volume(leaf.points, leaf.triangles), before * scale,
+                        1e-9 * (1 + std::abs(before * scale)));
             EXPECT_EQ(closed(leaf.triangles), leaf.solid->closed);
             for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
                 const csg::solid::Plane& plane = geometry.planes.planes()[leaf.planes[t].index];

@@ -1,6 +1,4 @@
 // Faces, edges and vertices that coincide, or almost.
-#include <cmath>
-
 #include "tests/stability/family.h"
 
 namespace stability {

@@ -7,24 +7,18 @@
 #include <filesystem>
 #include <iostream>
 
-#include "gl/image.h"
 #include "tests/stability/report.h"
+#include "tests/support/output.h"
 
 namespace {
+
+using test_support::write_output;
 
 struct Settings {
     std::string json, markdown, plots, plots_in_text = "robustness";
     std::vector<std::string> only;
     stability::SweepOptions sweep;
 };
-
-void write(const std::string& path, const std::string& text) {
-    if (path == "-") {
-        std::cout << text << '\n';
-    } else if (!path.empty()) {
-        gl::write_file(path, text);
-    }
-}
 
 int run(const Settings& settings) {
     stability::Sweep sweep(settings.sweep);
@@ -50,11 +44,11 @@ int run(const Settings& settings) {
     if (!settings.plots.empty()) {
         std::filesystem::create_directories(settings.plots);
         for (const auto& result : results) {
-            write(settings.plots + "/" + plot_name(result.family), to_svg(result));
+            write_output(settings.plots + "/" + plot_name(result.family), to_svg(result));
         }
     }
-    write(settings.json, to_json(results).dump(1));
-    write(settings.markdown, to_markdown(results, settings.plots_in_text));
+    write_output(settings.json, to_json(results).dump(1));
+    write_output(settings.markdown, to_markdown(results, settings.plots_in_text));
     const auto wrong = stability::wrong_pictures(results);
     for (const std::string& line : wrong) {
         std::cout << line << '\n';

@@ -1,5 +1,4 @@
 // Large and small numbers: places, sizes, matrices.
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/stability/family.h"

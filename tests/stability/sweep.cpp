@@ -4,14 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#ifdef CSGSCOPE_WITH_OPENCSG
-#include "tests/opencsg/opencsg.h"
-#else
-namespace opencsg {
-class OpenCsg {};
-}  // namespace opencsg
-#endif
-
 namespace stability {
 
 namespace {
@@ -22,7 +14,7 @@ using goldfeather::HostLayers;
 /// More than that and the walk takes minutes on a software renderer.
 constexpr std::size_t kMostLeavesOfTheWalk = 300;
 /// The same for OpenCSG, over all products.
-[[maybe_unused]] constexpr std::size_t kMostLiteralsOfOpenCsg = 5000;
+constexpr std::size_t kMostLiteralsOfOpenCsg = 5000;
 
 double now_ms() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -100,7 +92,6 @@ Errors compare(const Subject& subject, const Truth& truth, const HostLayers& sta
     return errors;
 }
 
-#ifdef CSGSCOPE_WITH_OPENCSG
 std::size_t literals(const Subject& subject) {
     std::size_t count = 0;
     for (const auto& part : subject.products) {
@@ -132,7 +123,6 @@ Errors compare(const Truth& truth, const opencsg::Picture& picture) {
     depth.store(errors);
     return errors;
 }
-#endif
 
 }  // namespace
 
@@ -146,18 +136,12 @@ Sweep::Sweep(const SweepOptions& options) : options_(options) {
             missing_.push_back(std::string(name) + ": " + made.reason);
         }
     }
-#ifdef CSGSCOPE_WITH_OPENCSG
     auto made = opencsg::create(glm::ivec2(options.size));
     opencsg_ = std::move(made.engine);
     if (!opencsg_) {
         missing_.push_back("OpenCSG: " + made.reason);
     }
-#else
-    missing_.push_back("OpenCSG: the library was missing when this was built");
-#endif
 }
-
-Sweep::~Sweep() = default;
 
 std::vector<Measure> Sweep::run(const Family& family) {
     std::vector<Measure> measures;
@@ -196,7 +180,6 @@ void Sweep::measure(const Family& family, double level, std::vector<Measure>& me
             }
             add(e.name, errors);
         }
-#ifdef CSGSCOPE_WITH_OPENCSG
         if (opencsg_) {
             Errors errors;
             if (subject.over_budget == 0 && literals(subject) <= kMostLiteralsOfOpenCsg) {
@@ -209,7 +192,6 @@ void Sweep::measure(const Family& family, double level, std::vector<Measure>& me
             }
             add("OpenCSG", errors);
         }
-#endif
     }
 }
 

@@ -6,11 +6,8 @@
 #include <vector>
 
 #include "tests/engine/engine_test.h"
+#include "tests/opencsg/opencsg.h"
 #include "tests/stability/family.h"
-
-namespace opencsg {
-class OpenCsg;
-}
 
 namespace stability {
 
@@ -42,7 +39,6 @@ struct SweepOptions {
 class Sweep {
   public:
     explicit Sweep(const SweepOptions& options);
-    ~Sweep();
 
     [[nodiscard]] std::vector<Measure> run(const Family& family);
     /// Engines that cannot be had here, with the reason.

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "csg/scad/scad.h"
 #include "goldfeather/lists_cpu.h"
+#include "tests/support/temporary_folder.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/model.h"
 
@@ -49,11 +49,7 @@ std::string products_text(const ui::Model& model) {
 std::string layers_text(const ui::Model& model, const csg::scad::ViewSettings& settings) {
     gl::Camera camera = ui::choose_camera({}, settings, model.box);
     const gl::View view(camera, {48, 24}, model.geometry.box.lo, model.geometry.box.hi);
-    const goldfeather::ListsModel lists(model.scene, model.geometry);
-    goldfeather::CpuLayers layers;
-    goldfeather::ListsStats stats;
-    goldfeather::peel_lists(lists, view, 0, 1, layers, stats);
-    const auto stack = goldfeather::to_host(layers);
+    const auto stack = goldfeather::peel_to_host(model.scene, model.geometry, view, 0, 1);
     std::string text;
     for (int layer = 0; layer < stack.layers; ++layer) {
         text += fmt::format("layer {}\n", layer);
@@ -73,10 +69,7 @@ void expect_golden(const std::string& name, const std::string& text) {
     if (const char* update = std::getenv("CSGSCOPE_UPDATE_GOLDENS"); update != nullptr && *update == '1') {
         std::ofstream(path, std::ios::binary) << text;
     }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream golden;
-    golden << file.rdbuf();
-    EXPECT_EQ(golden.str(), text) << name;
+    EXPECT_EQ(test_support::read_file(path), text) << name;
 }
 
 class Stages : public testing::TestWithParam<const char*> {};

@@ -14,17 +14,21 @@ MaybeContext try_context(gl::ContextKind kind) {
     }
 }
 
+void skip_or_fail(const std::string& reason) {
+    const char* required = std::getenv("CSGSCOPE_REQUIRE_GL");
+    if (required != nullptr && *required == '1') {
+        FAIL() << reason;
+    }
+    GTEST_SKIP() << reason;
+}
+
 void GlTest::SetUp() {
     MaybeContext made = try_context(GetParam());
     if (made.context) {
         context_ = std::move(made.context);
         return;
     }
-    const char* required = std::getenv("CSGSCOPE_REQUIRE_GL");
-    if (required && *required == '1') {
-        FAIL() << "no OpenGL: " << made.reason;
-    }
-    GTEST_SKIP() << "no OpenGL: " << made.reason;
+    skip_or_fail("no OpenGL: " + made.reason);
 }
 
 void GlTest::TearDown() {
@@ -33,6 +37,8 @@ void GlTest::TearDown() {
     EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-std::string context_name(const testing::TestParamInfo<gl::ContextKind>& info) { return gl::name(info.param); }
+std::string context_name(const testing::TestParamInfo<gl::ContextKind>& info) {
+    return gl::name(info.param);
+}
 
 }  // namespace test_support

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 
 #include "gl/context.h"
 
@@ -16,8 +17,11 @@ struct MaybeContext {
 };
 [[nodiscard]] MaybeContext try_context(gl::ContextKind kind);
 
-/// Runs once per kind of context (INSTANTIATE_TEST_SUITE_P over gl::ContextKind). Where the kind cannot be had the test
-/// is skipped visibly; with CSGSCOPE_REQUIRE_GL=1 in the environment, as in CI, it fails instead.
+/// Skips the test visibly; with CSGSCOPE_REQUIRE_GL=1 in the environment, as in CI, it fails instead. Return after it.
+void skip_or_fail(const std::string& reason);
+
+/// Runs once per kind of context (INSTANTIATE_TEST_SUITE_P over gl::ContextKind). Where the kind cannot be had:
+/// skip_or_fail.
 class GlTest : public testing::TestWithParam<gl::ContextKind> {
   protected:
     void SetUp() override;

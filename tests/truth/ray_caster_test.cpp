@@ -3,19 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/random/random_tree.h"
+#include "tests/random/build_model.h"
 
 namespace {
 
 using csg::Operation;
+using random_tree::box;
+using random_tree::combine;
 using random_tree::Model;
-
-Model box(const glm::dvec3& lo, const glm::dvec3& size) {
-    glm::dmat4 m(1.0);
-    m[3] = glm::dvec4(lo, 1.0);
-    const Model leaf{Operation::Leaf, {}, csg::Cube{size, false}, glm::dmat4(1.0), {}, {}};
-    return {Operation::Transform, {}, csg::Cube{}, m, {}, {leaf}};
-}
 
 struct Subject {
     explicit Subject(const Model& model) : tree(random_tree::make_tree(model)), scene(csg::make_scene(tree)) {
@@ -43,18 +38,8 @@ gl::Camera above() {
 
 TEST(RayCaster, FindsDistancesLeavesAndCuts) {
     // A slab, with a recess from above that is filled half.
-    const Subject subject({Operation::Union,
-                           {},
-                           csg::Cube{},
-                           glm::dmat4(1.0),
-                           {},
-                           {{Operation::Difference,
-                             {},
-                             csg::Cube{},
-                             glm::dmat4(1.0),
-                             {},
-                             {box({-3, -3, 0}, {6, 6, 2}), box({-1, -1, 1}, {2, 2, 1})}},
-                            box({-1, -1, 1}, {2, 2, 0.5})}});
+    const Model recessed = combine(Operation::Difference, {box({-3, -3, 0}, {6, 6, 2}), box({-1, -1, 1}, {2, 2, 1})});
+    const Subject subject(combine(Operation::Union, {recessed, box({-1, -1, 1}, {2, 2, 0.5})}));
     const gl::View view = subject.view(above());
     const truth::RayCaster caster(subject.scene, subject.geometry, view);
     const truth::Ray middle = caster.cast(16, 16), side = caster.cast(8, 16), past = caster.cast(1, 1);
@@ -71,12 +56,7 @@ TEST(RayCaster, FindsDistancesLeavesAndCuts) {
 }
 
 TEST(RayCaster, ACutIsReversed) {
-    const Subject subject({Operation::Difference,
-                           {},
-                           csg::Cube{},
-                           glm::dmat4(1.0),
-                           {},
-                           {box({-3, -3, 0}, {6, 6, 2}), box({-1, -1, 1}, {2, 2, 4})}});
+    const Subject subject(combine(Operation::Difference, {box({-3, -3, 0}, {6, 6, 2}), box({-1, -1, 1}, {2, 2, 4})}));
     const gl::View view = subject.view(above());
     const truth::Ray ray = truth::RayCaster(subject.scene, subject.geometry, view).cast(16, 16);
     ASSERT_EQ(ray.surfaces.size(), 2U);

@@ -1,10 +1,7 @@
 // Runs the program as its users do.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,51 +9,18 @@
 #include <sstream>
 
 #include "gl/image.h"
+#include "tests/support/program_test.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-struct Result {
-    int status = -1;  ///< Exit status; -1 where a signal or the time limit ended it.
-    std::string out, err;
-};
-
-/// Each test has a folder of its own, in which the program runs.
-class Cli : public testing::Test {
+class Cli : public test_support::ProgramTest {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "csgscope_cli_XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-        write("m.scad", "difference() { cube(10, center = true); sphere(6, $fn = 24); }\n");
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-    }
-
-    /// `arguments` as for a shell.
-    [[nodiscard]] Result run(const std::string& arguments, const std::string& before = "") const {
-        const std::string command = "cd '" + folder_.string() + "' && " + before +
-                                    " timeout 60 '" CSGSCOPE_PROGRAM "' " + arguments + " >out.txt 2>err.txt";
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) && WEXITSTATUS(status) < 124 ? WEXITSTATUS(status) : -1, read(folder_ / "out.txt"),
-                read(folder_ / "err.txt")};
-    }
-
-    fs::path folder_;
+    Cli() : ProgramTest(60) {}
 };
 
-void expect_error(const Result& result, const std::string& message) {
+void expect_error(const test_support::ProgramTest::Result& result, const std::string& message) {
     EXPECT_EQ(result.status, 1) << result.err;
     EXPECT_NE(result.err.find(message), std::string::npos) << "expected \"" << message << "\" in:\n" << result.err;
     EXPECT_EQ(result.out, "");
@@ -67,7 +31,7 @@ TEST_F(Cli, DrawsAPngOfTheSizeAskedFor) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "") << "nothing is said on a pipe";
-    const gl::Image image = gl::read_png(folder_ / "m.png");
+    const gl::Image image = gl::read_png(folder_.path("m.png"));
     EXPECT_EQ(image.width, 80);
     EXPECT_EQ(image.height, 60);
     EXPECT_NE(std::vector<int>(image.pixel(40, 30), image.pixel(40, 30) + 3),
@@ -78,18 +42,18 @@ TEST_F(Cli, DrawsAPngOfTheSizeAskedFor) {
 TEST_F(Cli, TheSameTwiceGivesTheSameBytes) {
     ASSERT_EQ(run("m.scad -o a.png -o b.png --imgsize=64,64 --style blueprint").status, 0);
     ASSERT_EQ(run("m.scad -o c.png --imgsize=64,64 --style blueprint").status, 0);
-    EXPECT_FALSE(read(folder_ / "a.png").empty());
-    EXPECT_EQ(read(folder_ / "a.png"), read(folder_ / "b.png"));
-    EXPECT_EQ(read(folder_ / "a.png"), read(folder_ / "c.png"));
+    EXPECT_FALSE(folder_.read("a.png").empty());
+    EXPECT_EQ(folder_.read("a.png"), folder_.read("b.png"));
+    EXPECT_EQ(folder_.read("a.png"), folder_.read("c.png"));
 }
 
 TEST_F(Cli, EglAndOsmesaDrawTheSame) {
     ASSERT_EQ(run("m.scad -o a.png --imgsize=64,64 --context osmesa").status, 0);
     const Result egl = run("m.scad -o b.png --imgsize=64,64 --context egl --stats s.json");
-    if (egl.status != 0 || read(folder_ / "s.json").find("llvmpipe") == std::string::npos) {
+    if (egl.status != 0 || folder_.read("s.json").find("llvmpipe") == std::string::npos) {
         GTEST_SKIP() << "EGL is not the software renderer that OSMesa is";
     }
-    EXPECT_EQ(gl::read_png(folder_ / "a.png").rgba, gl::read_png(folder_ / "b.png").rgba);
+    EXPECT_EQ(gl::read_png(folder_.path("a.png")).rgba, gl::read_png(folder_.path("b.png")).rgba);
 }
 
 TEST_F(Cli, EveryStyleDrawsItsOwnPicture) {
@@ -97,7 +61,7 @@ TEST_F(Cli, EveryStyleDrawsItsOwnPicture) {
     for (const std::string style : {"shaded", "edges", "blueprint", "xray", "sketch"}) {
         const Result result = run("m.scad -o " + style + ".png --imgsize=48,48 --style " + style);
         ASSERT_EQ(result.status, 0) << result.err;
-        EXPECT_TRUE(pictures.emplace(read(folder_ / (style + ".png")), style).second)
+        EXPECT_TRUE(pictures.emplace(folder_.read(style + ".png"), style).second)
             << style << " draws what another draws";
     }
 }
@@ -107,11 +71,11 @@ TEST_F(Cli, OptionsOfThePictureChangeIt) {
     for (const std::string options : {"--colorscheme Sunset", "--camera 0,0,0,0,0,0,60", "--projection o",
                                       "--transparent-background", "--samples 1", "-D '$vpd=200'"}) {
         ASSERT_EQ(run("m.scad -o b.png --imgsize=48,48 " + options).status, 0) << options;
-        EXPECT_NE(read(folder_ / "a.png"), read(folder_ / "b.png")) << options;
+        EXPECT_NE(folder_.read("a.png"), folder_.read("b.png")) << options;
     }
     const gl::Image clear = [&] {
         EXPECT_EQ(run("m.scad -o c.png --imgsize=48,48 --transparent-background").status, 0);
-        return gl::read_png(folder_ / "c.png");
+        return gl::read_png(folder_.path("c.png"));
     }();
     EXPECT_EQ(clear.pixel(0, 0)[3], 0);
     EXPECT_EQ(clear.pixel(24, 24)[3], 255);
@@ -122,11 +86,11 @@ TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.out.substr(1, 3), "PNG");
     ASSERT_EQ(run("m.scad -o m.png --imgsize 32,32").status, 0);
-    EXPECT_EQ(result.out, read(folder_ / "m.png"));
+    EXPECT_EQ(result.out, folder_.read("m.png"));
 }
 
 TEST_F(Cli, DefinitionsOverrideTheFile) {
-    write("e.scad", "a = 1;\nb = [0];\necho(a, b);\n");
+    folder_.write("e.scad", "a = 1;\nb = [0];\necho(a, b);\n");
     const Result result = run("e.scad -o - --export-format echo -D a=2 -D 'b=[1,2]' -q");
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.out, "ECHO: 2, [1, 2]\n");
@@ -135,28 +99,28 @@ TEST_F(Cli, DefinitionsOverrideTheFile) {
 }
 
 TEST_F(Cli, WritesCsgAndSyntaxTree) {
-    write("c.scad", "translate([1,2,3]) cube(4);\n");
+    folder_.write("c.scad", "translate([1,2,3]) cube(4);\n");
     const Result result = run("c.scad -o c.csg -o c.ast");
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_NE(read(folder_ / "c.csg").find("cube(size = [4, 4, 4], center = false);"), std::string::npos);
-    EXPECT_NE(read(folder_ / "c.ast").find("translate([1, 2, 3])"), std::string::npos);
+    EXPECT_NE(folder_.read("c.csg").find("cube(size = [4, 4, 4], center = false);"), std::string::npos);
+    EXPECT_NE(folder_.read("c.ast").find("translate([1, 2, 3])"), std::string::npos);
 }
 
 TEST_F(Cli, WarningsAreOpenscadsAndMayBeHard) {
-    write("w.scad", "cube(1);\ncube(unknown_thing);\n");
+    folder_.write("w.scad", "cube(1);\ncube(unknown_thing);\n");
     const Result soft = run("w.scad -o w.csg");
     EXPECT_EQ(soft.status, 0);
     EXPECT_NE(soft.err.find("WARNING: Ignoring unknown variable"), std::string::npos) << soft.err;
     EXPECT_NE(soft.err.find("line 2"), std::string::npos) << soft.err;
     EXPECT_EQ(run("w.scad -o w.csg -q").err, "");
-    fs::remove(folder_ / "w.csg");
+    folder_.remove("w.csg");
     EXPECT_EQ(run("w.scad -o w.csg --hardwarnings").status, 1);
-    EXPECT_FALSE(fs::exists(folder_ / "w.csg"));
+    EXPECT_FALSE(fs::exists(folder_.path("w.csg")));
 }
 
 TEST_F(Cli, StatisticsAreComplete) {
     ASSERT_EQ(run("m.scad -o m.png --imgsize 32,32 --layers all --stats s.json").status, 0);
-    const auto json = nlohmann::json::parse(read(folder_ / "s.json"));
+    const auto json = nlohmann::json::parse(folder_.read("s.json"));
     EXPECT_EQ(json.at("leaves"), 2);
     EXPECT_EQ(json.at("products"), 1);
     EXPECT_EQ(json.at("width"), 32);
@@ -171,17 +135,17 @@ TEST_F(Cli, StatisticsAreComplete) {
 }
 
 TEST_F(Cli, SummaryAndDependencies) {
-    write("part.scad", "cube([1,2,3]);\n");
-    write("main.scad", "include <part.scad>\n");
+    folder_.write("part.scad", "cube([1,2,3]);\n");
+    folder_.write("main.scad", "include <part.scad>\n");
     ASSERT_EQ(run("main.scad -o main.csg -d main.d --summary-file s.json -D unused=1").status, 0);
-    EXPECT_EQ(nlohmann::json::parse(read(folder_ / "s.json")).at("bounding_box").at("size"), nlohmann::json({1, 2, 3}));
-    EXPECT_EQ(read(folder_ / "main.d"), "main.csg: \\\n\tmain.scad \\\n\tpart.scad\n");
+    EXPECT_EQ(nlohmann::json::parse(folder_.read("s.json")).at("bounding_box").at("size"), nlohmann::json({1, 2, 3}));
+    EXPECT_EQ(folder_.read("main.d"), "main.csg: \\\n\tmain.scad \\\n\tpart.scad\n");
 }
 
 TEST_F(Cli, AnEmptyModelIsABackground) {
-    write("empty.scad", "");
+    folder_.write("empty.scad", "");
     ASSERT_EQ(run("empty.scad -o e.png --imgsize 16,16").status, 0);
-    const gl::Image image = gl::read_png(folder_ / "e.png");
+    const gl::Image image = gl::read_png(folder_.path("e.png"));
     EXPECT_EQ(std::vector<int>(image.pixel(8, 8), image.pixel(8, 8) + 3), (std::vector<int>{255, 255, 229}));
 }
 
@@ -193,7 +157,7 @@ TEST_F(Cli, HelpVersionAndInformationEndWell) {
 }
 
 TEST_F(Cli, WhatCannotBeDoneSaysSoAndLeavesNoFile) {
-    fs::create_directory(folder_ / "dir");
+    fs::create_directory(folder_.path("dir"));
     const std::pair<const char*, const char*> cases[] = {
         {"", "no input file"},
         {"missing.scad -o m.png", "missing.scad"},
@@ -213,7 +177,7 @@ TEST_F(Cli, WhatCannotBeDoneSaysSoAndLeavesNoFile) {
     for (const auto& [arguments, message] : cases) {
         SCOPED_TRACE(arguments);
         expect_error(run(arguments), message);
-        EXPECT_FALSE(fs::exists(folder_ / "m.png"));
+        EXPECT_FALSE(fs::exists(folder_.path("m.png")));
     }
 }
 
@@ -243,7 +207,7 @@ TEST_F(Cli, BrokenFilesAreLocatedErrors) {
         expect_error(result, late == evaluation.end() ? "ERROR: " + message : late->second);
         EXPECT_NE(result.err.find(".scad" + place), std::string::npos) << result.err;
         EXPECT_NE(result.err.find('^'), std::string::npos) << "no caret in:\n" << result.err;
-        EXPECT_FALSE(fs::exists(folder_ / "m.png"));
+        EXPECT_FALSE(fs::exists(folder_.path("m.png")));
     }
     EXPECT_EQ(rows, std::distance(fs::directory_iterator(bad), fs::directory_iterator())) << "every file is tested";
 }

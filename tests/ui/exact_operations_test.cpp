@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
+
+#include "tests/solid/mesh_volume.h"
 
 namespace {
 
@@ -21,10 +22,7 @@ Mesh box(const glm::dvec3& lo, const glm::dvec3& hi) {
 
 double volume(const MeshResult& result) {
     EXPECT_EQ(result.problem, "");
-    double six = 0;
-    for (const glm::uvec3& t : result.mesh.triangles)
-        six += glm::dot(result.mesh.points[t.x], glm::cross(result.mesh.points[t.y], result.mesh.points[t.z]));
-    return six / 6;
+    return test::mesh_volume(result.mesh.points, result.mesh.triangles);
 }
 
 TEST(ExactOperations, Booleans) {

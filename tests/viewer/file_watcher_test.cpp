@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/viewer/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ui {
 namespace {
@@ -25,7 +25,7 @@ class Watcher : public testing::Test {
         return count;
     }
 
-    TemporaryFolder folder_;
+    test_support::TemporaryFolder folder_;
     std::string main_, part_;
     FileWatcher watcher_;
     double now_ = 100;

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/viewer/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ui {
 namespace {
 
 TEST(FrameLog, WritesALinePerFrame) {
-    const TemporaryFolder folder;
+    const test_support::TemporaryFolder folder;
     FrameLog log(folder.path("frames.json"));
     FrameRecord record;
     record.samples = 3;

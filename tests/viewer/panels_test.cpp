@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/viewer/small_model.h"
-#include "tests/viewer/temporary_folder.h"
 
 namespace ui {
 namespace {
@@ -81,7 +81,7 @@ class Panels : public testing::Test {
         return values.at(values.find(name));
     }
 
-    TemporaryFolder folder_;
+    test_support::TemporaryFolder folder_;
     Fonts fonts_;
     std::unique_ptr<Session> session_;
     PictureInfo info_;

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "tests/support/gl_test.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/viewer/small_model.h"
-#include "tests/viewer/temporary_folder.h"
 
 namespace ui {
 namespace {
@@ -126,7 +126,7 @@ TEST_P(PictureViewTest, PicksThePointInTheMiddle) {
 }
 
 TEST_P(PictureViewTest, SavesOrSaysWhyNot) {
-    const TemporaryFolder folder;
+    const test_support::TemporaryFolder folder;
     for (const bool threaded : {false, true}) {
         PictureView view = make(threaded);
         view.save(model_, request_, folder.path("saved.png"));

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/viewer/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ui {
 namespace {
@@ -18,7 +18,7 @@ class RevisionTest : public testing::Test {
         return make(Source{folder_.write("main.scad", text), {}, {}, true, false});
     }
 
-    TemporaryFolder folder_;
+    test_support::TemporaryFolder folder_;
     Evaluate evaluate_ = make_evaluate();
 };
 

@@ -5,11 +5,12 @@
 
 #include <atomic>
 #include <chrono>
-#include <mutex>
+#include <memory>
+#include <stop_token>
 #include <thread>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/viewer/small_model.h"
-#include "tests/viewer/temporary_folder.h"
 
 namespace ui {
 namespace {
@@ -22,13 +23,12 @@ class Language {
     Revision operator()(const Source& source, const csg::scad::View&, const std::stop_token& stop) {
         ++evaluations_;
         const FileStamp stamp = stamp_of(source.path);
-        std::ostringstream text;
-        text << std::ifstream(source.path).rdbuf();
-        while (text.str() == "endless" && !stop.stop_requested()) {
+        const std::string text = test_support::read_file(source.path);
+        while (text == "endless" && !stop.stop_requested()) {
             std::this_thread::sleep_for(1ms);
         }
         stopped_ += stop.stop_requested() ? 1 : 0;
-        Revision revision = text.str() == "good" ? good_revision() : failed_revision();
+        Revision revision = text == "good" ? good_revision() : failed_revision();
         revision.files[source.path] = stamp;
         return revision;
     }
@@ -68,7 +68,7 @@ class SessionTest : public testing::Test {
         return false;
     }
 
-    TemporaryFolder folder_;
+    test_support::TemporaryFolder folder_;
     Language language_;
     std::unique_ptr<Session> session_;
     double now_ = 0;

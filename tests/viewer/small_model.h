@@ -9,9 +9,9 @@
 namespace ui {
 
 /// A cube with a corner at the origin.
-inline std::shared_ptr<const Model> cube_model(double side = 10) {
+inline std::shared_ptr<const Model> cube_model() {
     csg::TreeBuilder builder;
-    const csg::NodeId cube = builder.leaf(csg::Cube{glm::dvec3(side)}, {builder.file("cube.scad"), 1, 1});
+    const csg::NodeId cube = builder.leaf(csg::Cube{glm::dvec3(10)}, {builder.file("cube.scad"), 1, 1});
     return ModelBuilder().build(std::make_shared<csg::Tree>(builder.finish(cube)));
 }
 
@@ -26,9 +26,9 @@ inline Revision good_revision(std::shared_ptr<const Model> model = cube_model())
     return revision;
 }
 
-inline Revision failed_revision(const std::string& error = "model.scad:3:5: it is wrong") {
+inline Revision failed_revision() {
     Revision revision;
-    revision.messages.add(LineKind::Error, error);
+    revision.messages.add(LineKind::Error, "model.scad:3:5: it is wrong");
     return revision;
 }
 

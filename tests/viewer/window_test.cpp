@@ -10,7 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/viewer/temporary_folder.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/viewer/x_display.h"
 
 namespace ui {
@@ -44,12 +45,9 @@ class Window : public testing::Test {
   protected:
     void SetUp() override {
         const std::string missing = XDisplay::missing_program();
-        const char* required = std::getenv("CSGSCOPE_REQUIRE_GL");
-        if (!missing.empty() && required != nullptr && *required == '1') {
-            FAIL() << missing << " is not installed";
-        }
         if (!missing.empty()) {
-            GTEST_SKIP() << missing << " is not installed";
+            test_support::skip_or_fail(missing + " is not installed");
+            return;
         }
         display_ = std::make_unique<XDisplay>(folder_.path(""));
         folder_.write("model.scad", kModel);
@@ -133,7 +131,7 @@ class Window : public testing::Test {
         return testing::AssertionFailure() << found << " pixels instead of " << least << " to " << most;
     }
 
-    TemporaryFolder folder_;
+    test_support::TemporaryFolder folder_;
     std::unique_ptr<XDisplay> display_;
     std::unique_ptr<Process> program_;
 };

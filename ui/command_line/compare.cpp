@@ -8,7 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <memory>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -80,12 +81,8 @@ struct Loaded {
 Loaded load(const CompareOptions& o) {
     csg::scad::Request request;
     request.path = o.input;
-    auto text = csg::scad::read_source_file(o.input);
-    if (const auto* error = std::get_if<csg::scad::ReadError>(&text)) {
-        throw UsageError(error->text);
-    }
-    request.text = std::get<std::string>(std::move(text));
-    request.preview = o.reference.empty() ? false : true;
+    request.text = read_source(o.input);
+    request.preview = !o.reference.empty();
     Messages messages(true);
     auto evaluation =
         csg::scad::evaluate(request, [&](const auto& message, const auto& sources) { messages.add(message, sources); });
@@ -158,31 +155,45 @@ csg::reference::Mesh reference_mesh(const CompareOptions& o, const Model& model)
     }
 }
 
-goldfeather::HostLayers layers_of(const SolidScene& solid, const gl::View& view, const std::string& engine) {
-    if (engine == "lists-cpu") {
-        const goldfeather::ListsModel lists(solid.scene, solid.geometry);
-        goldfeather::CpuLayers layers;
-        goldfeather::ListsStats stats;
-        goldfeather::peel_lists(lists, view, 0, 0, layers, stats);
-        return goldfeather::to_host(layers);
+/// The solid with the engine that draws it from all views.
+class Drawer {
+  public:
+    Drawer(const SolidScene& solid, const std::string& engine) : solid_(solid) {
+        if (engine == "lists-cpu") {
+            return;
+        }
+        context_ = gl::create_context(gl::ContextKind::Auto);
+        std::vector<csg::Box> boxes;
+        for (const auto& leaf : solid.geometry.leaves) {
+            boxes.push_back(leaf.box);
+        }
+        goldfeather::NormalizationStats normalization;
+        auto normalized = goldfeather::normalize(solid.scene, solid.scene.parts[0], boxes, {}, normalization);
+        if (std::holds_alternative<goldfeather::OverBudget>(normalized)) {
+            throw ModelError("the model needs more products than the engine goldfeather takes");
+        }
+        auto* sum = std::get_if<goldfeather::SumOfProducts>(&normalized);
+        peeler_.emplace(context_->functions());
+        model_.emplace(context_->functions(), solid.scene, solid.geometry,
+                       std::vector<std::vector<goldfeather::Product>>{sum ? std::move(sum->products)
+                                                                          : std::vector<goldfeather::Product>{}});
     }
-    const auto context = gl::create_context(gl::ContextKind::Auto);
-    std::vector<csg::Box> boxes;
-    for (const auto& leaf : solid.geometry.leaves) {
-        boxes.push_back(leaf.box);
+
+    [[nodiscard]] goldfeather::HostLayers layers(const gl::View& view) {
+        if (!model_) {
+            return goldfeather::peel_to_host(solid_.scene, solid_.geometry, view);
+        }
+        peel::WalkStats stats;
+        return peel::read_back(context_->functions(), peeler_->peel(view, *model_, peel::kAllLayers, stats));
     }
-    goldfeather::NormalizationStats normalization;
-    auto normalized = goldfeather::normalize(solid.scene, solid.scene.parts[0], boxes, {}, normalization);
-    auto* sum = std::get_if<goldfeather::SumOfProducts>(&normalized);
-    if (std::holds_alternative<goldfeather::OverBudget>(normalized)) {
-        throw ModelError("the model needs more products than the engine goldfeather takes");
-    }
-    peel::Peeler peeler(context->functions());
-    peel::PeelModel model(context->functions(), solid.scene, solid.geometry,
-                          {sum ? std::move(sum->products) : std::vector<goldfeather::Product>{}});
-    peel::WalkStats stats;
-    return peel::read_back(context->functions(), peeler.peel(view, model, peel::kAllLayers, stats));
-}
+
+  private:
+    const SolidScene& solid_;
+    // Only for goldfeather. The context goes last.
+    std::unique_ptr<gl::Context> context_;
+    std::optional<peel::Peeler> peeler_;
+    std::optional<peel::PeelModel> model_;
+};
 
 /// Views evenly spread (on a spiral), perspective and orthographic in turn; the first is OpenSCAD's default.
 gl::Camera camera_of(int view, int views, const csg::Box& box) {
@@ -235,11 +246,7 @@ ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& 
                 set(result.drawn, x, y, shade(solid.geometry.planes.planes()[stack.at(0, x, y).plane].normal, view));
             }
             if (!truth.of[i].empty()) {
-                const glm::uvec3& t = mesh.triangles[truth.of[i][0].triangle];
-                set(result.expected, x, y,
-                    shade(glm::normalize(
-                              glm::cross(mesh.points[t.y] - mesh.points[t.x], mesh.points[t.z] - mesh.points[t.x])),
-                          view));
+                set(result.expected, x, y, shade(normal_of(mesh, truth.of[i][0].triangle), view));
             }
             if (drawn || !truth.of[i].empty()) {
                 set(result.difference, x, y,
@@ -263,10 +270,11 @@ int compare_with_mesh(const CompareOptions& o) {
     csg::Box box = csg::enclose(solid.geometry.box, facts.box);
     Errors all, outside;
     std::vector<ComparedView> views;
+    Drawer drawer(solid, o.engine);
     for (int i = 0; i < o.views; ++i) {
         const gl::View view(camera_of(i, o.views, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo,
                             box.hi);
-        const auto stack = layers_of(solid, view, o.engine);
+        const auto stack = drawer.layers(view);
         const MeshLayers truth = mesh_layers(mesh, view);
         const Comparison comparison = compare_layers(stack, solid.geometry, mesh, truth, view, box.diagonal());
         all.add(comparison.all);

@@ -30,6 +30,14 @@ std::string escape_for_make(const std::string& name) {
 
 }  // namespace
 
+std::string read_source(const std::string& path) {
+    auto text = csg::scad::read_source_file(path);
+    if (const auto* error = std::get_if<csg::scad::ReadError>(&text)) {
+        throw UsageError(error->text);
+    }
+    return std::get<std::string>(std::move(text));
+}
+
 std::string read_standard_input() {
     std::string text;
     std::array<char, 65536> chunk{};

@@ -6,6 +6,9 @@
 
 namespace ui {
 
+/// The text of a source file. Throws UsageError where it cannot be read.
+[[nodiscard]] std::string read_source(const std::string& path);
+
 /// The whole of standard input. Throws UsageError where it is longer than a source text may be.
 [[nodiscard]] std::string read_standard_input();
 

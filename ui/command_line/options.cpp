@@ -133,8 +133,7 @@ gl::Camera read_camera(std::string_view text) {
 struct Raw {
     std::vector<std::string> inputs, outputs, settings;
     std::string export_format, camera, size, layers, samples, view, csg_limit, make, backend, render, preview, scheme;
-    std::string parameter_file, parameter_set, check_parameters, check_ranges, trace_parameters, trace_depth,
-        time_limit, memory_limit;
+    std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::vector<std::string> summary, features;
     bool version = false;
@@ -169,8 +168,8 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
          "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);
     text("--cache", o.cache, "Keep meshes in this folder, and take them from there", "DIR", in);
     list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
-    text("-p,--p", raw.parameter_file, "A file of parameter sets, as OpenSCAD's customizer writes it", "FILE", in);
-    text("-P,--P", raw.parameter_set, "The parameter set of that file to take", "NAME", in);
+    text("-p,--p", o.parameter_file, "A file of parameter sets, as OpenSCAD's customizer writes it", "FILE", in);
+    text("-P,--P", o.parameter_set, "The parameter set of that file to take", "NAME", in);
     text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
     text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
     text("--summary-file", raw.summary_file,
@@ -252,8 +251,6 @@ void interpret(Options& o, const Raw& raw) {
         throw UsageError(fmt::format("one input file is expected, not {} (\"{}\" and \"{}\")", raw.inputs.size(),
                                      raw.inputs[0], raw.inputs[1]));
     }
-    o.parameter_file = raw.parameter_file;
-    o.parameter_set = raw.parameter_set;
     interpret_limits(o, raw);
     o.input = raw.inputs.empty() ? "" : raw.inputs[0];
     for (const std::string& path : raw.outputs) {

@@ -95,6 +95,18 @@ void write_outputs(const Options& options, Format format, const std::string& byt
     }
 }
 
+/// How to draw, whatever the view and the size.
+PictureRequest picture_of(const Options& options) {
+    PictureRequest request;
+    request.style = options.style;
+    request.settings = options.settings;
+    request.scheme = options.scheme;
+    request.layers = options.layers.value_or(-1);
+    request.samples = options.samples;
+    request.transparent_background = options.transparent_background;
+    return request;
+}
+
 /// One run: the source, what became of it, and the figures.
 class Run {
   public:
@@ -106,11 +118,11 @@ class Run {
         check();
         read();
         if (wants(options_, Format::Ast)) {
-            write_outputs(options_, Format::Ast, csg::scad::ast_text(program()));
+            write_outputs(options_, Format::Ast, csg::scad::ast_text(parse().program));
         }
         if (wants(options_, Format::Param)) {
             const std::string title = std::filesystem::path(options_.input).stem().string();
-            write_outputs(options_, Format::Param, parameters_json(program(), title));
+            write_outputs(options_, Format::Param, parameters_json(parse().program, title));
         }
         if (only({Format::Ast, Format::Param})) {
             return true;  // Nothing needs to run.
@@ -168,15 +180,7 @@ class Run {
 
     void read() {
         request_.path = options_.input == "-" ? "<stdin>" : options_.input;
-        if (options_.input == "-") {
-            request_.text = read_standard_input();
-        } else {
-            auto text = csg::scad::read_source_file(options_.input);
-            if (const auto* error = std::get_if<csg::scad::ReadError>(&text)) {
-                throw UsageError(error->text);
-            }
-            request_.text = std::get<std::string>(std::move(text));
-        }
+        request_.text = options_.input == "-" ? read_standard_input() : read_source(options_.input);
         request_.definitions = options_.definitions;
         request_.preview = options_.preview && !wants(options_, Format::Mesh);
         request_.check_ranges = options_.check_ranges;
@@ -218,8 +222,8 @@ class Run {
             messages_.warn(fmt::format("Can't open parameter file: {}", error->text));
             return;
         }
-        ParameterSet set =
-            read_parameter_set(program(), std::get<std::string>(text), options_.parameter_file, options_.parameter_set);
+        ParameterSet set = read_parameter_set(parse().program, std::get<std::string>(text), options_.parameter_file,
+                                              options_.parameter_set);
         if (!set.problem.empty()) {
             messages_.warn(set.problem);
         }
@@ -271,15 +275,9 @@ class Run {
     }
 
     [[nodiscard]] PictureRequest picture_request(const gl::Camera& camera) const {
-        PictureRequest request;
+        PictureRequest request = picture_of(options_);
         request.camera = camera;
         request.size = options_.size;
-        request.style = options_.style;
-        request.settings = options_.settings;
-        request.scheme = options_.scheme;
-        request.layers = options_.layers.value_or(-1);
-        request.samples = options_.samples;
-        request.transparent_background = options_.transparent_background;
         return request;
     }
 
@@ -362,12 +360,7 @@ class Run {
 
     [[nodiscard]] Json summary() const {
         const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
-        Json json = {{"camera",
-                      {{"translation", array(camera_.target)},
-                       {"rotation", array(camera_.rotation)},
-                       {"distance", camera_.distance},
-                       {"fov", camera_.fov}}},
-                     {"bounding_box", nullptr}};
+        Json json = {{"camera", to_json(camera_)}, {"bounding_box", nullptr}};
         if (!model_->empty()) {
             json["bounding_box"] = {
                 {"min", array(model_->box.lo)}, {"max", array(model_->box.hi)}, {"size", array(model_->box.size())}};
@@ -378,8 +371,8 @@ class Run {
         return json;
     }
 
-    [[nodiscard]] csg::scad::Program program() const {
-        return csg::scad::parse({request_.path, *request_.text, request_.definitions}).program;
+    [[nodiscard]] csg::scad::Parsed parse() const {
+        return csg::scad::parse({request_.path, *request_.text, request_.definitions});
     }
 
     Options options_;
@@ -400,20 +393,14 @@ int open_window(const Options& options) {
     window.source.path = options.input;
     if (options.input == "-") {
         window.source.text = read_standard_input();
-    } else if (auto text = csg::scad::read_source_file(options.input);
-               std::holds_alternative<csg::scad::ReadError>(text)) {
-        throw UsageError(std::get<csg::scad::ReadError>(text).text);
+    } else {
+        (void)read_source(options.input);  // A file that is not there is told before a window opens.
     }
     window.source.definitions = options.definitions;
     window.source.preview = options.preview;
     window.source.hard_warnings = options.hard_warnings;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
-    window.picture.style = options.style;
-    window.picture.settings = options.settings;
-    window.picture.scheme = options.scheme;
-    window.picture.layers = options.layers.value_or(-1);
-    window.picture.samples = options.samples;
-    window.picture.transparent_background = options.transparent_background;
+    window.picture = picture_of(options);
     window.engine = options.engine;
     window.frames_log = options.frames_log;
     return run_window(window);

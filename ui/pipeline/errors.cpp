@@ -11,11 +11,6 @@ constexpr double kOneDegree = 0.99984769515639127;  // its cosine
 constexpr double kCrease = 0.94;                    // of the first layer's edges: cosine of 20 degrees
 constexpr double kStep = 0.05;                      // over the diagonal: a larger step of the first layer is an edge
 
-glm::dvec3 normal_of(const csg::reference::Mesh& mesh, std::uint32_t triangle) {
-    const glm::uvec3& t = mesh.triangles[triangle];
-    return glm::normalize(glm::cross(mesh.points[t.y] - mesh.points[t.x], mesh.points[t.z] - mesh.points[t.x]));
-}
-
 /// A surface as both sides tell it: the normal does not tell the side.
 struct Sample {
     double distance;
@@ -140,6 +135,11 @@ class Comparer {
 };
 
 }  // namespace
+
+glm::dvec3 normal_of(const csg::reference::Mesh& mesh, std::uint32_t triangle) {
+    const glm::uvec3& t = mesh.triangles[triangle];
+    return glm::normalize(glm::cross(mesh.points[t.y] - mesh.points[t.x], mesh.points[t.z] - mesh.points[t.x]));
+}
 
 double Errors::depth_rms() const {
     return surfaces == 0 ? 0 : std::sqrt(depth_squares / static_cast<double>(surfaces));

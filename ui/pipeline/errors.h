@@ -42,6 +42,9 @@ struct Comparison {
     std::vector<std::uint8_t> wrong;  ///< By pixel: 0 agrees, 1 differs inside the band, 2 differs outside it.
 };
 
+/// Of unit length.
+[[nodiscard]] glm::dvec3 normal_of(const csg::reference::Mesh& mesh, std::uint32_t triangle);
+
 /// Compares layer by layer. `diagonal`: of the scene, world units.
 [[nodiscard]] Comparison compare_layers(const goldfeather::HostLayers& stack, const csg::solid::Geometry& geometry,
                                         const csg::reference::Mesh& mesh, const MeshLayers& truth, const gl::View& view,

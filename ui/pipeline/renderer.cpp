@@ -107,14 +107,16 @@ void Renderer::draw_sample(const Model& model, const PictureRequest& request, in
     const int layers = request.layers >= 0 ? request.layers : style.layers_needed(parameters, translucent_);
     const npr::Picture picture{request.camera, request.size, model.geometry.box.lo,          model.geometry.box.hi,
                                parameters,     scheme,       request.transparent_background, request.samples};
-    peeler_.give_back(accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const gl::View& view) {
-        (void)watch.lap();
-        peel::LayerStack stack = peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk);
-        gl_.Finish();
-        statistics_.peel_ms += watch.lap();
-        ++statistics_.samples;
-        return stack;
-    }));
+    peeler_.give_back(
+        accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const gl::View& view) {
+            (void)watch.lap();
+            peel::LayerStack stack =
+                peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk);
+            gl_.Finish();
+            statistics_.peel_ms += watch.lap();
+            ++statistics_.samples;
+            return stack;
+        }));
     gl_.Finish();
     statistics_.style_ms += watch.lap();
     statistics_.engine = choice_;
@@ -145,11 +147,6 @@ gl::Image Renderer::render(const Model& model, const PictureRequest& request) {
     gl::Image image = accumulator_.image();
     statistics_.read_ms = watch.lap();
     return image;
-}
-
-void Renderer::draw(const Model& model, const PictureRequest& request, GLuint target, glm::ivec2 corner) {
-    accumulate(model, request);
-    accumulator_.resolve(target, corner);
 }
 
 }  // namespace ui

@@ -45,9 +45,6 @@ class Renderer {
     /// The picture in main memory.
     [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request);
 
-    /// Draws the picture into `target` (0: the window), its lower left corner at `corner`.
-    void draw(const Model& model, const PictureRequest& request, GLuint target, glm::ivec2 corner);
-
     /// The same step by step, so that the caller may look after other things in between: draws one of the picture's
     /// `samples`, the first (0) of a new picture; then `resolve` writes the mean of those drawn so far into `target`.
     void draw_sample(const Model& model, const PictureRequest& request, int sample);

@@ -2,6 +2,14 @@
 
 namespace ui {
 
+nlohmann::ordered_json to_json(const gl::Camera& camera) {
+    const auto array = [](const glm::dvec3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+    return {{"translation", array(camera.target)},
+            {"rotation", array(camera.rotation)},
+            {"distance", camera.distance},
+            {"fov", camera.fov}};
+}
+
 nlohmann::ordered_json to_json(const ModelStatistics& s) {
     return {{"parts", s.parts},
             {"leaves", s.leaves},

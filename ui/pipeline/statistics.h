@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gl/camera.h"
 #include "goldfeather/choice.h"
 #include "goldfeather/engine.h"
 #include "ui/pipeline/model.h"
@@ -19,6 +20,9 @@ struct PictureStatistics {
     double style_ms = 0;
     double read_ms = 0;
 };
+
+/// OpenSCAD's four numbers: {"translation": …, "rotation": …, "distance": …, "fov": …}.
+[[nodiscard]] nlohmann::ordered_json to_json(const gl::Camera& camera);
 
 /// Counts and stages of a model: {"leaves": …, "products": …, "ms": {"place": …, "normalize": …}}.
 [[nodiscard]] nlohmann::ordered_json to_json(const ModelStatistics& statistics);

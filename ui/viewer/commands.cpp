@@ -103,11 +103,6 @@ std::span<const ActionInfo> actions() {
     return kActions;
 }
 
-const ActionInfo& info(Action action) {
-    return *std::find_if(kActions.begin(), kActions.end(),
-                         [&](const ActionInfo& each) { return each.action == action; });
-}
-
 std::optional<Action> action_of(const Chord& chord) {
     for (const ActionInfo& each : kActions) {
         if (chord.key != 0 && std::find(std::begin(each.keys), std::end(each.keys), chord) != std::end(each.keys)) {

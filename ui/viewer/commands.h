@@ -95,7 +95,6 @@ struct ActionInfo {
 
 /// All actions, menu by menu.
 [[nodiscard]] std::span<const ActionInfo> actions();
-[[nodiscard]] const ActionInfo& info(Action action);
 /// The action of a key; none where it has none.
 [[nodiscard]] std::optional<Action> action_of(const Chord& chord);
 

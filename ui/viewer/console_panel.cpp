@@ -50,9 +50,7 @@ void edge(const Rectangle& place, float& height) {
 void title_row(const MessageLog& messages, const Fonts& fonts, Commands& commands) {
     ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, 0.5F * ImGui::GetFontSize()});
     ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(fonts.bold);
-    ImGui::TextUnformatted("Console");
-    ImGui::PopFont();
+    bold_text("Console", fonts);
     if (messages.errors() != 0) {
         ImGui::SameLine();
         ImGui::TextColored(theme::kError, "%s", counted(messages.errors(), "error").c_str());

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "npr/accumulate.h"
 #include "ui/viewer/camera_control.h"
 #include "ui/viewer/panel_window.h"
 #include "ui/viewer/panels.h"
@@ -15,9 +16,7 @@ namespace {
 
 void heading(const char* text, const Fonts& fonts) {
     ImGui::Dummy({0, 0.25F * ImGui::GetFontSize()});
-    ImGui::PushFont(fonts.bold);
-    ImGui::TextUnformatted(text);
-    ImGui::PopFont();
+    bold_text(text, fonts);
 }
 
 /// Buttons in rows of `columns` that fill the width; calls `pressed` with the index.
@@ -112,12 +111,12 @@ void layers_section(const Session& session, const Fonts& fonts, Commands& comman
 }
 
 void samples_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
-    static constexpr std::array kCounts{1, 4, 8, 16};
     heading("Samples per pixel", fonts);
     button_grid(
-        kCounts.size(), kCounts.size(), [](std::size_t i) { return std::to_string(kCounts[i]); },
-        [&](std::size_t i) { return kCounts[i] == view.samples; },
-        [&](std::size_t i) { commands.emplace_back(SetSamples{kCounts[i]}); });
+        npr::kSampleCounts.size(), npr::kSampleCounts.size(),
+        [](std::size_t i) { return std::to_string(npr::kSampleCounts[i]); },
+        [&](std::size_t i) { return npr::kSampleCounts[i] == view.samples; },
+        [&](std::size_t i) { commands.emplace_back(SetSamples{npr::kSampleCounts[i]}); });
 }
 
 void camera_section(const ViewState& view, const Fonts& fonts, Commands& commands) {

@@ -7,11 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "ui/pipeline/statistics.h"
+
 namespace ui {
 
+namespace {
+
+/// The record on one line, without newline.
 std::string to_json(const FrameRecord& record) {
-    const auto array = [](const glm::dvec3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
-    const bool orthographic = record.camera.projection == gl::Projection::Orthographic;
+    nlohmann::ordered_json camera = ui::to_json(record.camera);
+    camera["projection"] = record.camera.projection == gl::Projection::Orthographic ? "orthographic" : "perspective";
     const nlohmann::ordered_json json = {{"time", record.time},
                                          {"ms", record.ms},
                                          {"picture_ms", record.picture_ms},
@@ -25,14 +30,11 @@ std::string to_json(const FrameRecord& record) {
                                          {"style", record.style},
                                          {"state", record.state},
                                          {"evaluating", record.evaluating},
-                                         {"camera",
-                                          {{"translation", array(record.camera.target)},
-                                           {"rotation", array(record.camera.rotation)},
-                                           {"distance", record.camera.distance},
-                                           {"fov", record.camera.fov},
-                                           {"projection", orthographic ? "orthographic" : "perspective"}}}};
+                                         {"camera", camera}};
     return json.dump();
 }
+
+}  // namespace
 
 FrameLog::FrameLog(const std::string& path) {
     if (path.empty()) {

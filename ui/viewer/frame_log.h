@@ -25,9 +25,6 @@ struct FrameRecord {
     gl::Camera camera;
 };
 
-/// The record on one line, without newline.
-[[nodiscard]] std::string to_json(const FrameRecord& record);
-
 class FrameLog {
   public:
     /// Opens the file anew; an empty path logs nothing. Throws std::runtime_error where it cannot be opened.

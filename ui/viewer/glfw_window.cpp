@@ -93,7 +93,7 @@ void on_scroll(GLFWwindow* window, double /*x*/, double y) {
 
 }  // namespace
 
-GlfwWindow::GlfwWindow(const std::string& title, glm::ivec2 size) : title_(title) {
+GlfwWindow::GlfwWindow(const std::string& title, glm::ivec2 size) {
     if (glfwInit() != GLFW_TRUE) {
         fail();
     }
@@ -192,13 +192,6 @@ void GlfwWindow::hide() const {
 }
 void GlfwWindow::set_clipboard(const std::string& text) const {
     glfwSetClipboardString(window_, text.c_str());
-}
-
-void GlfwWindow::set_title(const std::string& title) {
-    if (title != title_) {
-        title_ = title;
-        glfwSetWindowTitle(window_, title.c_str());
-    }
 }
 
 void* window_symbol(const char* name) {

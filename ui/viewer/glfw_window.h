@@ -34,7 +34,6 @@ class GlfwWindow {
 
     void make_current() const;
     void swap() const;
-    void set_title(const std::string& title);
     void hide() const;
     void set_clipboard(const std::string& text) const;
 
@@ -42,7 +41,6 @@ class GlfwWindow {
     void install_callbacks();
 
     GLFWwindow* window_ = nullptr;
-    std::string title_;
     Input input_;
 };
 

@@ -20,9 +20,7 @@ void row(const std::string& keys, const char* meaning) {
 
 void title(const char* text, const Fonts& fonts) {
     ImGui::Spacing();
-    ImGui::PushFont(fonts.bold);
-    ImGui::TextUnformatted(text);
-    ImGui::PopFont();
+    bold_text(text, fonts);
 }
 
 bool begin_rows(const char* id) {

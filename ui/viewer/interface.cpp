@@ -33,8 +33,7 @@ void Interface::set_scale(float scale) {
     scale_ = scale;
     apply_theme(scale);
     fonts_ = load_fonts(scale);
-    ImGui_ImplOpenGL3_DestroyFontsTexture();  // Made anew with the next frame.
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // The texture of the fonts too; made anew with the next frame.
 }
 
 void Interface::press(const Input& input) {

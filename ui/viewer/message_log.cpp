@@ -40,22 +40,29 @@ std::string shortened(std::string_view line) {
     return std::string(line.substr(0, end)) + "…";
 }
 
-}  // namespace
-
-void MessageLog::count(LineKind kind, const std::string& headline) {
-    if (kind == LineKind::Warning) {
-        ++warnings_;
-    } else if (kind == LineKind::Error && errors_++ == 0) {
-        first_error_ = shortened(headline.substr(0, headline.find('\n')));
-    }
+std::string first_line(std::string_view text) {
+    return shortened(text.substr(0, text.find('\n')));
 }
 
-void MessageLog::append(LineKind kind, const std::string& text) {
+}  // namespace
+
+bool MessageLog::count(LineKind kind) {
+    if (kind == LineKind::Warning) {
+        ++warnings_;
+    }
+    return kind == LineKind::Error && errors_++ == 0;
+}
+
+bool MessageLog::room_for(LineKind kind) {
     const bool full = lines_.size() >= kMostLines || bytes_ >= kMostBytes;
     if (full && (kind != LineKind::Error || errors_ > kMostErrors)) {
         ++left_out_;
-        return;
+        return false;
     }
+    return true;
+}
+
+void MessageLog::append(LineKind kind, const std::string& text) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         lines_.push_back(
@@ -68,20 +75,28 @@ void MessageLog::append(LineKind kind, const std::string& text) {
 void MessageLog::add(const csg::scad::Message& message, const csg::scad::SourceSet& sources) {
     const LineKind kind = kind_of(message.severity);
     const bool located = message.where.known() && message.where.file < sources.size();
-    std::string headline = message.text;
-    if (located) {
-        const std::filesystem::path name(sources[message.where.file].name());
-        headline = fmt::format("{}:{}:{}: {}", name.filename().string(), message.where.line, message.where.column,
-                               message.text);
+    if (count(kind)) {
+        std::string headline = message.text;
+        if (located) {
+            const std::filesystem::path name(sources[message.where.file].name());
+            headline = fmt::format("{}:{}:{}: {}", name.filename().string(), message.where.line, message.where.column,
+                                   message.text);
+        }
+        first_error_ = first_line(headline);
     }
-    count(kind, headline);
-    const bool excerpt = located && (kind == LineKind::Error || kind == LineKind::Warning);
-    append(kind, excerpt ? csg::scad::render(message, sources) : csg::scad::render_openscad(message, sources));
+    if (room_for(kind)) {
+        const bool excerpt = located && (kind == LineKind::Error || kind == LineKind::Warning);
+        append(kind, excerpt ? csg::scad::render(message, sources) : csg::scad::render_openscad(message, sources));
+    }
 }
 
 void MessageLog::add(LineKind kind, const std::string& text) {
-    count(kind, text);
-    append(kind, text);
+    if (count(kind)) {
+        first_error_ = first_line(text);
+    }
+    if (room_for(kind)) {
+        append(kind, text);
+    }
 }
 
 std::string MessageLog::text() const {

@@ -35,7 +35,10 @@ class MessageLog {
     [[nodiscard]] std::string text() const;  ///< All lines, each with a newline.
 
   private:
-    void count(LineKind kind, const std::string& headline);
+    /// True for the first error.
+    bool count(LineKind kind);
+    /// Where it gives false the message is left out.
+    bool room_for(LineKind kind);
     void append(LineKind kind, const std::string& text);
 
     std::vector<LogLine> lines_;

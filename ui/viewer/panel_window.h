@@ -1,9 +1,10 @@
-// A part of the interface that fills a rectangle.
+// What the parts of the interface have in common: their windows, and their headings.
 #pragma once
 
 #include <imgui.h>
 
 #include "ui/viewer/layout.h"
+#include "ui/viewer/theme.h"
 
 namespace ui {
 
@@ -36,6 +37,12 @@ inline void end_floating() {
     ImGui::End();
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar(2);
+}
+
+inline void bold_text(const char* text, const Fonts& fonts) {
+    ImGui::PushFont(fonts.bold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
 }
 
 }  // namespace ui

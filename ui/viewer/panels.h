@@ -17,8 +17,7 @@ struct PictureInfo {
     double ms = 0;       ///< Of the last step.
     int layers = 0;
     std::string engine;
-    std::string renderer;  ///< The driver's name.
-    std::string error;     ///< Why it could not be drawn; empty where it was.
+    std::string error;  ///< Why it could not be drawn; empty where it was.
 };
 
 /// Gives its height.

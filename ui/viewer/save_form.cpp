@@ -2,8 +2,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
 
+#include "npr/accumulate.h"
 #include "ui/viewer/panel_window.h"
 #include "ui/viewer/panels.h"
 
@@ -12,7 +12,6 @@ namespace ui {
 namespace {
 
 constexpr int kLargestSide = 16384;
-constexpr std::array kCounts{1, 4, 8, 16};
 
 void label(const char* text) {
     ImGui::AlignTextToFramePadding();
@@ -41,10 +40,11 @@ void SaveForm::draw(glm::ivec2 picture, int samples, Commands& commands) {
         ImGui::InputInt2("##size", &size_.x);
         size_ = glm::clamp(size_, 1, kLargestSide);
         label("Samples");
-        const auto at = std::find(kCounts.begin(), kCounts.end(), samples_) - kCounts.begin();
+        const auto at =
+            std::find(npr::kSampleCounts.begin(), npr::kSampleCounts.end(), samples_) - npr::kSampleCounts.begin();
         int chosen = static_cast<int>(at);
         if (ImGui::Combo("##samples", &chosen, "1\0004\0008\00016\0")) {
-            samples_ = kCounts[static_cast<std::size_t>(chosen)];
+            samples_ = npr::kSampleCounts[static_cast<std::size_t>(chosen)];
         }
         label("Background");
         ImGui::Checkbox("transparent", &transparent_);

@@ -1,6 +1,7 @@
 #include "ui/viewer/session.h"
 
 #include <algorithm>
+#include <stop_token>
 #include <utility>
 
 namespace ui {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <stop_token>
 
 #include "ui/viewer/camera_control.h"
 #include "ui/viewer/commands.h"

@@ -5,7 +5,7 @@
 namespace ui {
 
 int run_window(const WindowOptions& options) {
-    (void)view_state_of(options.picture);  // Wrong options are told before a window opens.
+    check_picture(options.picture);  // Wrong options are told before a window opens.
     WindowLoop loop(options);
     loop.run();
     return 0;

@@ -53,7 +53,6 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       picture_(*context_, options.engine, context_->software(), GlfwWindow::wake),
       session_(options, make_evaluate(), GlfwWindow::wake),
       save_form_(proposed_picture(options.source), options.picture.transparent_background) {
-    info_.renderer = context_->renderer();
     console_height_ = 150 * window_.interface_scale();
 }
 

@@ -3,18 +3,30 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <system_error>
 
-namespace ui {
+namespace test_support {
+
+/// All bytes of a file; none where it is not there.
+[[nodiscard]] inline std::string read_file(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
 
 class TemporaryFolder {
   public:
     TemporaryFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "csgscope-test-XXXXXX").string();
-        path_ = mkdtemp(name.data());
+        if (mkdtemp(name.data()) == nullptr) {
+            throw std::system_error(errno, std::generic_category(), name);
+        }
+        path_ = name;
     }
     ~TemporaryFolder() {
         std::error_code ignored;
@@ -35,14 +47,10 @@ class TemporaryFolder {
         std::filesystem::rename(path_ / (name + "~new"), path_ / name);
     }
     void remove(const std::string& name) const { std::filesystem::remove(path_ / name); }
-    [[nodiscard]] std::string read(const std::string& name) const {
-        std::ostringstream text;
-        text << std::ifstream(path_ / name, std::ios::binary).rdbuf();
-        return text.str();
-    }
+    [[nodiscard]] std::string read(const std::string& name) const { return read_file(path_ / name); }
 
   private:
     std::filesystem::path path_;
 };
 
-}  // namespace ui
+}  // namespace test_support

@@ -1,0 +1,20 @@
+// Where programs for measuring put their results.
+#pragma once
+
+#include <iostream>
+#include <string>
+
+#include "gl/image.h"
+
+namespace test_support {
+
+/// Into the file; "-" is standard output, and "" nowhere.
+inline void write_output(const std::string& path, const std::string& text) {
+    if (path == "-") {
+        std::cout << text << '\n';
+    } else if (!path.empty()) {
+        gl::write_file(path, text);
+    }
+}
+
+}  // namespace test_support
