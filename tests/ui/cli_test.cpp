@@ -212,4 +212,18 @@ TEST_F(Cli, BrokenFilesAreLocatedErrors) {
     EXPECT_EQ(rows, std::distance(fs::directory_iterator(bad), fs::directory_iterator())) << "every file is tested";
 }
 
+/// Outputs for which nothing runs are refused as well.
+TEST_F(Cli, ABrokenFileHasNoSyntaxTree) {
+    folder_.write("broken.scad", "cube(\n");
+    for (const char* const outputs : {"-o x.ast", "-o x.param", "-o x.ast -o x.param", "-o x.ast -o x.csg"}) {
+        SCOPED_TRACE(outputs);
+        const Result result = run(std::string("broken.scad ") + outputs);
+        expect_error(result, "expected an expression");
+        EXPECT_NE(result.err.find("broken.scad:2:1"), std::string::npos) << result.err;
+        for (const char* const file : {"x.ast", "x.param", "x.csg"}) {
+            EXPECT_FALSE(fs::exists(folder_.path(file))) << file;
+        }
+    }
+}
+
 }  // namespace

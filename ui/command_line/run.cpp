@@ -117,15 +117,11 @@ class Run {
     bool operator()() {
         check();
         read();
-        if (wants(options_, Format::Ast)) {
-            write_outputs(options_, Format::Ast, csg::scad::ast_text(parse().program));
-        }
-        if (wants(options_, Format::Param)) {
-            const std::string title = std::filesystem::path(options_.input).stem().string();
-            write_outputs(options_, Format::Param, parameters_json(parse().program, title));
-        }
         if (only({Format::Ast, Format::Param})) {
-            return true;  // Nothing needs to run.
+            return write_syntax(true);  // Nothing needs to run.
+        }
+        if (wants(options_, Format::Ast) || wants(options_, Format::Param)) {
+            (void)write_syntax(false);  // What is wrong with the text, evaluate() tells.
         }
         if (!evaluate()) {
             return only({Format::Echo}) && evaluation_.parsed && !evaluation_.stopped && !options_.hard_warnings;
@@ -148,6 +144,27 @@ class Run {
     }
 
   private:
+    /// Outputs that need the text to be read only; none where it has errors.
+    bool write_syntax(bool tell) {
+        const csg::scad::Parsed parsed = parse();
+        if (tell) {
+            for (const csg::scad::Message& message : parsed.messages) {
+                messages_.add(message, parsed.program.sources);
+            }
+        }
+        if (!parsed.ok || (tell && options_.hard_warnings && messages_.warnings() != 0)) {
+            return false;
+        }
+        if (wants(options_, Format::Ast)) {
+            write_outputs(options_, Format::Ast, csg::scad::ast_text(parsed.program));
+        }
+        if (wants(options_, Format::Param)) {
+            const std::string title = std::filesystem::path(options_.input).stem().string();
+            write_outputs(options_, Format::Param, parameters_json(parsed.program, title));
+        }
+        return true;
+    }
+
     /// Whether nothing but outputs of these formats is asked for. (Where that is what the console shows, a failed
     /// assertion is but a line of it.)
     [[nodiscard]] bool only(std::initializer_list<Format> formats) const {
