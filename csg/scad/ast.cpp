@@ -1,6 +1,20 @@
 #include "csg/scad/ast.h"
 
+#include <algorithm>
+
 namespace csg::scad {
+
+std::vector<std::string> Program::fonts() const {
+    std::vector<std::string> files;
+    for (const Unit& unit : units) {
+        for (const Use& use : unit.uses) {
+            if (use.font && std::find(files.begin(), files.end(), use.path) == files.end()) {
+                files.push_back(use.path);
+            }
+        }
+    }
+    return files;
+}
 
 std::string_view operator_text(Operator op) {
     switch (op) {

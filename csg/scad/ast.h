@@ -221,6 +221,9 @@ struct Program {
         return run(instantiations, b.instantiations);
     }
 
+    /// Paths of the fonts of all `use <font.ttf>`, each once.
+    [[nodiscard]] std::vector<std::string> fonts() const;
+
   private:
     template <typename T>
     static std::span<const T> run(const std::vector<T>& all, Run r) {

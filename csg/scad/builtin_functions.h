@@ -2,20 +2,33 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <random>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "csg/scad/source.h"
 #include "csg/scad/value.h"
+#include "csg/tree/leaf_shape.h"
 
 namespace csg::scad {
+
+class Measures;
 
 /// What a built-in function may use besides its arguments.
 struct FunctionHost {
     std::function<void(std::string text)> warn;  ///< At the place of the call.
     std::function<void(std::string text)> warn_without_place;
+    /// Of an argument of the call; empty for one without. Most functions do not look at names.
+    std::function<std::string_view(std::size_t argument)> argument_name;
+    /// Where a file is that the call names, as import() finds it.
+    std::function<FileStamp(const std::string& name)> data_file;
+    SourceReader read;
+    std::map<std::string, Value> imported;       ///< What import() gave, by path: a file is read once.
+    Measures* measures = nullptr;                ///< Null where nobody answers.
+    std::vector<std::string> font_files;         ///< Of `use <font.ttf>`.
     std::vector<std::string_view> module_names;  ///< Of the user modules that run, the outermost first.
     std::mt19937 random;                         ///< For rands() without a seed: the same in every run.
     std::size_t max_elements = 0;                ///< Of a list that a function makes.
@@ -31,6 +44,8 @@ struct FunctionEntry {
 
 [[nodiscard]] std::span<const FunctionEntry> math_functions();
 [[nodiscard]] std::span<const FunctionEntry> list_functions();
+[[nodiscard]] std::span<const FunctionEntry> object_functions();
+[[nodiscard]] std::span<const FunctionEntry> measure_functions();
 
 /// Null where there is none of that name.
 [[nodiscard]] BuiltinFunction find_builtin_function(std::string_view name);

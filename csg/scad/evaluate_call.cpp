@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "csg/scad/evaluator.h"
+#include "csg/scad/object.h"
 
 namespace csg::scad {
 
@@ -13,6 +14,8 @@ struct Evaluator::Callee {
     const Frame* frame = nullptr;
     UnitId unit = kNone;  ///< Of a function of a used file, in whose frame it runs.
     Value closure;        ///< Keeps a function value alive.
+    Value self;           ///< Of a method: what `this` is; else undef.
+    std::uint32_t this_parameter = kNone;
     BuiltinFunction builtin = nullptr;
     Symbol name = kNoSymbol;
 
@@ -21,10 +24,13 @@ struct Evaluator::Callee {
     }
 };
 
-/// Once the arguments are known, which see the caller's `$` variables.
-void Evaluator::enter(Callee& callee) {
+/// Once the arguments are known (in `slots`), which see the caller's `$` variables.
+void Evaluator::enter(Callee& callee, Value* slots) {
     if (callee.unit != kNone) {
         callee.frame = enter_unit(callee.unit);
+    }
+    if (callee.self.is_object()) {
+        slots[callee.this_parameter] = callee.self;
     }
 }
 
@@ -65,11 +71,20 @@ bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& call
             return false;
         }
     }
+    if (value.function().is_method()) {
+        const auto& method = static_cast<const MethodObject&>(value.function());
+        callee.self = method.self;
+        value = Value(method.function);
+    } else {
+        callee.self = Value();
+    }
     const auto& closure = static_cast<Closure&>(value.function());
     const Expr& literal = p_[closure.literal];
     callee.parameters = p_.arguments_of(literal);
     callee.body = literal.operand(0);
-    callee.locals = r_.literals[r_.of_expression[closure.literal]].locals;
+    const LiteralInfo& info = r_.literals[r_.of_expression[closure.literal]];
+    callee.locals = info.locals;
+    callee.this_parameter = info.this_parameter;
     callee.frame = closure.frame;
     callee.unit = kNone;
     callee.closure = std::move(value);
@@ -186,6 +201,7 @@ Value Evaluator::call_builtin(const Expr& e, BuiltinFunction function, Scope& sc
         }
     }
     call_where_ = e.where;
+    call_arguments_ = arguments;
     return function(function_name, {values.data(), arguments.size()}, host_);
 }
 
@@ -204,7 +220,7 @@ Value Evaluator::call(ExprId id, Scope& caller) {
     ValueStack::Region slots(stack_, callee.locals);
     Step step(*this, {ActiveStep::Kind::CalledBy, &e.where, callee.name, 0, {}, nullptr, nullptr});
     bind_arguments(p_.arguments_of(e), callee.parameters, e.where, caller, slots.data());
-    enter(callee);
+    enter(callee, slots.data());
     Scope scope = callee.scope(slots.data());
     bind_defaults(callee.parameters, scope, slots.data());
     ExprId body = callee.body;
@@ -239,7 +255,7 @@ Value Evaluator::call(ExprId id, Scope& caller) {
             callee = std::move(next);
             step.change(b.where, callee.name);
             slots.replace(fresh);
-            enter(callee);  // `$` variables of the caller stay, as in OpenSCAD.
+            enter(callee, slots.data());  // `$` variables of the caller stay, as in OpenSCAD.
             scope = callee.scope(slots.data());
             bind_defaults(callee.parameters, scope, slots.data());
             body = callee.body;

@@ -6,6 +6,7 @@
 #include "csg/scad/annotations.h"
 #include "csg/scad/evaluator.h"
 #include "csg/scad/expression_text.h"
+#include "csg/scad/object.h"
 #include "csg/scad/operators.h"
 
 namespace csg::scad {
@@ -236,7 +237,7 @@ static Value member_of(const Value& value, std::string_view member) {
                : member == "end"  ? Value(r.end)
                                   : Value();
     }
-    return {};
+    return value.is_object() ? member_of_object(value, member) : Value();
 }
 
 static bool is_link(ExprKind kind) {
@@ -359,7 +360,7 @@ Value Evaluator::evaluate_range(const Expr& e, Scope& scope) {
 
 Value Evaluator::make_closure(ExprId id, Scope& scope) {
     const LiteralInfo& info = r_.literals[r_.of_expression[id]];
-    auto* closure = new Closure(p_, id, scope.frame);
+    auto* closure = new Closure(p_, id, scope.frame, info.this_parameter != kNone);
     Value value(closure);
     closure->captures.reserve(info.captures.size());
     for (const CaptureSource& source : info.captures) {

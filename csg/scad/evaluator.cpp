@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/scad/data_file.h"
+
 namespace csg::scad {
 
 namespace {
@@ -34,6 +36,14 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
       fs_index_(index_of_special(program, r_, "$fs")) {
     host_.warn = [this](std::string text) { warn(call_where_, std::move(text)); };
     host_.warn_without_place = [this](std::string text) { warn({}, std::move(text)); };
+    host_.argument_name = [this](std::size_t i) {
+        const Symbol argument = call_arguments_[i].name;
+        return argument == kNoSymbol ? std::string_view() : std::string_view(name(argument));
+    };
+    host_.data_file = [this](const std::string& file) { return find_data_file(*this, call_where_, file); };
+    host_.read = request.reader;
+    host_.measures = request.measures.get();
+    host_.font_files = program.fonts();
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
     dynamic_symbols_.resize(p_.symbols.size());
@@ -119,7 +129,8 @@ void Evaluator::emit(Severity severity, const SourceRange& where, std::string te
 }
 
 void Evaluator::fail(const SourceRange& where, std::string text) {
-    throw EvaluationError{{Severity::Error, where, std::move(text)}, false, trace_messages(p_, innermost_, request_.trace_depth)};
+    throw EvaluationError{
+        {Severity::Error, where, std::move(text)}, false, trace_messages(p_, innermost_, request_.trace_depth)};
 }
 
 void Evaluator::fail_stopped(const SourceRange& where) {

@@ -43,7 +43,8 @@ struct ModuleCall {
 
 /// A function literal with what it uses of its surroundings.
 struct Closure final : FunctionObject {
-    Closure(const Program& p, ExprId e, const Frame* f) : program(p), literal(e), frame(f) {}
+    Closure(const Program& p, ExprId e, const Frame* f, bool takes)
+        : FunctionObject(takes), program(p), literal(e), frame(f) {}
     [[nodiscard]] std::string text() const override;
     void take_captures(std::vector<Value>& out) override;
     const Program& program;
@@ -238,7 +239,7 @@ class Evaluator {
 
     // evaluate_call.cpp
     struct Callee;
-    void enter(Callee& callee);
+    void enter(Callee& callee, Value* slots);
     Value call(ExprId id, Scope& scope);
     bool find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee);
     Value call_builtin(const Expr& e, BuiltinFunction function, Scope& scope);
@@ -274,6 +275,7 @@ class Evaluator {
     FunctionHost host_;
     const ActiveStep* innermost_ = nullptr;
     SourceRange call_where_;
+    std::span<const Argument> call_arguments_;  ///< Of the built-in function that runs.
     ValueStack stack_;
     std::vector<Value> dynamic_;
     std::vector<Value> strings_;    ///< By symbol, once they are used.

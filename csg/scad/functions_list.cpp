@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "csg/scad/builtin_functions.h"
+#include "csg/scad/object.h"
 
 namespace csg::scad {
 
@@ -27,6 +28,9 @@ Value len(std::string_view name, std::span<const Value> a, FunctionHost& host) {
     }
     if (a[0].is_vector()) {
         return static_cast<double>(a[0].elements().size());
+    }
+    if (a[0].is_object()) {
+        return static_cast<double>(a[0].entries().size());
     }
     if (!check_type(name, a, 0, ValueType::String, host)) {
         return {};

@@ -234,7 +234,7 @@ std::span<const FunctionEntry> math_functions() {
 }
 
 BuiltinFunction find_builtin_function(std::string_view name) {
-    for (const auto& table : {math_functions(), list_functions()}) {
+    for (const auto& table : {math_functions(), list_functions(), object_functions(), measure_functions()}) {
         const auto found =
             std::find_if(table.begin(), table.end(), [&](const FunctionEntry& e) { return e.name == name; });
         if (found != table.end()) {

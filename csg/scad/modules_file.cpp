@@ -1,58 +1,15 @@
 // Built-in modules that take their shape from a file. The file is read later, when the shape is needed.
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
 
 #include "csg/scad/builtin_modules.h"
+#include "csg/scad/data_file.h"
 
 namespace csg::scad {
 
 namespace {
 
 using Names = std::string_view;
-namespace fs = std::filesystem;
-
-fs::path folder_of(const std::string& file) {
-    const fs::path folder = fs::path(file).parent_path();
-    return folder.empty() ? fs::path(".") : folder;
-}
-
-/// Seconds since 1970; 0 for a file that there is not.
-std::int64_t modified(const fs::path& path) {
-    std::error_code error;
-    const auto time = fs::last_write_time(path, error);
-    if (error) {
-        return 0;
-    }
-    const auto system = std::chrono::file_clock::to_sys(time);
-    return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
-}
-
-/// Beside the file whose text names it, or (as of old) beside the main file.
-FileStamp stamp(const ModuleContext& c, const std::string& name) {
-    FileStamp file;
-    if (name.empty()) {
-        return file;
-    }
-    std::error_code error;
-    const fs::path main = folder_of(c.evaluator.program().sources[0].name());
-    const fs::path beside = folder_of(c.evaluator.program().sources[c.where().file].name());
-    fs::path path = fs::path(name).is_absolute() ? fs::path(name) : beside / name;
-    if (!fs::exists(path, error) && fs::exists(main / name, error)) {
-        c.evaluator.emit(Severity::Deprecated, {},
-                         fmt::format("Imported file ({}) found in document root instead of relative to the importing "
-                                     "module. This behavior is deprecated",
-                                     name));
-        path = main / name;
-    }
-    file.path = path.lexically_normal().string();
-    file.shown = fs::exists(path, error) ? fs::proximate(path, main, error).generic_string() : name;
-    file.modified = modified(path);
-    const auto bytes = fs::file_size(path, error);
-    file.bytes = error ? 0 : bytes;
-    return file;
-}
 
 std::string text_of(const ModuleArguments& arguments, Names parameter, Names old_name) {
     const Value& value = arguments[arguments[parameter].is_undef() ? old_name : parameter];
@@ -65,7 +22,7 @@ void run_import(const ModuleContext& c, Nodes& out) {
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     auto import = std::make_shared<Import>();
-    import->file = stamp(c, text_of(arguments, "file", "filename"));
+    import->file = find_data_file(c.evaluator, c.where(), text_of(arguments, "file", "filename"));
     import->layer = text_of(arguments, "layer", "layername");
     import->id = text_of(arguments, "id", "id");
     import->fineness = c.evaluator.fineness(c.where());
@@ -102,7 +59,7 @@ void run_surface(const ModuleContext& c, Nodes& out) {
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     auto surface = std::make_shared<Surface>();
-    surface->file = stamp(c, text_of(arguments, "file", "file"));
+    surface->file = find_data_file(c.evaluator, c.where(), text_of(arguments, "file", "file"));
     surface->center = is_true(arguments["center"]);
     surface->invert = is_true(arguments["invert"]);
     add_leaf(c, std::shared_ptr<const Surface>(std::move(surface)), out);

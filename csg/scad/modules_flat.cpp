@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "csg/scad/builtin_modules.h"
-#include "csg/scad/writing_system.h"
+#include "csg/scad/text_parameters.h"
 
 namespace csg::scad {
 
@@ -110,61 +110,18 @@ void run_polygon(const ModuleContext& c, Nodes& out) {
 }
 
 /// The parameter's text; a value that is none gives a warning and what was there before.
-void read_text(const ModuleContext& c, const ModuleArguments& arguments, Names parameter, std::string& text) {
-    const Value& value = arguments[parameter];
-    if (value.is_string()) {
-        text = value.string();
-    } else if (!value.is_undef()) {
-        c.warn(fmt::format("{}(..., {}={}) Invalid type: expected string, found {}", c.name(), parameter,
-                           value.echo_text(), type_name(value.type())));
-    }
-}
-
-void read_number(const ModuleContext& c, const ModuleArguments& arguments, Names parameter, double& number) {
-    const Value& value = arguments[parameter];
-    if (value.is_number()) {
-        number = value.number();
-    } else if (!value.is_undef()) {
-        c.warn(fmt::format("{}(..., {}={}) Invalid type: expected number, found {}", c.name(), parameter,
-                           value.echo_text(), type_name(value.type())));
-    }
-}
-
-std::vector<std::string> fonts_in_use(const Program& program) {
-    std::vector<std::string> files;
-    for (const Unit& unit : program.units) {
-        for (const Use& use : unit.uses) {
-            if (use.font && std::find(files.begin(), files.end(), use.path) == files.end()) {
-                files.push_back(use.path);
-            }
-        }
-    }
-    return files;
-}
-
 void run_text(const ModuleContext& c, Nodes& out) {
     static constexpr std::array<Names, 3> kParameters{"text", "size", "font"};
-    static constexpr std::array<Names, 6> kNamed{"direction", "language", "script", "halign", "valign", "spacing"};
+    static constexpr std::array<Names, 7> kNamed{"direction", "language", "script", "halign",
+                                                 "valign",    "spacing",  "em"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
-    auto text = std::make_shared<Text>();
-    text->fineness = c.evaluator.fineness(c.where());
-    read_text(c, arguments, "text", text->text);
-    read_number(c, arguments, "size", text->size);
-    read_text(c, arguments, "font", text->font);
-    text->direction.clear();
-    read_text(c, arguments, "direction", text->direction);
-    read_text(c, arguments, "language", text->language);
-    read_text(c, arguments, "script", text->script);
-    read_text(c, arguments, "halign", text->halign);
-    read_text(c, arguments, "valign", text->valign);
-    read_number(c, arguments, "spacing", text->spacing);
-    text->script = text->script.empty() ? script_of_text(text->text) : script_tag(text->script);
-    static constexpr std::array<Names, 4> kDirections{"ltr", "rtl", "ttb", "btt"};
-    if (std::find(kDirections.begin(), kDirections.end(), text->direction) == kDirections.end()) {
-        text->direction = is_right_to_left(text->script) ? "rtl" : "ltr";
-    }
-    text->font_files = fonts_in_use(c.evaluator.program());
+    const Fineness fineness = c.evaluator.fineness(c.where());
+    auto text = std::make_shared<Text>(read_text_parameters(
+        c.name(), [&](Names parameter) -> const Value& { return arguments[parameter]; },
+        [&](std::string warning) { c.warn(std::move(warning)); }));
+    text->fineness = fineness;
+    text->font_files = c.evaluator.program().fonts();
     add_leaf(c, std::shared_ptr<const Text>(std::move(text)), out);
 }
 

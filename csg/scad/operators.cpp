@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/scad/object.h"
+
 namespace csg::scad {
 
 namespace {
@@ -323,6 +325,9 @@ Value apply_unary(Operator op, const Value& a, std::string& problem) {
 }
 
 Value element_of(const Value& value, const Value& index) {
+    if (value.is_object() && index.is_string()) {
+        return member_of_object(value, index.string());
+    }
     if (!index.is_number() || !(index.number() >= 0) || index.number() > 4294967295.0) {
         return {};
     }

@@ -18,7 +18,7 @@ namespace csg::scad {
 /// `!a`, `-a`, `+a`, `~a`.
 [[nodiscard]] Value apply_unary(Operator op, const Value& a, std::string& problem);
 
-/// `value[index]`: undef outside; strings by code point, ranges give begin, step, end.
+/// `value[index]`: undef outside; strings by code point, ranges give begin, step, end, objects take a key.
 [[nodiscard]] Value element_of(const Value& value, const Value& index);
 
 }  // namespace csg::scad

@@ -65,6 +65,7 @@ struct CaptureSource {
 struct LiteralInfo {
     std::vector<CaptureSource> captures;
     std::uint32_t locals = 0;
+    std::uint32_t this_parameter = kNone;  ///< The one named `this`, which makes methods of objects.
 };
 
 /// A variable of a `for (…; …; …)` that begins with the value of one outside.

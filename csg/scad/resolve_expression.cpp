@@ -180,6 +180,12 @@ void Resolver::resolve_literal(ExprId id, const Expr& e) {
     activation.literal = &info;
     resolve_function(p_.arguments_of(e), e.operand(0), activation);
     info.locals = activation.most;
+    const auto parameters = p_.arguments_of(e);
+    for (std::uint32_t i = 0; i < parameters.size(); ++i) {
+        if (p_.symbols.text(parameters[i].name) == "this") {
+            info.this_parameter = i;
+        }
+    }
     r_.of_expression[id] = static_cast<std::uint32_t>(r_.literals.size());
     r_.literals.push_back(std::move(info));
 }

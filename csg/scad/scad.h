@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "csg/scad/diagnostics.h"
+#include "csg/scad/measures.h"
 #include "csg/tree/tree.h"
 
 namespace csg::scad {
@@ -43,6 +44,7 @@ struct Request {
     bool trace_parameters = true;  ///< Traces show the parameters of user modules (--trace-usermodule-parameters).
     std::size_t trace_depth = 12;  ///< Steps shown at either end of a trace (--trace-depth).
     bool check_ranges = false;     ///< Warn of dimensions that make nothing (--check-parameter-ranges).
+    std::shared_ptr<Measures> measures;  ///< Answers textmetrics(), dxf_dim() and the like; may be null.
     View view;                     ///< What the $vp… variables hold before the file sets them.
 };
 

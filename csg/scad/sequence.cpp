@@ -1,5 +1,7 @@
 #include "csg/scad/sequence.h"
 
+#include "csg/scad/object.h"
+
 namespace csg::scad {
 
 Sequence::Sequence(const Value& value, Evaluator& evaluator, const SourceRange& where) : value_(value) {
@@ -18,6 +20,8 @@ Sequence::Sequence(const Value& value, Evaluator& evaluator, const SourceRange& 
             characters_.push_back(text.substr(at, code_point_bytes(text, at)));
         }
         size_ = characters_.size();
+    } else if (value.is_object()) {
+        size_ = value.entries().size();
     } else {
         size_ = value.is_undef() ? 0 : 1;
     }
@@ -29,6 +33,9 @@ Value Sequence::at(std::size_t i) const {
     }
     if (value_.is_vector()) {
         return value_.elements()[i];
+    }
+    if (value_.is_object()) {
+        return value_.entries().keys()[i];
     }
     return value_.is_string() ? Value(std::string(characters_[i])) : value_;
 }

@@ -5,7 +5,7 @@
 
 namespace csg::scad {
 
-/// Elements of a list, numbers of a range, characters of a string; any other value once, undef never. Refers to the
+/// Elements of a list, numbers of a range, characters of a string, keys of an object; any other value once, undef never. Refers to the
 /// value it is made from.
 class Sequence {
   public:

@@ -1,5 +1,7 @@
 #include "csg/scad/value.h"
 
+#include "csg/scad/object.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -89,6 +91,16 @@ struct RangeObject : ValueObject {
     const Range range;
 };
 
+/// Every entry counts as two elements.
+struct EntriesObject : ValueObject {
+    explicit EntriesObject(ObjectEntries e) : ValueObject(ValueType::Object), entries(std::move(e)) {
+        entries.close_gaps();
+        count_in(2 * entries.size());
+    }
+    ~EntriesObject() { g_live_elements -= 2 * entries.size(); }
+    ObjectEntries entries;
+};
+
 }  // namespace
 
 std::size_t live_elements() {
@@ -116,6 +128,8 @@ std::string_view type_name(ValueType type) {
             return "range";
         case ValueType::Function:
             return "function";
+        case ValueType::Object:
+            return "object";
     }
     return "";
 }
@@ -151,6 +165,7 @@ Value Value::list(std::span<Value> elements) {
     return value;
 }
 Value::Value(const Range& range) : type_(ValueType::Range), object_(new RangeObject(range)) {}
+Value::Value(ObjectEntries entries) : type_(ValueType::Object), object_(new EntriesObject(std::move(entries))) {}
 
 const std::string& Value::string() const {
     return static_cast<StringObject*>(object_)->text;
@@ -160,6 +175,9 @@ std::span<const Value> Value::elements() const {
 }
 const Range& Value::range() const {
     return static_cast<RangeObject*>(object_)->range;
+}
+const ObjectEntries& Value::entries() const {
+    return static_cast<EntriesObject*>(object_)->entries;
 }
 std::size_t Value::length() const {
     return static_cast<StringObject*>(object_)->length;
@@ -178,6 +196,8 @@ Value::operator bool() const {
             return !string().empty();
         case ValueType::Vector:
             return !elements().empty();
+        case ValueType::Object:
+            return entries().size() != 0;
         case ValueType::Range:
         case ValueType::Function:
             return true;
@@ -212,13 +232,19 @@ void Value::destroy(ValueType type, ValueObject* object) {
             return;
         }
     }
-    // Lists and closures nest without bound: their parts are taken out before they go.
+    // Lists, objects and closures nest without bound: their parts are taken out before they go.
     std::vector<Value> pending;
     const auto dismantle = [&pending](ValueType t, ValueObject* o) {
         if (t == ValueType::Function) {
             auto* function = static_cast<FunctionObject*>(o);
             function->take_captures(pending);
             delete function;
+            return;
+        }
+        if (t == ValueType::Object) {
+            auto* const entries = static_cast<EntriesObject*>(o);
+            entries->entries.take_values(pending);
+            delete entries;
             return;
         }
         auto* vector = static_cast<VectorObject*>(o);
@@ -233,59 +259,11 @@ void Value::destroy(ValueType type, ValueObject* object) {
     while (!pending.empty()) {
         Value value = std::move(pending.back());
         pending.pop_back();
-        if ((value.is_vector() || value.is_function()) && value.object_->references == 1) {
+        if ((value.is_vector() || value.is_function() || value.is_object()) && value.object_->references == 1) {
             const ValueType t = std::exchange(value.type_, ValueType::Undef);
             dismantle(t, value.object_);
         }
     }
-}
-
-bool equal(const Value& a, const Value& b) {
-    if (a.type() != b.type()) {
-        return false;
-    }
-    switch (a.type()) {
-        case ValueType::Unset:
-        case ValueType::Undef:
-            return true;
-        case ValueType::Bool:
-            return a.boolean() == b.boolean();
-        case ValueType::Number:
-            return a.number() == b.number();
-        case ValueType::String:
-            return a.string() == b.string();
-        case ValueType::Range: {
-            const Range &r = a.range(), &s = b.range();
-            const std::uint32_t m = r.count();
-            return m == s.count() && (m == 0 || (r.begin == s.begin && (m == 1 || r.step == s.step)));
-        }
-        case ValueType::Function:
-            return &a.function() == &b.function();
-        case ValueType::Vector:
-            break;
-    }
-    // Pairs of lists still to compare, so that deep nesting needs no deep stack.
-    constexpr std::size_t kMostPairs = 50'000'000;
-    std::size_t pairs = 0;
-    std::vector<std::pair<std::span<const Value>, std::span<const Value>>> pending{{a.elements(), b.elements()}};
-    while (!pending.empty()) {
-        if (++pairs > kMostPairs) {
-            throw ValueLimit("The lists are too large to compare");
-        }
-        const auto [x, y] = pending.back();
-        pending.pop_back();
-        if (x.size() != y.size()) {
-            return false;
-        }
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            if (x[i].is_vector() && y[i].is_vector()) {
-                pending.emplace_back(x[i].elements(), y[i].elements());
-            } else if (!equal(x[i], y[i])) {
-                return false;
-            }
-        }
-    }
-    return true;
 }
 
 std::size_t code_point_bytes(std::string_view text, std::size_t at) {

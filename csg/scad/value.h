@@ -14,14 +14,16 @@
 namespace csg::scad {
 
 class Value;
+class ObjectEntries;
 
 /// A variable that has no value yet is `Unset`; no expression ever yields it.
-enum class ValueType : std::uint8_t { Unset, Undef, Bool, Number, String, Vector, Range, Function };
+enum class ValueType : std::uint8_t { Unset, Undef, Bool, Number, String, Vector, Range, Function, Object };
 
 /// "undefined", "bool", "number", … as in OpenSCAD's messages.
 [[nodiscard]] std::string_view type_name(ValueType type);
 
-/// The shared part of strings, vectors, ranges and functions. Values belong to one thread: the count is not atomic.
+/// The shared part of strings, vectors, ranges, functions and objects. Values belong to one thread: the count is not
+/// atomic.
 struct ValueObject {
     explicit ValueObject(ValueType t) : type(t) {}
     ValueObject(const ValueObject&) = delete;
@@ -46,12 +48,16 @@ struct Range {
 
 /// What a function value is made of. Evaluators derive from it.
 struct FunctionObject : ValueObject {
-    FunctionObject() : ValueObject(ValueType::Function) {}
+    explicit FunctionObject(bool takes) : ValueObject(ValueType::Function), takes_this(takes) {}
     virtual ~FunctionObject() = default;
     /// As echo prints it.
     [[nodiscard]] virtual std::string text() const = 0;
     /// Moves the captured values to `out`, so that they can be destroyed without recursion.
     virtual void take_captures(std::vector<Value>& out) = 0;
+    /// Whether it has a parameter `this`: taken out of an object it becomes a method (object.h).
+    const bool takes_this;
+    /// Whether it is a MethodObject.
+    [[nodiscard]] virtual bool is_method() const { return false; }
 };
 
 class Value {
@@ -64,6 +70,7 @@ class Value {
     Value(const char* text) : Value(std::string(text)) {}
     Value(std::vector<Value> elements);
     Value(const Range& range);
+    explicit Value(ObjectEntries entries);
     /// Takes over one reference.
     explicit Value(FunctionObject* function) : type_(ValueType::Function), object_(function) {}
     /// A list of the elements, which are moved out: one allocation, for the short lists that most are.
@@ -103,6 +110,7 @@ class Value {
     [[nodiscard]] bool is_vector() const { return type_ == ValueType::Vector; }
     [[nodiscard]] bool is_range() const { return type_ == ValueType::Range; }
     [[nodiscard]] bool is_function() const { return type_ == ValueType::Function; }
+    [[nodiscard]] bool is_object() const { return type_ == ValueType::Object; }
 
     // Each of these requires the type.
     [[nodiscard]] bool boolean() const { return bits_ != 0; }
@@ -111,10 +119,11 @@ class Value {
     [[nodiscard]] std::span<const Value> elements() const;
     [[nodiscard]] const Range& range() const;
     [[nodiscard]] FunctionObject& function() const { return *static_cast<FunctionObject*>(object_); }
+    [[nodiscard]] const ObjectEntries& entries() const;
 
     /// Number of code points of a string.
     [[nodiscard]] std::size_t length() const;
-    /// undef, false, 0, "" and [] are false; all else is true.
+    /// undef, false, 0, "", [] and an object without entries are false; all else is true.
     [[nodiscard]] explicit operator bool() const;
 
     /// Vectors only: in place where nobody else holds the list, else to a copy of it.

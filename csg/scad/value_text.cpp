@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "csg/scad/object.h"
 #include "csg/scad/value.h"
 
 namespace csg::scad {
@@ -75,38 +76,58 @@ std::string scalar_text(const Value& value, bool quoted) {
     }
 }
 
+/// A list or an object whose text is being written.
+class OpenCompound {
+  public:
+    explicit OpenCompound(const Value& value)
+        : object_(value.is_object() ? &value.entries() : nullptr),
+          parts_(object_ != nullptr ? object_->values() : value.elements()) {}
+    [[nodiscard]] bool done() const { return next_ == parts_.size(); }
+    [[nodiscard]] std::string_view begin() const { return object_ != nullptr ? "{ " : "["; }
+    [[nodiscard]] std::string_view end() const { return object_ == nullptr ? "]" : parts_.empty() ? "}" : "; }"; }
+    /// The next part; what is to be written before it goes to `out`.
+    const Value& next(std::string& out) {
+        if (next_ != 0) {
+            out += object_ != nullptr ? "; " : ", ";
+        }
+        if (object_ != nullptr) {
+            out += object_->keys()[next_] + " = ";
+        }
+        return parts_[next_++];
+    }
+
+  private:
+    const ObjectEntries* object_;  ///< Null for a list.
+    std::span<const Value> parts_;
+    std::size_t next_ = 0;
+};
+
 std::string text_of(const Value& value, bool quoted, std::size_t most_bytes) {
-    if (!value.is_vector()) {
+    const auto is_compound = [](const Value& v) { return v.is_vector() || v.is_object(); };
+    if (!is_compound(value)) {
         return scalar_text(value, quoted);
     }
-    struct Open {
-        std::span<const Value> elements;
-        std::size_t next;
-    };
-    std::string result = "[";
-    std::vector<Open> open{{value.elements(), 0}};  // Not recursive: lists nest without bound.
+    std::vector<OpenCompound> open{OpenCompound(value)};  // Not recursive: lists nest without bound.
+    std::string result(open.back().begin());
     while (!open.empty()) {
-        Open& top = open.back();
-        if (top.next == top.elements.size()) {
-            result += ']';
+        OpenCompound& top = open.back();
+        if (top.done()) {
+            result += top.end();
             open.pop_back();
             continue;
         }
-        if (top.next != 0) {
-            result += ", ";
-        }
-        const Value& element = top.elements[top.next++];
+        const Value& part = top.next(result);
         if (result.size() > most_bytes) {
             throw ValueLimit("A list is too long to be converted to text");
         }
-        if (element.is_vector()) {
+        if (is_compound(part)) {
             if (open.size() == kMostNested) {
                 throw ValueLimit("Stack exhausted while trying to convert a vector to EchoString");
             }
-            result += '[';
-            open.push_back({element.elements(), 0});
+            open.emplace_back(part);
+            result += open.back().begin();
         } else {
-            result += scalar_text(element, true);
+            result += scalar_text(part, true);
         }
     }
     return result;

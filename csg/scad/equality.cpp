@@ -1,0 +1,99 @@
+// == of values.
+#include <algorithm>
+
+#include "csg/scad/object.h"
+#include "csg/scad/value.h"
+
+namespace csg::scad {
+
+namespace {
+
+using Values = std::span<const Value>;
+
+/// What a list or an object consists of.
+Values parts_of(const Value& value) {
+    return value.is_object() ? value.entries().values() : value.elements();
+}
+
+bool is_compound(const Value& value) {
+    return value.is_vector() || value.is_object();
+}
+
+/// Whether two values that may have parts can be equal at all: of one type, of one size, of the same keys in order.
+bool same_shape(const Value& a, const Value& b) {
+    if (a.type() != b.type() || parts_of(a).size() != parts_of(b).size()) {
+        return false;
+    }
+    return !a.is_object() || std::equal(a.entries().keys().begin(), a.entries().keys().end(),
+                                        b.entries().keys().begin(), b.entries().keys().end());
+}
+
+bool equal_ranges(const Range& r, const Range& s) {
+    const std::uint32_t m = r.count();
+    return m == s.count() && (m == 0 || (r.begin == s.begin && (m == 1 || r.step == s.step)));
+}
+
+/// A function equals itself only; a method, the same function of the same object.
+bool equal_functions(const FunctionObject& f, const FunctionObject& g) {
+    if (&f == &g || !f.is_method() || !g.is_method()) {
+        return &f == &g;
+    }
+    const auto &m = static_cast<const MethodObject&>(f), &n = static_cast<const MethodObject&>(g);
+    return &m.function.function() == &n.function.function() && &m.self.entries() == &n.self.entries();
+}
+
+bool equal_simple(const Value& a, const Value& b) {
+    if (a.type() != b.type()) {
+        return false;
+    }
+    switch (a.type()) {
+        case ValueType::Bool:
+            return a.boolean() == b.boolean();
+        case ValueType::Number:
+            return a.number() == b.number();
+        case ValueType::String:
+            return a.string() == b.string();
+        case ValueType::Range:
+            return equal_ranges(a.range(), b.range());
+        case ValueType::Function:
+            return equal_functions(a.function(), b.function());
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
+bool equal(const Value& a, const Value& b) {
+    if (!is_compound(a) || !is_compound(b)) {
+        return equal_simple(a, b);
+    }
+    if (!same_shape(a, b)) {
+        return false;
+    }
+    // Pairs still to compare, so that deep nesting needs no deep stack.
+    constexpr std::size_t kMostPairs = 50'000'000;
+    std::size_t pairs = 0;
+    std::vector<std::pair<Values, Values>> pending{{parts_of(a), parts_of(b)}};
+    while (!pending.empty()) {
+        if (++pairs > kMostPairs) {
+            throw ValueLimit("The lists are too large to compare");
+        }
+        const auto [x, y] = pending.back();
+        pending.pop_back();
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            if (!is_compound(x[i]) || !is_compound(y[i])) {
+                if (!equal_simple(x[i], y[i])) {
+                    return false;
+                }
+            } else if (!same_shape(x[i], y[i])) {
+                return false;
+            } else {
+                pending.emplace_back(parts_of(x[i]), parts_of(y[i]));
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace csg::scad
