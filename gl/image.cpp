@@ -1,14 +1,9 @@
 #include "gl/image.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <fmt/format.h>
 #include <png.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <stdexcept>
 
 namespace gl {
@@ -44,56 +39,6 @@ std::string encode_png(const Image& image) {
         throw std::runtime_error(std::string("PNG: ") + png.message);
     bytes.resize(size);
     return bytes;
-}
-
-void write_file(const std::filesystem::path& path, const std::string& bytes) {
-    std::string temporary = (path.parent_path() / fmt::format(".{}.XXXXXX", path.filename().string())).string();
-    const auto fail = [&](const char* what) {
-        throw std::runtime_error(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
-    };
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
-        // A device or a pipe cannot be replaced; it is written to.
-        const int fd = open(path.c_str(), O_WRONLY);
-        if (fd < 0)
-            fail("cannot be written");
-        const bool ok = ::write(fd, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
-        if (close(fd) != 0 || !ok)
-            fail("cannot be written");
-        return;
-    }
-    const int fd = mkstemp(temporary.data());
-    if (fd < 0)
-        fail("cannot be created");
-    const auto give_up = [&](const char* what) {
-        const int reason = errno;
-        close(fd);
-        unlink(temporary.c_str());
-        errno = reason;
-        fail(what);
-    };
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t n = ::write(fd, bytes.data() + done, bytes.size() - done);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            give_up("cannot be written");
-        done += static_cast<std::size_t>(n);
-    }
-    const mode_t mask = umask(0);
-    umask(mask);
-    if (fchmod(fd, 0666 & ~mask) != 0)
-        give_up("cannot be written");
-    if (close(fd) != 0) {
-        unlink(temporary.c_str());
-        fail("cannot be written");
-    }
-    if (rename(temporary.c_str(), path.c_str()) != 0) {
-        const int reason = errno;
-        unlink(temporary.c_str());
-        errno = reason;
-        fail("cannot be created");
-    }
 }
 
 Image read_png(const std::filesystem::path& path) {

@@ -22,10 +22,6 @@ struct Image {
 /// The bytes of a PNG file; RGB where every pixel is opaque, RGBA otherwise. The same image gives the same bytes.
 [[nodiscard]] std::string encode_png(const Image& image);
 
-/// Writes whole or not at all: to a temporary name in the same folder, then renamed. Throws std::runtime_error with the
-/// file's name and the reason.
-void write_file(const std::filesystem::path& path, const std::string& bytes);
-
 /// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the reason.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
 

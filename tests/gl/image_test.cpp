@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "gl/file.h"
+#include "tests/support/temporary_folder.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,6 +53,24 @@ TEST_F(ImageTest, AMissingFolderIsNamed) {
     } catch (const std::runtime_error& e) {
         EXPECT_NE(std::string(e.what()).find("/no/a"), std::string::npos) << e.what();
     }
+}
+
+TEST_F(ImageTest, WhatIsNotFinishedIsNotThere) {
+    gl::write_file(folder_ / "a", "first");
+    {
+        gl::FileWriter writer(folder_ / "a");
+        writer.write("sec");
+    }
+    EXPECT_EQ(test_support::read_file(folder_ / "a"), "first");
+    {
+        gl::FileWriter writer(folder_ / "a");
+        writer.write("sec");
+        writer.write("ond");
+        EXPECT_EQ(test_support::read_file(folder_ / "a"), "first");
+        writer.finish();
+    }
+    EXPECT_EQ(test_support::read_file(folder_ / "a"), "second");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
 TEST_F(ImageTest, NotAPngIsAnError) {

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "gl/file.h"
+#include "gl/image.h"
 #include "tests/npr/golden_tolerance.h"
 #include "tests/npr/scene.h"
 #include "tests/support/gl_test.h"

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "gl/image.h"
+#include "gl/file.h"
 
 namespace test_support {
 

@@ -27,8 +27,13 @@ class ProgramTest : public testing::Test {
 
     /// `arguments` as for a shell; `before` stands before the program's name.
     [[nodiscard]] Result run(const std::string& arguments, const std::string& before = "") const {
+        return run_program(CSGSCOPE_PROGRAM, arguments, before);
+    }
+    /// Another program; its path is absolute, or seen from the test's folder.
+    [[nodiscard]] Result run_program(const std::string& program, const std::string& arguments,
+                                     const std::string& before = "") const {
         const std::string command = "cd '" + folder_.path("") + "' && " + before + " timeout " +
-                                    std::to_string(most_seconds_) + " '" CSGSCOPE_PROGRAM "' " + arguments +
+                                    std::to_string(most_seconds_) + " '" + program + "' " + arguments +
                                     " >out.txt 2>err.txt";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) && WEXITSTATUS(status) < 124 ? WEXITSTATUS(status) : -1, folder_.read("out.txt"),

@@ -226,4 +226,21 @@ TEST_F(Cli, ABrokenFileHasNoSyntaxTree) {
     }
 }
 
+TEST_F(Cli, TheLanguageNeedsNoGraphics) {
+    fs::copy_file(CSGSCOPE_PROGRAM, folder_.path("alone"));
+    for (const std::string format : {"csg", "ast", "echo", "param"}) {
+        EXPECT_EQ(run_program("./alone", "m.scad -o m." + format).status, 0) << format;
+        EXPECT_TRUE(fs::exists(folder_.path("m." + format))) << format;
+    }
+    const Result loaded = run_program("/usr/bin/env", "LD_TRACE_LOADED_OBJECTS=1 ./alone");
+    EXPECT_NE(loaded.out.find("libc.so"), std::string::npos) << loaded.out;
+    for (const std::string library : {"EGL", "X11", "glfw", "freetype", "fmt"}) {
+        EXPECT_EQ(loaded.out.find(library), std::string::npos) << loaded.out;
+    }
+    const Result picture = run_program("./alone", "m.scad -o m.png");
+    EXPECT_EQ(picture.status, 1);
+    EXPECT_NE(picture.err.find("cannot run"), std::string::npos) << picture.err;
+    EXPECT_NE(picture.err.find("csgscope-graphics"), std::string::npos) << picture.err;
+}
+
 }  // namespace

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "csg/scad/source.h"
-#include "gl/image.h"
+#include "gl/file.h"
 #include "ui/command_line/options.h"
 
 namespace ui {

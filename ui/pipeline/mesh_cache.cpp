@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "csg/tree/hash.h"
-#include "gl/image.h"
+#include "gl/file.h"
 
 namespace ui {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gl/error.h"
+#include "gl/file.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {

@@ -1,0 +1,275 @@
+#include "ui/command_line/language_run.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "csg/scad/ast_text.h"
+#include "csg/scad/csg_text.h"
+#include "csg/scad/value.h"
+#include "ui/command_line/files.h"
+#include "ui/command_line/parameters.h"
+#include "ui/pipeline/stopwatch.h"
+
+namespace ui {
+
+namespace {
+
+/// Asks for a stop once the time is over, unless it is destroyed before.
+class TimeLimit {
+  public:
+    TimeLimit(double seconds, std::stop_source stop) {
+        if (seconds > 0) {
+            thread_ = std::jthread([this, seconds, stop = std::move(stop)](const std::stop_token& done) mutable {
+                std::unique_lock lock(mutex_);
+                std::condition_variable_any never;
+                if (!never.wait_for(lock, done, std::chrono::duration<double>(seconds), [] { return false; }) &&
+                    !done.stop_requested()) {
+                    passed_ = true;
+                    stop.request_stop();
+                }
+            });
+        }
+    }
+    [[nodiscard]] bool passed() const { return passed_; }
+
+  private:
+    std::mutex mutex_;
+    std::atomic<bool> passed_ = false;
+    std::jthread thread_;
+};
+
+/// An angle in degrees from 0 up to 360, as OpenSCAD gives them in $vpr.
+double turned(double degrees) {
+    return degrees < 0 ? degrees + 360 : degrees;
+}
+
+}  // namespace
+
+Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
+
+void Progress::say(const char* stage) const {
+    if (shown_) {
+        fmt::print(stderr, "\r\033[K{}", stage);
+        std::fflush(stderr);
+    }
+}
+
+bool wants(const Options& options, Format format) {
+    return std::any_of(options.outputs.begin(), options.outputs.end(),
+                       [&](const Output& output) { return output.format == format; });
+}
+
+void write_outputs(const Options& options, Format format, const std::string& bytes) {
+    for (const Output& output : options.outputs) {
+        if (output.format == format) {
+            write_output(output.path, bytes);
+        }
+    }
+}
+
+bool LanguageRun::operator()() {
+    if (only({Format::Ast, Format::Param})) {
+        return write_syntax(true);  // Nothing needs to run.
+    }
+    if (wants(options_, Format::Ast) || wants(options_, Format::Param)) {
+        (void)write_syntax(false);  // What is wrong with the text, evaluate() tells.
+    }
+    if (!evaluate()) {
+        return only({Format::Echo}) && evaluation_.parsed && !evaluation_.stopped && !options_.hard_warnings;
+    }
+    if (wants(options_, Format::Csg)) {
+        write_tree();
+    }
+    return true;
+}
+
+/// Outputs that need the text to be read only; none where it has errors.
+bool LanguageRun::write_syntax(bool tell) {
+    const csg::scad::Parsed parsed = parse();
+    if (tell) {
+        for (const csg::scad::Message& message : parsed.messages) {
+            messages_.add(message, parsed.program.sources);
+        }
+    }
+    if (!parsed.ok || (tell && options_.hard_warnings && messages_.warnings() != 0)) {
+        return false;
+    }
+    if (wants(options_, Format::Ast)) {
+        write_outputs(options_, Format::Ast, csg::scad::ast_text(parsed.program));
+    }
+    if (wants(options_, Format::Param)) {
+        const std::string title = std::filesystem::path(options_.input).stem().string();
+        write_outputs(options_, Format::Param, parameters_json(parsed.program, title));
+    }
+    return true;
+}
+
+/// Whether nothing but outputs of these formats is asked for. (Where that is what the console shows, a failed
+/// assertion is but a line of it.)
+bool LanguageRun::only(std::initializer_list<Format> formats) const {
+    return !options_.outputs.empty() && !options_.statistics && !options_.summary && !options_.summary_file &&
+           !options_.dependencies &&
+           std::all_of(options_.outputs.begin(), options_.outputs.end(), [&](const Output& output) {
+               return std::find(formats.begin(), formats.end(), output.format) != formats.end();
+           });
+}
+
+void LanguageRun::read() {
+    request_.path = options_.input == "-" ? "<stdin>" : options_.input;
+    request_.text = options_.input == "-" ? read_standard_input() : read_source(options_.input);
+    request_.definitions = options_.definitions;
+    request_.preview = options_.preview && !wants(options_, Format::Mesh);
+    request_.check_ranges = options_.check_ranges;
+    request_.trace_parameters = options_.trace_parameters;
+    request_.trace_depth = static_cast<std::size_t>(options_.trace_depth);
+    if (options_.memory_limit != 0) {
+        limit_memory();
+    }
+    if (!options_.parameter_file.empty() && !options_.parameter_set.empty()) {
+        take_parameter_set();
+    }
+    if (options_.camera) {
+        const gl::Camera& camera = *options_.camera;
+        request_.view = {{camera.target.x, camera.target.y, camera.target.z},
+                         {turned(camera.rotation.x), turned(camera.rotation.y), turned(camera.rotation.z)},
+                         camera.distance,
+                         camera.fov};
+    }
+}
+
+/// The kernel refuses more, which ends in std::bad_alloc; lists say first, and with a place, that they are too
+/// long.
+void LanguageRun::limit_memory() {
+    const std::size_t bytes = static_cast<std::size_t>(options_.memory_limit) << 20;
+    auto& most = request_.limits.list_elements;
+    most = std::min(most, bytes / sizeof(csg::scad::Value) / 2);
+    const rlim_t data = bytes + request_.limits.stack_bytes;  // The deep stack is reserved, not used.
+    rlimit limit{};
+    if (getrlimit(RLIMIT_DATA, &limit) == 0) {
+        limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? data : std::min(data, limit.rlim_max);
+        (void)setrlimit(RLIMIT_DATA, &limit);
+    }
+}
+
+/// As OpenSCAD does, goes on with the file's own values where the set is not to be had. -D counts above a set.
+void LanguageRun::take_parameter_set() {
+    auto text = csg::scad::read_source_file(options_.parameter_file);
+    if (const auto* error = std::get_if<csg::scad::ReadError>(&text)) {
+        messages_.warn(fmt::format("Can't open parameter file: {}", error->text));
+        return;
+    }
+    ParameterSet set = read_parameter_set(parse().program, std::get<std::string>(text), options_.parameter_file,
+                                          options_.parameter_set);
+    if (!set.problem.empty()) {
+        messages_.warn(set.problem);
+    }
+    request_.definitions.insert(request_.definitions.begin(), std::make_move_iterator(set.definitions.begin()),
+                                std::make_move_iterator(set.definitions.end()));
+}
+
+bool LanguageRun::evaluate() {
+    progress_.say("Evaluating…");
+    Stopwatch watch;
+    std::stop_source stop;
+    request_.stop = stop.get_token();
+    bool stopped_by_warning = false;
+    const TimeLimit limit(options_.time_limit, stop);
+    evaluation_ = csg::scad::evaluate(request_, [&](const auto& message, const auto& sources) {
+        if (stopped_by_warning) {
+            return;  // The stopped evaluation says so; the warning has said why.
+        }
+        progress_.say("");
+        messages_.add(message, sources);
+        if (options_.hard_warnings && messages_.warnings() != 0) {
+            stopped_by_warning = true;
+            stop.request_stop();
+        }
+    });
+    evaluate_ms_ = watch.lap();
+    if (limit.passed() && evaluation_.stopped) {
+        print_error(fmt::format("--time-limit: not done after {} seconds", options_.time_limit));
+    }
+    write_outputs(options_, Format::Echo, messages_.echo_text());
+    return evaluation_.ok && !stopped_by_warning;
+}
+
+csg::scad::Parsed LanguageRun::parse() const {
+    return csg::scad::parse({request_.path, *request_.text, request_.definitions});
+}
+
+void LanguageRun::write_tree() const {
+    write_outputs(options_, Format::Csg, csg::scad::csg_text(*evaluation_.tree));
+}
+
+void LanguageRun::write_dependencies() const {
+    if (options_.dependencies) {
+        std::vector<std::string> targets;
+        for (const Output& output : options_.outputs) {
+            targets.push_back(output.path);
+        }
+        write_output(*options_.dependencies, dependency_rules(targets, evaluation_.files));
+    }
+}
+
+namespace {
+
+/// Of what pictures need, a run that makes none checks all the same, which the whole program does.
+bool language_is_enough(const Options& options) {
+    const Options untouched;
+    const auto is_text = [](const Output& output) {
+        return output.format == Format::Ast || output.format == Format::Param || output.format == Format::Echo ||
+               output.format == Format::Csg;
+    };
+    const auto to_standard_output = [](const Output& output) { return output.path == "-"; };
+    return !options.outputs.empty() && std::all_of(options.outputs.begin(), options.outputs.end(), is_text) &&
+           std::count_if(options.outputs.begin(), options.outputs.end(), to_standard_output) <= 1 &&
+           !options.input.empty() && options.input != "-" && !options.statistics && !options.summary &&
+           !options.summary_file && !options.information && !options.layers && options.settings.empty() &&
+           options.style == untouched.style && options.scheme == untouched.scheme;
+}
+
+std::optional<int> run_or_throw(const std::vector<std::string>& arguments) {
+    if (arguments.empty() || arguments[0] == "compare") {
+        return std::nullopt;
+    }
+    const CommandLine line = read_command_line(arguments);
+    if (line.text) {
+        write_output("-", *line.text);
+        return 0;
+    }
+    if (!language_is_enough(line.options)) {
+        return std::nullopt;
+    }
+    LanguageRun run(line.options);
+    run.read();
+    if (!run()) {
+        return 1;
+    }
+    run.write_dependencies();
+    return 0;
+}
+
+}  // namespace
+
+std::optional<int> run_language(const std::vector<std::string>& arguments) {
+    try {
+        return run_or_throw(arguments);
+    } catch (const std::bad_alloc&) {
+        print_error("out of memory");
+    } catch (const std::exception& error) {
+        print_error(error.what());
+    }
+    return 1;
+}
+
+}  // namespace ui

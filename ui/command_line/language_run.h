@@ -1,0 +1,73 @@
+// The part of a run that is the language alone: the source, its messages, and the outputs that are texts.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csg/scad/parser.h"
+#include "csg/scad/scad.h"
+#include "ui/command_line/messages.h"
+#include "ui/command_line/options.h"
+
+namespace ui {
+
+/// Says on a terminal what is going on; nothing elsewhere.
+class Progress {
+  public:
+    explicit Progress(bool quiet);
+    ~Progress() { say(""); }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void say(const char* stage) const;
+
+  private:
+    bool shown_;
+};
+
+[[nodiscard]] bool wants(const Options& options, Format format);
+
+void write_outputs(const Options& options, Format format, const std::string& bytes);
+
+class LanguageRun {
+  public:
+    /// The options must outlive it.
+    explicit LanguageRun(const Options& options)
+        : options_(options), messages_(options.quiet), progress_(options.quiet) {}
+
+    /// Reads the source. Throws UsageError.
+    void read();
+    /// Makes the outputs that are texts, evaluating only where one of all outputs needs it. False where an error in the
+    /// file ended the run; the messages have said why.
+    [[nodiscard]] bool operator()();
+    void write_dependencies() const;
+
+    [[nodiscard]] const csg::scad::Evaluation& evaluation() const { return evaluation_; }
+    [[nodiscard]] double evaluate_ms() const { return evaluate_ms_; }
+    [[nodiscard]] Messages& messages() { return messages_; }
+    [[nodiscard]] const Messages& messages() const { return messages_; }
+    [[nodiscard]] const Progress& progress() const { return progress_; }
+
+  private:
+    [[nodiscard]] bool only(std::initializer_list<Format> formats) const;
+    [[nodiscard]] bool write_syntax(bool tell);
+    [[nodiscard]] bool evaluate();
+    void limit_memory();
+    void take_parameter_set();
+    [[nodiscard]] csg::scad::Parsed parse() const;
+    void write_tree() const;
+
+    const Options& options_;
+    Messages messages_;
+    Progress progress_;
+    csg::scad::Request request_;
+    csg::scad::Evaluation evaluation_;
+    double evaluate_ms_ = 0;
+};
+
+/// Does what the arguments ask for where the language is all it takes, and gives the exit status; nothing where it
+/// takes more, of which nothing is done then.
+[[nodiscard]] std::optional<int> run_language(const std::vector<std::string>& arguments);
+
+}  // namespace ui
