@@ -1,5 +1,6 @@
 #include "gl/context.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "gl/error.h"
@@ -7,7 +8,9 @@
 namespace gl {
 namespace {
 
-std::string text(const GLubyte* s) { return s ? reinterpret_cast<const char*>(s) : ""; }
+std::string text(const GLubyte* s) {
+    return s ? reinterpret_cast<const char*>(s) : "";
+}
 
 class AdoptedContext final : public Context {
   public:
@@ -37,14 +40,29 @@ const char* name(ContextKind kind) {
     return "";
 }
 
-std::string Context::renderer() const { return text(functions_.GetString(GL_RENDERER)); }
-std::string Context::version() const { return text(functions_.GetString(GL_VERSION)); }
+std::string Context::renderer() const {
+    return text(functions_.GetString(GL_RENDERER));
+}
+std::string Context::version() const {
+    return text(functions_.GetString(GL_VERSION));
+}
 
 bool Context::software() const {
     const std::string r = renderer();
     for (const char* s : {"llvmpipe", "softpipe", "SWR", "swrast", "Software"})
         if (r.find(s) != std::string::npos)
             return true;
+    return false;
+}
+
+bool gpu_possible() {
+    // Render nodes of the kernel's drivers, NVIDIA's own devices, and that of Windows' subsystem for Linux.
+    for (const auto& [folder, prefix] : {std::pair{"/dev/dri", "renderD"}, {"/dev", "nvidia"}, {"/dev", "dxg"}}) {
+        std::error_code error;
+        for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+            if (at->path().filename().string().starts_with(prefix))
+                return true;
+    }
     return false;
 }
 

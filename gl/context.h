@@ -44,6 +44,10 @@ class Context {
     ContextKind kind_;
 };
 
+/// May a GPU compute OpenGL on this machine? False where the system has no device of one: any context would be
+/// software.
+[[nodiscard]] bool gpu_possible();
+
 /// Makes a context and makes it current. Throws gl::Error saying what was tried and how it failed.
 [[nodiscard]] std::unique_ptr<Context> create_context(ContextKind kind);
 

@@ -7,10 +7,7 @@ layout(std140, binding = 0) uniform ViewBlock {
     vec4 local_centre;      // world = local + local_centre
 } view;
 
-// Distance from the eye's plane along the axis of view.
-float view_distance(float depth) {
-    return view.depth_range.z > 0.5 ? mix(view.depth_range.y, view.depth_range.x, depth) : view.depth_range.x / depth;
-}
+#include "gl/view_distance.glsl"
 
 // Eye coordinates of the point at `depth` in the pixel of `frag_coord`.
 vec3 view_position(vec2 frag_coord, float depth) {

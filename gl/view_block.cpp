@@ -3,21 +3,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace gl {
-namespace {
 
-/// std140, as in gl/view.glsl.
-struct Block {
-    glm::mat4 clip_from_local;
-    glm::mat4 eye_from_world;
-    glm::vec4 picture;
-    glm::vec4 depth_range;
-    glm::vec4 local_centre;
-};
-
-}  // namespace
-
-void ViewBlock::update(const View& view, const glm::dvec3& local_centre, double diagonal) {
-    Block b;
+ViewValues view_values(const View& view, const glm::dvec3& local_centre, double diagonal) {
+    ViewValues b;
     // Doubles become floats once, after the large translations have cancelled.
     b.clip_from_local = glm::mat4(glm::translate(view.clip_from_world(), local_centre));
     b.eye_from_world = glm::mat4(view.eye_from_world());
@@ -25,7 +13,12 @@ void ViewBlock::update(const View& view, const glm::dvec3& local_centre, double 
     b.depth_range = glm::vec4(glm::dvec4(view.near_distance(), view.orthographic() ? view.far_distance() : 0.0,
                                          view.orthographic() ? 1.0 : 0.0, diagonal));
     b.local_centre = glm::vec4(glm::dvec4(local_centre, 0.0));
-    buffer_.upload_bytes(&b, sizeof b, GL_STREAM_DRAW);
+    return b;
+}
+
+void ViewBlock::update(const View& view, const glm::dvec3& local_centre, double diagonal) {
+    const ViewValues values = view_values(view, local_centre, diagonal);
+    buffer_.upload_bytes(&values, sizeof values, GL_STREAM_DRAW);
 }
 
 }  // namespace gl

@@ -1,36 +1,19 @@
 #include "goldfeather/layer_stack.h"
 
+#include "goldfeather/surface_rows.h"
+
 namespace goldfeather {
-namespace {
-
-struct LeafRow {
-    glm::vec4 color;
-    glm::uvec4 part;
-};
-
-}  // namespace
 
 std::shared_ptr<const SurfaceTables> SurfaceTables::make(const gl::Functions& gl, const csg::Scene& scene,
                                                          const csg::solid::Geometry& geometry) {
+    const SurfaceRows rows = surface_rows(scene, geometry);
     auto tables = std::make_shared<SurfaceTables>();
-    if (!geometry.box.empty()) {
-        tables->local_centre = geometry.box.centre();
-        tables->diagonal = geometry.box.diagonal();
-    }
-    std::vector<LeafRow> leaves;
-    leaves.reserve(scene.leaves.size());
-    for (const csg::LeafInstance& leaf : scene.leaves)
-        leaves.push_back({{leaf.color.r, leaf.color.g, leaf.color.b, leaf.color.a},
-                          {leaf.part, static_cast<std::uint32_t>(scene.parts[leaf.part].kind), 0, 0}});
-    std::vector<glm::vec4> planes;
-    planes.reserve(geometry.planes.planes().size());
-    for (const csg::solid::Plane& p : geometry.planes.planes())
-        planes.emplace_back(glm::vec3(p.normal),
-                            static_cast<float>(p.offset - glm::dot(p.normal, tables->local_centre)));
+    tables->local_centre = rows.local_centre;
+    tables->diagonal = rows.diagonal;
     tables->leaves = gl::Buffer(gl);
-    tables->leaves.upload<LeafRow>(leaves);
+    tables->leaves.upload<LeafRow>(rows.leaves);
     tables->planes = gl::Buffer(gl);
-    tables->planes.upload<glm::vec4>(planes);
+    tables->planes.upload<glm::vec4>(rows.planes);
     return tables;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "npr/cpu_paint.h"
 #include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
 #include "npr/style_pass.h"
@@ -28,31 +29,74 @@ std::span<const Parameter> parameters() {
     return list;
 }
 
+/// Under the names of the shader's uniforms.
+struct Settings {
+    float width{};
+    float hidden_width{};
+    float inner_strength{};
+    float hidden_strength{};
+    float hidden_falloff{};
+    float tone{};
+    int most_layers{};
+    bool grid{};
+    float grid_spacing{};
+    glm::vec3 ground_color{};
+    glm::vec3 line_color{};
+    glm::vec3 wash_color{};
+};
+
+Settings settings_of(const Parameters& p) {
+    Settings s;
+    const glm::vec3 blue = glm::vec3(0x1b, 0x3f, 0x8b) / 255.0F, white = glm::vec3(0xf6, 0xf8, 0xfc) / 255.0F;
+    const bool on_blue = p.choice(kGround) == 0;
+    s.width = p.number(kWidth);
+    s.hidden_width = 0.8F * p.number(kWidth);
+    s.inner_strength = p.number(kInner);
+    s.hidden_strength = p.number(kHidden);
+    s.hidden_falloff = p.number(kFalloff);
+    s.tone = p.number(kTone);
+    s.most_layers = p.integer(kLayers);
+    s.grid = p.toggle(kGrid);
+    s.grid_spacing = static_cast<float>(p.integer(kSpacing));
+    s.ground_color = on_blue ? blue : white;
+    s.line_color = on_blue ? white : blue;
+    s.wash_color = glm::vec3(0x5b, 0x97, 0xf2) / 255.0F;
+    return s;
+}
+
+EdgeSettings edge_settings(const Parameters& p) {
+    return {p.number(kCrease), p.toggle(kParts)};
+}
+
+/// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
+int layers(bool /*translucent*/) {
+    return 0;
+}
+
 class Blueprint : public Style {
   public:
     explicit Blueprint(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/blueprint.frag") {}
 
-    /// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool /*translucent*/) const override { return 0; }
+    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool translucent) const override {
+        return layers(translucent);
+    }
 
     void draw(const Frame& frame) override {
-        const Parameters& p = frame.parameters;
+        edges_.draw(frame, edge_settings(frame.parameters));
+        const Settings s = settings_of(frame.parameters);
         const gl::Program& program = pass_.program();
-        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts)});
-        program.set("width", p.number(kWidth));
-        program.set("hidden_width", 0.8F * p.number(kWidth));
-        program.set("inner_strength", p.number(kInner));
-        program.set("hidden_strength", p.number(kHidden));
-        program.set("hidden_falloff", p.number(kFalloff));
-        program.set("tone", p.number(kTone));
-        program.set("most_layers", p.integer(kLayers));
-        program.set("grid", p.toggle(kGrid));
-        program.set("grid_spacing", static_cast<float>(p.integer(kSpacing)));
-        const glm::vec3 blue = glm::vec3(0x1b, 0x3f, 0x8b) / 255.0F, white = glm::vec3(0xf6, 0xf8, 0xfc) / 255.0F;
-        const bool on_blue = p.choice(kGround) == 0;
-        program.set("ground_color", on_blue ? blue : white);
-        program.set("line_color", on_blue ? white : blue);
-        program.set("wash_color", glm::vec3(0x5b, 0x97, 0xf2) / 255.0F);
+        program.set("width", s.width);
+        program.set("hidden_width", s.hidden_width);
+        program.set("inner_strength", s.inner_strength);
+        program.set("hidden_strength", s.hidden_strength);
+        program.set("hidden_falloff", s.hidden_falloff);
+        program.set("tone", s.tone);
+        program.set("most_layers", s.most_layers);
+        program.set("grid", s.grid);
+        program.set("grid_spacing", s.grid_spacing);
+        program.set("ground_color", s.ground_color);
+        program.set("line_color", s.line_color);
+        program.set("wash_color", s.wash_color);
         pass_.draw(frame);
     }
 
@@ -61,11 +105,34 @@ class Blueprint : public Style {
     StylePass pass_;
 };
 
+using namespace glm;  // As shader files do.
+
+struct BlueprintPixels : LinedFrame, Settings {
+    BlueprintPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
+        : LinedFrame(frame, edges, {s.width, s.hidden_width, 1, s.inner_strength}), Settings(s) {}
+#include "npr/blueprint.glsl"
+
+    glm::vec4 pixel(glm::ivec2 p) {
+        at = p;
+        return blueprint(p);
+    }
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        return !grid && LinedFrame::as_left(p);
+    }
+};
+
+void paint(const CpuFrame& frame) {
+    const CpuEdges edges = find_edges(frame, edge_settings(frame.parameters));
+    paint_tiles(frame, [&] { return BlueprintPixels(frame, edges, settings_of(frame.parameters)); });
+}
+
 }  // namespace
 
 StyleInfo blueprint_style() {
-    return {"blueprint", "Blueprint", parameters,
-            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Blueprint>(gl); }};
+    return {
+        "blueprint", "Blueprint",
+        parameters,  [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Blueprint>(gl); },
+        paint,       layers};
 }
 
 }  // namespace npr

@@ -1,6 +1,13 @@
 // Lists the links between neighbouring pixels that do not see the same planes. Most do.
 #include "npr/edge_point.glsl"
-#include "npr/edge_search.glsl"
+#include "npr/frame.glsl"
+
+layout(local_size_x = 64) in;
+
+uniform bool part_edges;
+uniform bool visible_only;  // only edges of what is not hidden
+
+#include "npr/same_surface.glsl"
 
 layout(std430, binding = 2) buffer Links {
     uint link_count;

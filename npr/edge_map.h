@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "npr/edge_parameters.h"
 #include "npr/frame_program.h"
 
 namespace npr {
@@ -15,13 +16,6 @@ namespace npr {
 [[nodiscard]] constexpr GLuint groups(std::uint32_t invocations) {
     return (invocations + 63) / 64;
 }
-
-/// What counts as an edge.
-struct EdgeSettings {
-    float crease_degrees = 33;  ///< Between normals, from which a bend is an inner edge.
-    bool parts = true;          ///< Whether boundaries of parts and of colors on smooth surfaces are inner edges.
-    bool visible_only = false;  ///< Only edges that no opaque surface hides are asked for; there may be others.
-};
 
 /// One point of an edge, in main memory.
 struct HostEdge {

@@ -12,4 +12,11 @@ namespace npr {
 /// "parts": whether boundaries of parts and of colors on smooth surfaces are edges.
 [[nodiscard]] Parameter part_edges();
 
+/// What counts as an edge.
+struct EdgeSettings {
+    float crease_degrees = 33;  ///< Between normals, from which a bend is an inner edge.
+    bool parts = true;          ///< Whether boundaries of parts and of colors on smooth surfaces are inner edges.
+    bool visible_only = false;  ///< Only edges that no opaque surface hides are asked for; there may be others.
+};
+
 }  // namespace npr

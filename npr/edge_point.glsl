@@ -1,5 +1,5 @@
 // A point of an edge on the link between the samples of two neighbouring pixels, in 32 bits. Zero: no edge; the larger
-// of two counts.
+// of two counts. Valid in shaders and, within a struct with the same names, in C++.
 const uint kInnerEdge = 1u;
 const uint kProfileEdge = 2u;
 
@@ -10,16 +10,25 @@ struct EdgePoint {
     vec2 across;     // unit vector across the edge, either way
 };
 
+EdgePoint edge_point(uint kind, float strength, float at, vec2 across) {
+    EdgePoint e;
+    e.kind = kind;
+    e.strength = strength;
+    e.at = at;
+    e.across = across;
+    return e;
+}
+
 uint pack_edge(EdgePoint e) {
-    float angle = atan(e.across.y, e.across.x) / 3.14159265;
-    return e.kind << 30 | uint(e.strength * 1023.0 + 0.5) << 20 | uint(clamp(e.at, 0.0, 1.0) * 1023.0 + 0.5) << 10 |
-           uint(fract(angle) * 1023.99);
+    float angle = atan(e.across.y, e.across.x) / 3.14159265f;
+    return e.kind << 30 | uint(e.strength * 1023.0f + 0.5f) << 20 |
+           uint(clamp(e.at, 0.0f, 1.0f) * 1023.0f + 0.5f) << 10 | uint(fract(angle) * 1023.99f);
 }
 
 EdgePoint unpack_edge(uint bits) {
-    float angle = (float(bits & 1023u) + 0.5) * (3.14159265 / 1024.0);
-    return EdgePoint(bits >> 30, float(bits >> 20 & 1023u) / 1023.0, float(bits >> 10 & 1023u) / 1023.0,
-                     vec2(cos(angle), sin(angle)));
+    float angle = (float(bits & 1023u) + 0.5f) * (3.14159265f / 1024.0f);
+    return edge_point(bits >> 30, float(bits >> 20 & 1023u) / 1023.0f, float(bits >> 10 & 1023u) / 1023.0f,
+                      vec2(cos(angle), sin(angle)));
 }
 
 // The link from a pixel to its right (axis 0) or upper neighbour, in a picture of that width, as one number.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "npr/cpu_paint.h"
 #include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
 #include "npr/style_pass.h"
@@ -23,21 +24,48 @@ std::span<const Parameter> parameters() {
     return list;
 }
 
+/// Under the names of the shader's uniforms.
+struct Settings {
+    float width{};
+    float inner_strength{};
+    glm::vec3 edge_color{};
+    float shade{};
+};
+
+Settings settings_of(const Parameters& p) {
+    Settings s;
+    s.width = p.number(kWidth);
+    s.inner_strength = p.number(kInner);
+    s.edge_color = p.color(kColor);
+    s.shade = p.number(kShade);
+    return s;
+}
+
+EdgeSettings edge_settings(const Parameters& p) {
+    return {p.number(kCrease), p.toggle(kParts), true};
+}
+
+/// A surface is looked for in all layers of the neighbours.
+int layers(bool /*translucent*/) {
+    return 0;
+}
+
 class Edges : public Style {
   public:
     explicit Edges(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/edges.frag") {}
 
-    /// A surface is looked for in all layers of the neighbours.
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool /*translucent*/) const override { return 0; }
+    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool translucent) const override {
+        return layers(translucent);
+    }
 
     void draw(const Frame& frame) override {
-        const Parameters& p = frame.parameters;
+        edges_.draw(frame, edge_settings(frame.parameters));
+        const Settings s = settings_of(frame.parameters);
         const gl::Program& program = pass_.program();
-        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts), true});
-        program.set("width", p.number(kWidth));
-        program.set("inner_strength", p.number(kInner));
-        program.set("edge_color", p.color(kColor));
-        program.set("shade", p.number(kShade));
+        program.set("width", s.width);
+        program.set("inner_strength", s.inner_strength);
+        program.set("edge_color", s.edge_color);
+        program.set("shade", s.shade);
         pass_.draw(frame);
     }
 
@@ -46,11 +74,30 @@ class Edges : public Style {
     StylePass pass_;
 };
 
+using namespace glm;  // As shader files do.
+
+struct EdgesPixels : LinedFrame, Settings {
+    EdgesPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
+        : LinedFrame(frame, edges, {s.width, s.width, 1, s.inner_strength}), Settings(s) {}
+#include "npr/edges.glsl"
+
+    glm::vec4 pixel(glm::ivec2 p) {
+        at = p;
+        return edges(p);
+    }
+};
+
+void paint(const CpuFrame& frame) {
+    const CpuEdges edges = find_edges(frame, edge_settings(frame.parameters));
+    paint_tiles(frame, [&] { return EdgesPixels(frame, edges, settings_of(frame.parameters)); });
+}
+
 }  // namespace
 
 StyleInfo edges_style() {
-    return {"edges", "Edges", parameters,
-            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Edges>(gl); }};
+    return {"edges",    "Edges",
+            parameters, [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Edges>(gl); },
+            paint,      layers};
 }
 
 }  // namespace npr

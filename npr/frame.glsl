@@ -13,23 +13,13 @@ uniform vec4 highlight_color;
 uniform vec4 ghost_color;
 uniform bool transparent_background;
 
-// Coordinates of the pixel's sample in the picture plane: at distance 1 (perspective), in world units (orthographic).
-vec2 picture_position(ivec2 pixel) {
-    return (vec2(pixel) + 0.5 + jitter - 0.5 * view.picture.xy) * (2.0 * view.picture.z / view.picture.y);
+bool in_picture(ivec2 pixel) {
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(layer_depths, 0).xy));
 }
 
-// World direction of the ray through the pixel's sample.
-vec3 pixel_ray(ivec2 pixel) {
-    vec3 in_eye = vec3(view.depth_range.z > 0.5 ? vec2(0.0) : picture_position(pixel), -1.0);
-    return in_eye * mat3(view.eye_from_world);
+// Leaf and plane as the stack holds them; kNoSurface where the pixel, which must be in the picture, has no such layer.
+uvec2 surface_ids(ivec2 pixel, int layer) {
+    return layer < layer_count ? texelFetch(layer_surfaces, ivec3(pixel, layer), 0).xy : uvec2(kNoSurface);
 }
 
-vec3 background(ivec2 pixel) {
-    return mix(background_stop, background_color, (float(pixel.y) + 0.5 + jitter.y) / view.picture.y);
-}
-
-// Are they of the same part, and of the same color?
-bool look_alike(uint leaf, uint other) {
-    return leaf == other ||
-           (leaf_rows[leaf].part.x == leaf_rows[other].part.x && leaf_rows[leaf].color == leaf_rows[other].color);
-}
+#include "npr/pixel.glsl"

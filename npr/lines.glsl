@@ -1,5 +1,6 @@
 // Lines along the edges of a bound edge map (npr/edge_map.h).
 #include "npr/edge_point.glsl"
+#include "npr/line_ink.glsl"
 
 layout(binding = 2) uniform usampler2D edge_marks;
 layout(binding = 3) uniform usampler2D edge_tiles;
@@ -30,13 +31,6 @@ uint layers_near(vec2 at, float width) {
     return (marks | marks >> kEdgeLayers) & 0xffffu;
 }
 
-// Coverage by the piece of a line about one edge point. Points follow each other at 1.42 pixels at most.
-float piece(vec2 from_point, vec2 across, float width) {
-    float beside = dot(from_point, across);
-    float beyond = max(abs(dot(from_point, vec2(-across.y, across.x))) - 0.71, 0.0);
-    return clamp(0.5 * width + 0.5 - length(vec2(beside, beyond)), 0.0, 1.0);
-}
-
 void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, float width) {
     EdgePoint e = unpack_edge(bits);
     float coverage = e.strength * piece(at - vec2(lower) - e.at * along, e.across, width);
@@ -63,12 +57,6 @@ Edge edge_at(vec2 at, int layer, float width) {
                           width);
         }
     return edge;
-}
-
-// A color with a line over it, of which there is so much ink (0 to 1). Straight alpha.
-vec4 with_line(vec4 c, vec3 line_color, float ink) {
-    float alpha = mix(c.a, 1.0, ink);
-    return vec4(mix(c.rgb * c.a, line_color, ink) / max(alpha, 1e-6), alpha);
 }
 
 // Lines of all layers in one search: the ink of each, by the strengths of its edges. `hidden_width` is that of all

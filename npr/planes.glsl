@@ -1,38 +1,37 @@
-// Surfaces continued by their planes: on a plane, depth is an affine function of the pixel.
-#include "npr/frame.glsl"
+// Surfaces continued by their planes: on a plane, depth is an affine function of the pixel. Valid in shaders and,
+// within a struct with the same names, in C++.
 
 // Derivative of depth by the pixel's coordinates, on the plane.
 vec2 depth_gradient(uint plane) {
     vec4 row = plane_rows[plane];
-    vec3 n = mat3(view.eye_from_world) * row.xyz;
+    vec3 n = mat3(view.eye_from_world) * vec3(row);
     float offset = row.w + dot(n, centre_in_eye);
-    float scale = 2.0 * view.picture.z / view.picture.y;
-    if (view.depth_range.z > 0.5)  // t = (n.xy * at - offset) / n.z, depth = (far - t) / (far - near)
-        return -scale * n.xy / (n.z * (view.depth_range.y - view.depth_range.x));
-    return scale * view.depth_range.x * n.xy / offset;  // 1 / t = dot(n, vec3(at, -1)) / offset, depth = near / t
+    float scale = 2.0f * view.picture.z / view.picture.y;
+    if (view.depth_range.z > 0.5f)  // t = (n.xy * at - offset) / n.z, depth = (far - t) / (far - near)
+        return -scale * vec2(n) / (n.z * (view.depth_range.y - view.depth_range.x));
+    return scale * view.depth_range.x * vec2(n) / offset;  // 1 / t = dot(n, vec3(at, -1)) / offset, depth = near / t
 }
 
-bool in_picture(ivec2 pixel) {
-    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(layer_depths, 0).xy));
+const float kSmooth = 0.83f;  // cosine between the normals of neighbouring facets of a smooth surface, at least
+
+// How much nearer the plane of `s` is than that of `t`: at the pixel of `s` (x), and at that of `t`, at `offset` from it
+// (y). Where the planes meet between the two pixels the signs differ.
+vec2 nearer(Surface s, vec2 gradient, Surface t, vec2 other, ivec2 offset) {
+    return vec2(s.depth - (t.depth - dot(other, vec2(offset))), s.depth + dot(gradient, vec2(offset)) - t.depth);
 }
 
-const float kSmooth = 0.83;  // cosine between the normals of neighbouring facets of a smooth surface, at least
-
-// Do the surfaces, `t` in the pixel at `offset` from that of `s`, meet where they are seen? `here` and `there`: how much
-// nearer the first one's plane is than the other's. Where the planes meet between the two pixels the signs differ.
-// Planes of a curved surface's facets may meet a little outside, or beside, where there are others between.
-bool meet(Surface s, vec2 gradient, Surface t, vec2 other, ivec2 offset, float cosine, out float here, out float there) {
-    here = s.depth - (t.depth - dot(other, vec2(offset)));
-    there = s.depth + dot(gradient, vec2(offset)) - t.depth;
-    float apart = min(abs(here), abs(there)) - 1e-6 * s.depth;
-    float slack = cosine > kSmooth ? 3.0 * length(gradient - other) : abs(there - here);
-    return here * there <= 0.0 || apart <= slack;
+// Do the surfaces meet where they are seen? Planes of a curved surface's facets may meet a little outside, or beside,
+// where there are others between.
+bool meet(vec2 gap, Surface s, vec2 gradient, vec2 other, float cosine) {
+    float apart = min(abs(gap.x), abs(gap.y)) - 1e-6f * s.depth;
+    float slack = cosine > kSmooth ? 3.0f * length(gradient - other) : abs(gap.y - gap.x);
+    return gap.x * gap.y <= 0.0f || apart <= slack;
 }
 
 // The first layer of a pixel that lies in a plane, seen from one side (plane << 1 | leaving); -1: none.
 int layer_of(ivec2 p, uint key) {
     for (int j = 0; j < layer_count; ++j) {
-        uvec2 ids = texelFetch(layer_surfaces, ivec3(p, j), 0).xy;
+        uvec2 ids = surface_ids(p, j);
         if (ids.x == kNoSurface)
             break;
         if (ids.y == key)
@@ -50,17 +49,31 @@ struct Continuation {
     vec2 across;   // direction in the picture across the line in which they meet
 };
 
+Continuation it_ends(ivec2 offset) {
+    Continuation c;
+    c.found = false;
+    c.layer = 0;
+    c.cosine = -2.0f;
+    c.at = 0.5f;
+    c.across = vec2(offset);
+    return c;
+}
+
 // In its own plane. `offset`: of the neighbour. Both pixels must be in the picture.
 Continuation straight_on(Surface s, ivec2 pixel, ivec2 offset) {
+    Continuation c = it_ends(offset);
     int layer = layer_of(pixel + offset, s.plane << 1 | uint(s.leaving));
-    if (layer < 0)
-        return Continuation(false, 0, -2.0, 0.5, vec2(offset));
-    return Continuation(true, layer, 1.0, 0.5, vec2(offset));
+    if (layer >= 0) {
+        c.found = true;
+        c.layer = layer;
+        c.cosine = 1.0f;
+    }
+    return c;
 }
 
 // In another plane.
 Continuation round_the_bend(Surface s, ivec2 pixel, ivec2 offset) {
-    Continuation c = Continuation(false, 0, -2.0, 0.5, vec2(offset));
+    Continuation c = it_ends(offset);
     ivec2 p = pixel + offset;
     vec2 gradient = depth_gradient(s.plane);
     vec3 ray = pixel_ray(p);
@@ -72,15 +85,14 @@ Continuation round_the_bend(Surface s, ivec2 pixel, ivec2 offset) {
         if (t.leaving != s.leaving || cosine <= c.cosine)
             continue;
         vec2 other = depth_gradient(t.plane);
-        float here, there;
+        vec2 gap = nearer(s, gradient, t, other, offset);
         // A plane that is seen on both sides goes on, and is no continuation of another.
-        if (meet(s, gradient, t, other, offset, cosine, here, there) &&
-            layer_of(pixel, t.plane << 1 | uint(t.leaving)) < 0) {
-            float sum = abs(here) + abs(there);
+        if (meet(gap, s, gradient, other, cosine) && layer_of(pixel, t.plane << 1 | uint(t.leaving)) < 0) {
+            float sum = abs(gap.x) + abs(gap.y);
             c.found = true;
             c.layer = j;
             c.cosine = cosine;
-            c.at = here * there > 0.0 || sum == 0.0 ? 0.5 : abs(here) / sum;
+            c.at = gap.x * gap.y > 0.0f || sum == 0.0f ? 0.5f : abs(gap.x) / sum;
             c.across = gradient - other;
         }
     }

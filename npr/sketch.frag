@@ -2,6 +2,7 @@
 // noise turned by a matrix of its own. Strokes are repeated with further matrices (6.6); all layers have the same
 // noise, so that a sketched blueprint keeps together (6.8).
 #include "npr/color.glsl"
+#include "npr/frame.glsl"
 #include "npr/hatching.glsl"
 #include "npr/lines.glsl"
 #include "npr/surface_color.glsl"

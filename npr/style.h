@@ -8,6 +8,7 @@
 #include "gl/camera.h"
 #include "gl/objects.h"
 #include "npr/color_scheme.h"
+#include "npr/cpu_frame.h"
 #include "npr/parameter.h"
 #include "peel/layer_stack.h"
 
@@ -49,6 +50,10 @@ struct StyleInfo {
     std::span<const Parameter> (*parameters)();
     /// Compiles the style's programs; throws gl::Error.
     std::unique_ptr<Style> (*make)(const gl::Functions& gl);
+    /// The same without OpenGL; null where the style cannot be painted so.
+    Paint paint = nullptr;
+    /// Layers that paint() looks at; see Style::layers_needed.
+    int (*paint_layers)(bool translucent) = nullptr;
 };
 
 /// All styles; the first is the default.

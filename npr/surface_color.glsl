@@ -1,10 +1,9 @@
-// Colors of surfaces as in OpenSCAD's preview.
-#include "npr/frame.glsl"
+// Colors of surfaces as in OpenSCAD's preview. Valid in shaders and, within a struct with the same names, in C++.
 
 // Ambient light and two lights from opposite sides, fixed to the eye; flat, as the facets are.
 float light(vec3 normal) {
-    const vec3 direction = vec3(-0.57735027, 0.57735027, 0.57735027);
-    return 0.2 + abs(dot(mat3(view.eye_from_world) * normal, direction));
+    vec3 direction = vec3(-0.57735027f, 0.57735027f, 0.57735027f);
+    return 0.2f + abs(dot(mat3(view.eye_from_world) * normal, direction));
 }
 
 // Not lit; straight alpha.
@@ -13,19 +12,30 @@ vec4 base_color(Surface s) {
         return highlight_color;
     if (s.part_kind == kPartBackground)
         return ghost_color;
-    if (s.color.r >= 0.0)
+    if (s.color.r >= 0.0f)
         return s.color;
-    return vec4(s.reversed ? cut_color : face_color, 1.0);
+    return vec4(s.reversed ? cut_color : face_color, 1.0f);
 }
 
 // The same; of translucent parts only the faces toward the eye are seen.
 vec4 seen_color(Surface s) {
     vec4 color = base_color(s);
-    return color.a < 1.0 && s.leaving ? vec4(0.0) : color;
+    return color.a < 1.0f && s.leaving ? vec4(0.0f) : color;
 }
 
 // Lit, sRGB with straight alpha.
 vec4 surface_color(Surface s) {
     vec4 color = seen_color(s);
-    return vec4(min(color.rgb * light(s.normal), 1.0), color.a);
+    return vec4(min(vec3(color) * light(s.normal), 1.0f), color.a);
+}
+
+// What lies before the background, as the picture's linear light. `color` is premultiplied; so much light comes
+// `through` it.
+vec4 before_background(vec3 color, float through, ivec2 pixel) {
+    if (!transparent_background) {
+        color += through * background(pixel);
+        through = 0.0f;
+    }
+    float alpha = 1.0f - through;
+    return premultiplied(color / max(alpha, 1e-6f), alpha);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "npr/cpu_paint.h"
 #include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
 #include "npr/style_pass.h"
@@ -28,26 +29,63 @@ std::span<const Parameter> parameters() {
     return list;
 }
 
+/// Under the names of the shader's uniforms.
+struct Settings {
+    float width{};
+    float opacity{};
+    float rim{};
+    float profile_strength{};
+    float inner_strength{};
+    float falloff{};
+    float cue{};
+    int colors{};
+    int most_layers{};
+};
+
+Settings settings_of(const Parameters& p) {
+    Settings s;
+    s.width = p.number(kWidth);
+    s.opacity = p.number(kOpacity);
+    s.rim = p.number(kRim);
+    s.profile_strength = p.number(kEdges);
+    s.inner_strength = p.number(kInner);
+    s.falloff = p.number(kFalloff);
+    s.cue = p.number(kCue);
+    s.colors = p.choice(kColors);
+    s.most_layers = p.integer(kLayers);
+    return s;
+}
+
+EdgeSettings edge_settings(const Parameters& p) {
+    return {p.number(kCrease), p.toggle(kParts)};
+}
+
+/// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
+int layers(bool /*translucent*/) {
+    return 0;
+}
+
 class Xray : public Style {
   public:
     explicit Xray(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/xray.frag") {}
 
-    /// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool /*translucent*/) const override { return 0; }
+    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool translucent) const override {
+        return layers(translucent);
+    }
 
     void draw(const Frame& frame) override {
-        const Parameters& p = frame.parameters;
-        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts)});
+        edges_.draw(frame, edge_settings(frame.parameters));
+        const Settings s = settings_of(frame.parameters);
         const gl::Program& program = pass_.program();
-        program.set("width", p.number(kWidth));
-        program.set("opacity", p.number(kOpacity));
-        program.set("rim", p.number(kRim));
-        program.set("profile_strength", p.number(kEdges));
-        program.set("inner_strength", p.number(kInner));
-        program.set("falloff", p.number(kFalloff));
-        program.set("cue", p.number(kCue));
-        program.set("colors", p.choice(kColors));
-        program.set("most_layers", p.integer(kLayers));
+        program.set("width", s.width);
+        program.set("opacity", s.opacity);
+        program.set("rim", s.rim);
+        program.set("profile_strength", s.profile_strength);
+        program.set("inner_strength", s.inner_strength);
+        program.set("falloff", s.falloff);
+        program.set("cue", s.cue);
+        program.set("colors", s.colors);
+        program.set("most_layers", s.most_layers);
         pass_.draw(frame);
     }
 
@@ -56,11 +94,34 @@ class Xray : public Style {
     StylePass pass_;
 };
 
+using namespace glm;  // As shader files do.
+
+struct XrayPixels : LinedFrame, Settings {
+    XrayPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
+        : LinedFrame(frame, edges, {s.width, s.width, s.profile_strength, s.inner_strength}), Settings(s) {}
+#include "npr/xray.glsl"
+
+    glm::vec4 pixel(glm::ivec2 p) {
+        at = p;
+        return xray(p);
+    }
+    /// Light and fog change from pixel to pixel wherever there is a surface.
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
+    }
+};
+
+void paint(const CpuFrame& frame) {
+    const CpuEdges edges = find_edges(frame, edge_settings(frame.parameters));
+    paint_tiles(frame, [&] { return XrayPixels(frame, edges, settings_of(frame.parameters)); });
+}
+
 }  // namespace
 
 StyleInfo xray_style() {
-    return {"xray", "X-ray", parameters,
-            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Xray>(gl); }};
+    return {"xray",     "X-ray",
+            parameters, [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Xray>(gl); },
+            paint,      layers};
 }
 
 }  // namespace npr

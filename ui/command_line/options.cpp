@@ -206,7 +206,7 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
 
     const char* const engine = "Engine";
     text("--engine", raw.engine, "auto, goldfeather or lists-cpu (auto)", "NAME", engine);
-    text("--context", raw.context, "OpenGL from: auto, egl or osmesa (auto)", "NAME", engine);
+    text("--context", raw.context, "OpenGL from: auto, egl, osmesa or none (auto)", "NAME", engine);
     text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
 
     const char* const other = "Other";
@@ -302,9 +302,11 @@ void interpret(Options& o, const Raw& raw) {
     o.engine = read_name<std::optional<EngineKind>>(
         "--engine", raw.engine,
         {{"auto", std::nullopt}, {"goldfeather", EngineKind::Goldfeather}, {"lists-cpu", EngineKind::ListsCpu}});
-    o.context = read_name<gl::ContextKind>(
-        "--context", raw.context,
-        {{"auto", gl::ContextKind::Auto}, {"egl", gl::ContextKind::Egl}, {"osmesa", gl::ContextKind::Osmesa}});
+    o.context = read_name<std::optional<gl::ContextKind>>("--context", raw.context,
+                                                          {{"auto", gl::ContextKind::Auto},
+                                                           {"egl", gl::ContextKind::Egl},
+                                                           {"osmesa", gl::ContextKind::Osmesa},
+                                                           {"none", std::nullopt}});
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);
     o.summary_file = given(raw.summary_file);

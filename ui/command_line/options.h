@@ -44,9 +44,9 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters.
     std::optional<int> layers;                                  ///< 0: all. Absent: what the style needs.
     int samples = 4;
-    std::optional<goldfeather::EngineKind> engine;  ///< Absent: auto.
-    gl::ContextKind context = gl::ContextKind::Auto;
-    std::optional<std::string> statistics;  ///< File for JSON; "-": standard output.
+    std::optional<goldfeather::EngineKind> engine;                   ///< Absent: auto.
+    std::optional<gl::ContextKind> context = gl::ContextKind::Auto;  ///< Absent: no OpenGL.
+    std::optional<std::string> statistics;                           ///< File for JSON; "-": standard output.
     std::optional<std::string> summary_file;
     std::optional<std::string> dependencies;  ///< File for make.
     std::string cache;                        ///< Folder that keeps meshes; empty: none.

@@ -107,11 +107,25 @@ class Run {
         return request;
     }
 
+    /// Null where a picture is not to wait for OpenGL before it is known to need it.
+    [[nodiscard]] std::unique_ptr<gl::Context> wanted_context() const {
+        const bool asked = options_.context && *options_.context != gl::ContextKind::Auto;
+        const bool perhaps = options_.context == gl::ContextKind::Auto && gl::gpu_possible();
+        return asked || perhaps ? gl::create_context(*options_.context) : nullptr;
+    }
+    [[nodiscard]] Painter painter() const {
+        if (!options_.context) {
+            return Painter::Cpu;
+        }
+        return *options_.context == gl::ContextKind::Auto ? Painter::Auto : Painter::OpenGl;
+    }
+
     void draw() {
         language_.progress().say("Drawing…");
         Stopwatch watch;
-        const auto context = gl::create_context(options_.context);
-        Renderer renderer(*context, options_.engine);
+        const std::unique_ptr<gl::Context> context = wanted_context();
+        Renderer renderer =
+            context ? Renderer(*context, options_.engine, painter()) : Renderer(options_.engine, painter());
         const double context_ms = watch.lap();
         const gl::Image image = renderer.render(*model_, picture_request(camera_));
         (void)watch.lap();
@@ -119,9 +133,10 @@ class Run {
         picture_json_ = to_json(renderer.statistics());
         picture_json_["ms"]["context"] = context_ms;
         picture_json_["ms"]["encode"] = watch.lap();
-        picture_json_["context"] = gl::name(context->kind());
-        picture_json_["renderer"] = context->renderer();
-        picture_json_["opengl"] = context->version();
+        const gl::Context* used = renderer.context();
+        picture_json_["context"] = used != nullptr ? gl::name(used->kind()) : "none";
+        picture_json_["renderer"] = used != nullptr ? used->renderer() : "";
+        picture_json_["opengl"] = used != nullptr ? used->version() : "";
         language_.progress().say("");
         write_outputs(options_, Format::Png, png);
     }
@@ -242,7 +257,7 @@ int run_or_throw(const std::vector<std::string>& arguments) {
     CommandLine line = read_command_line(arguments);
     Options& options = line.options;
     if (line.text || options.information) {
-        write_output("-", line.text ? *line.text : information(options.context));
+        write_output("-", line.text ? *line.text : information(options.context.value_or(gl::ContextKind::Auto)));
         return 0;
     }
     if (options.input.empty()) {

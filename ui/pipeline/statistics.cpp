@@ -26,6 +26,7 @@ nlohmann::ordered_json to_json(const ModelStatistics& s) {
 nlohmann::ordered_json to_json(const PictureStatistics& s) {
     return {{"engine", goldfeather::name(s.engine.engine)},
             {"engine_reason", s.engine.reason},
+            {"painter", s.opengl ? "opengl" : "cpu"},
             {"samples", s.samples},
             {"layers", s.walk.layers},
             {"passes", s.walk.passes},

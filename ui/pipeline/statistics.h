@@ -15,6 +15,7 @@ struct PictureStatistics {
     goldfeather::EngineChoice engine;
     goldfeather::WalkStats walk;  ///< Passes, bands and fragments summed over samples, the rest at its largest.
     int samples = 0;
+    bool opengl = false;   ///< Whether OpenGL drew the style; else the CPU painted it.
     double upload_ms = 0;  ///< 0 where the renderer held the model already.
     double peel_ms = 0;
     double style_ms = 0;

@@ -47,7 +47,7 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
         Stopwatch watch;
         try {
             renderer.draw_sample(*model, request, step.sample);
-            if (threaded) {
+            if (threaded || !renderer.drawn_with_opengl()) {
                 gl::Image image = renderer.image();
                 std::scoped_lock lock(mutex_);
                 image_ = std::move(image);

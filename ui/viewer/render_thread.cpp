@@ -14,8 +14,12 @@ RenderThread::RenderThread(std::optional<goldfeather::EngineKind> engine) {
         std::unique_ptr<gl::Context> context;
         std::optional<Renderer> renderer;
         try {
-            context = gl::create_context(gl::ContextKind::Auto);
-            renderer.emplace(*context, engine);
+            if (gl::gpu_possible()) {
+                context = gl::create_context(gl::ContextKind::Auto);
+                renderer.emplace(*context, engine);
+            } else {
+                renderer.emplace(engine);
+            }
         } catch (...) {
             ready.set_exception(std::current_exception());
             return;

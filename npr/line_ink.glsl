@@ -1,0 +1,14 @@
+// Ink of lines. Valid in shaders and, within a struct with the same names, in C++.
+
+// Coverage by the piece of a line about one edge point. Points follow each other at 1.42f pixels at most.
+float piece(vec2 from_point, vec2 across, float width) {
+    float beside = dot(from_point, across);
+    float beyond = max(abs(dot(from_point, vec2(-across.y, across.x))) - 0.71f, 0.0f);
+    return clamp(0.5f * width + 0.5f - length(vec2(beside, beyond)), 0.0f, 1.0f);
+}
+
+// A color with a line over it, of which there is so much ink (0 to 1). Straight alpha.
+vec4 with_line(vec4 c, vec3 line_color, float ink) {
+    float alpha = mix(c.a, 1.0f, ink);
+    return vec4(mix(vec3(c) * c.a, line_color, ink) / max(alpha, 1e-6f), alpha);
+}

@@ -1,0 +1,40 @@
+#include "npr/shader_frame.h"
+
+namespace npr::shader {
+
+Frame::Frame(const CpuFrame& frame)
+    : view(gl::view_values(frame.view, frame.rows.local_centre, frame.rows.diagonal)),
+      layer_count(frame.layers.layers),
+      // In double precision, since the world's origin may be far away.
+      centre_in_eye(dvec3(frame.view.eye_from_world() * dvec4(frame.rows.local_centre, 1.0))),
+      jitter(frame.view.jitter()),
+      background_color(frame.scheme.background),
+      background_stop(frame.scheme.background_stop),
+      face_color(frame.scheme.face),
+      cut_color(frame.scheme.cut),
+      highlight_color(frame.scheme.highlight),
+      ghost_color(frame.scheme.ghost),
+      transparent_background(frame.transparent_background),
+      leaf_rows(frame.rows.leaves.data()),
+      plane_rows(frame.rows.planes.data()),
+      size(frame.layers.size),
+      srgb(&SrgbTables::get()) {
+    for (int i = 0; i < layer_count; ++i) {
+        const peel::CpuLayer& layer = frame.layers.planes[static_cast<std::size_t>(i)];
+        surfaces.push_back(layer.surface.data());
+        depths.push_back(layer.depth.data());
+    }
+}
+
+bool Frame::same_surfaces(ivec2 p, ivec2 q) const {
+    for (int i = 0; i < layer_count; ++i) {
+        const uvec2 a = surface_ids(p, i);
+        if (a != surface_ids(q, i))
+            return false;
+        if (a.x == kNoSurface)
+            break;
+    }
+    return true;
+}
+
+}  // namespace npr::shader

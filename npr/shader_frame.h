@@ -1,0 +1,65 @@
+// The shared shader files in C++. What a style draws is written once, in files that are valid GLSL and, within a struct
+// that has what they name, valid C++.
+#pragma once
+
+#include <vector>
+
+#include "gl/view_block.h"
+#include "npr/cpu_frame.h"
+#include "npr/srgb.h"
+
+namespace npr::shader {
+
+using namespace glm;  // Shader files say vec3, dot and mix.
+
+/// What npr/frame.glsl and the textures are to shaders, under the same names. Each thread has its own copy: members of
+/// shader files are not const. Keeps references into the frame.
+struct Frame {
+    explicit Frame(const CpuFrame& frame);
+
+    gl::ViewValues view;
+    int layer_count;
+    vec3 centre_in_eye;
+    vec2 jitter;
+    vec3 background_color, background_stop, face_color, cut_color;
+    vec4 highlight_color, ghost_color;
+    bool transparent_background;
+    const peel::LeafRow* leaf_rows;
+    const vec4* plane_rows;
+    ivec2 size;
+    std::vector<const uvec2*> surfaces;  ///< By layer, then by pixel.
+    std::vector<const float*> depths;
+    const SrgbTables* srgb;
+
+#include "gl/view_distance.glsl"
+#include "npr/pixel.glsl"
+#include "peel/surface.glsl"
+
+    [[nodiscard]] bool in_picture(ivec2 p) const {
+        return p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y;
+    }
+    [[nodiscard]] std::size_t index(ivec2 p) const {
+        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(p.x);
+    }
+    [[nodiscard]] uvec2 surface_ids(ivec2 p, int layer) const {
+        return layer < layer_count ? surfaces[static_cast<std::size_t>(layer)][index(p)] : uvec2(kNoSurface);
+    }
+    Surface layer_surface(ivec2 p, int layer, vec3 ray) {
+        const uvec2 ids = in_picture(p) ? surface_ids(p, layer) : uvec2(kNoSurface);
+        return ids.x == kNoSurface ? no_surface()
+                                   : surface_of(ids, depths[static_cast<std::size_t>(layer)][index(p)], ray);
+    }
+    [[nodiscard]] vec4 premultiplied(vec3 color, float alpha) const {
+        return {srgb->linear(color.r) * alpha, srgb->linear(color.g) * alpha, srgb->linear(color.b) * alpha, alpha};
+    }
+
+#include "npr/surface_color.glsl"
+
+#include "npr/edge_point.glsl"
+#include "npr/line_ink.glsl"
+
+    /// Do two pixels see the same planes of the same leaves, in all layers?
+    [[nodiscard]] bool same_surfaces(ivec2 p, ivec2 q) const;
+};
+
+}  // namespace npr::shader

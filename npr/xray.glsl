@@ -1,0 +1,53 @@
+// Edge-enhanced transparency (Nienhaus 2005, 5.3): surface color times edge intensity, layer by layer, front to back.
+// Valid in shaders and, within a struct with the same names, in C++.
+
+vec4 layer_color(Surface s, int layer) {
+    vec4 model = base_color(s);
+    if (colors == 1)
+        return vec4(0.62f + 0.33f * cos(2.4f * float(layer) + vec3(2.6f, 4.4f, 0.6f)), model.a);
+    if (colors == 2)
+        return vec4(vec3(0.72f), model.a);
+    return model;
+}
+
+// 0 at the near end of the scene, 1 at the far end.
+float remoteness(Surface s) {
+    return clamp(0.5f + (view_distance(s.depth) + centre_in_eye.z) / view.depth_range.w, 0.0f, 1.0f);
+}
+
+// A thin wall is crossed on a longer way where it is seen at a slant. `direction`: unit vector.
+float wall_opacity(Surface s, vec3 direction) {
+    float facing = max(abs(dot(s.normal, direction)), 0.05f);
+    return 1.0f - pow(1.0f - opacity, pow(facing, -rim));
+}
+
+vec4 xray(ivec2 pixel) {
+    vec3 ray = pixel_ray(pixel);
+    vec3 direction = normalize(ray);
+    int layers = most_layers > 0 ? min(most_layers, layer_count) : layer_count;
+    vec3 color = vec3(0.0f);  // premultiplied
+    float through = 1.0f;
+    float strength = 1.0f;
+    vec3 ink = vec3(0.12f);
+    bool hit = true;
+    // Behind the last surface there may still be the outer half of a line that bounds a neighbour's surface.
+    for (int i = 0; i < layers && hit && through > 0.004f; ++i) {
+        Surface s = layer_surface(pixel, i, ray);
+        hit = s.hit;
+        vec4 c = vec4(0.0f);
+        float fog = 0.0f;
+        if (hit) {
+            vec4 base = layer_color(s, i);
+            fog = cue * remoteness(s);
+            ink = 0.22f * vec3(base);
+            c = vec4(mix(min(vec3(base) * light(s.normal), 1.0f), background_color, fog),
+                     base.a * wall_opacity(s, direction));
+        }
+        if (line_near(i))
+            c = with_line(c, ink, strength * (1.0f - fog) * line_ink(i));
+        color += through * c.a * vec3(c);
+        through *= 1.0f - c.a;
+        strength *= falloff;
+    }
+    return before_background(color, through, pixel);
+}

@@ -1,0 +1,60 @@
+#include "ui/pipeline/cpu_renderer.h"
+
+#include <algorithm>
+
+#include "ui/pipeline/stopwatch.h"
+
+namespace ui {
+
+void CpuRenderer::hold(const Model& model) {
+    if (model_ && generation_ == model.generation) {
+        return;
+    }
+    model_.reset();
+    model_ =
+        std::make_unique<Held>(Held{goldfeather::ListsModel(model.scene, model.geometry),
+                                    goldfeather::surface_rows(model.scene, model.geometry), translucent(model.scene)});
+    generation_ = model.generation;
+}
+
+void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
+    const CheckedRequest checked(request);
+    if (sample == 0) {
+        statistics_ = {};
+    }
+    Stopwatch watch;
+    hold(model);
+    statistics_.upload_ms += watch.lap();
+    const int layers = request.layers >= 0 ? request.layers : checked.style.paint_layers(model_->translucent);
+    accumulator_.paint_sample(checked.style.paint, model_->rows, checked.picture(model, request),
+                              static_cast<std::size_t>(sample), [&](const gl::View& view) -> const peel::CpuLayers& {
+                                  statistics_.style_ms += watch.lap();
+                                  goldfeather::ListsStats stats;
+                                  goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats);
+                                  statistics_.peel_ms += watch.lap();
+                                  ++statistics_.samples;
+                                  ++statistics_.walk.passes;
+                                  ++statistics_.walk.bands;
+                                  statistics_.walk.fragments += stats.fragments;
+                                  statistics_.walk.drawn_leaves += stats.drawn_leaves;
+                                  statistics_.walk.layers = std::max(statistics_.walk.layers, stats.layers);
+                                  return layers_;
+                              });
+    statistics_.style_ms += watch.lap();
+}
+
+std::optional<glm::dvec3> CpuRenderer::pick(const Model& model, const gl::Camera& camera) {
+    hold(model);
+    const gl::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
+    peel::CpuLayers layers;
+    goldfeather::ListsStats ignored;
+    goldfeather::peel_lists(model_->lists, view, 1, 1, layers, ignored);
+    const float depth = layers.planes.front().depth.front();
+    if (!(depth > 0)) {
+        return std::nullopt;
+    }
+    const gl::View::Ray ray = view.ray(0, 0);
+    return ray.origin + view.distance(depth) * ray.direction;
+}
+
+}  // namespace ui

@@ -1,0 +1,39 @@
+// Draws models without OpenGL: per-pixel lists, and styles that paint.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "npr/cpu_accumulate.h"
+#include "ui/pipeline/picture_request.h"
+#include "ui/pipeline/statistics.h"
+
+namespace ui {
+
+/// Holds one model. All cores work on a picture.
+class CpuRenderer {
+  public:
+    /// See Renderer. The request's style must be one that paints.
+    void draw_sample(const Model& model, const PictureRequest& request, int sample);
+    [[nodiscard]] gl::Image image() const { return accumulator_.image(); }
+    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera);
+    /// Its choice of an engine is left to the caller.
+    [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
+
+  private:
+    /// What is made of a model once.
+    struct Held {
+        goldfeather::ListsModel lists;
+        peel::SurfaceRows rows;
+        bool translucent;
+    };
+    void hold(const Model& model);
+
+    std::unique_ptr<const Held> model_;
+    std::uint64_t generation_ = 0;  ///< Of the model that `model_` was made of.
+    peel::CpuLayers layers_;        ///< Its memory is used again.
+    npr::CpuAccumulator accumulator_;
+    PictureStatistics statistics_;
+};
+
+}  // namespace ui

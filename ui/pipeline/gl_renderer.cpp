@@ -1,0 +1,75 @@
+#include "ui/pipeline/gl_renderer.h"
+
+#include "ui/pipeline/stopwatch.h"
+
+namespace ui {
+
+GlRenderer::GlRenderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine)
+    : gl_(context.functions()), software_(context.software()), wanted_(engine), peeler_(gl_), accumulator_(gl_) {}
+
+void GlRenderer::hold(const Model& model) {
+    if (model_ && generation_ == model.generation) {
+        return;
+    }
+    choice_ = goldfeather::choose_engine(wanted_, {software_, !model.over_budget.empty()});
+    if (choice_.engine == goldfeather::EngineKind::Goldfeather && !model.over_budget.empty()) {
+        throw ModelError(model.over_budget);
+    }
+    model_.reset();  // Before the next is made: the two need not fit together.
+    model_ = std::make_unique<peel::PeelModel>(gl_, model.scene, model.geometry, model.products, choice_.engine);
+    generation_ = model.generation;
+    translucent_ = translucent(model.scene);
+}
+
+npr::Style& GlRenderer::style(const npr::StyleInfo& info) {
+    std::unique_ptr<npr::Style>& made = styles_[std::string(info.name)];
+    if (!made) {
+        made = info.make(gl_);
+    }
+    return *made;
+}
+
+void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
+    const CheckedRequest checked(request);
+    if (sample == 0) {
+        statistics_ = {};
+    }
+    Stopwatch watch;
+    const bool held = model_ && generation_ == model.generation;
+    hold(model);
+    npr::Style& style = this->style(checked.style);
+    gl_.Finish();
+    const double upload = watch.lap();
+    statistics_.upload_ms += held ? 0 : upload;
+
+    const int layers = request.layers >= 0 ? request.layers : style.layers_needed(checked.parameters, translucent_);
+    const npr::Picture picture = checked.picture(model, request);
+    peeler_.give_back(
+        accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const gl::View& view) {
+            (void)watch.lap();
+            peel::LayerStack stack =
+                peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk);
+            gl_.Finish();
+            statistics_.peel_ms += watch.lap();
+            ++statistics_.samples;
+            return stack;
+        }));
+    gl_.Finish();
+    statistics_.style_ms += watch.lap();
+    statistics_.engine = choice_;
+}
+
+std::optional<glm::dvec3> GlRenderer::pick(const Model& model, const gl::Camera& camera) {
+    hold(model);
+    const gl::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
+    peel::WalkStats ignored;
+    const peel::LayerStack stack = peeler_.peel(view, *model_, 1, ignored);
+    const float depth = peel::read_back(gl_, stack).at(0, 0, 0).depth;
+    if (!(depth > 0)) {
+        return std::nullopt;
+    }
+    const gl::View::Ray ray = view.ray(0, 0);
+    return ray.origin + view.distance(depth) * ray.direction;
+}
+
+}  // namespace ui

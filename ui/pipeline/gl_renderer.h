@@ -1,0 +1,56 @@
+// Draws models with OpenGL: from a Model to a picture, in one context.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/camera.h"
+#include "gl/context.h"
+#include "gl/image.h"
+#include "npr/accumulate.h"
+#include "npr/color_scheme.h"
+#include "npr/style.h"
+#include "peel/peeler.h"
+#include "ui/pipeline/model.h"
+#include "ui/pipeline/picture_request.h"
+#include "ui/pipeline/statistics.h"
+
+namespace ui {
+
+/// Holds one model on the GPU and the programs of all styles. Its context must be current whenever it is used, and
+/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs, and ModelError where the engine asked
+/// for cannot draw the model.
+class GlRenderer {
+  public:
+    /// `engine`: absent to let the renderer choose.
+    explicit GlRenderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine = {});
+
+    /// See Renderer.
+    void draw_sample(const Model& model, const PictureRequest& request, int sample);
+    void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
+    [[nodiscard]] gl::Image image() { return accumulator_.image(); }
+    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera);
+    [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
+
+  private:
+    void hold(const Model& model);
+    npr::Style& style(const npr::StyleInfo& info);
+
+    const gl::Functions& gl_;
+    bool software_;
+    std::optional<goldfeather::EngineKind> wanted_;
+    goldfeather::EngineChoice choice_;  ///< For the model held.
+    peel::Peeler peeler_;
+    npr::Accumulator accumulator_;
+    std::map<std::string, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
+    std::unique_ptr<peel::PeelModel> model_;
+    std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
+    bool translucent_ = false;      ///< Whether something in that model is not opaque.
+    PictureStatistics statistics_;
+};
+
+}  // namespace ui

@@ -1,0 +1,73 @@
+#include "ui/pipeline/picture_request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "ui/pipeline/suggestion.h"
+
+namespace ui {
+
+namespace {
+
+template <typename Named>
+[[noreturn]] void throw_unknown(std::string_view what, std::string_view name, std::span<const Named> known) {
+    std::vector<std::string> names;
+    for (const Named& each : known) {
+        names.emplace_back(each.name);
+    }
+    throw std::runtime_error(fmt::format(
+        "no {} \"{}\".{}", what, name, suggestion(name, names, fmt::format(" There are {}.", fmt::join(names, ", ")))));
+}
+
+const npr::StyleInfo& style_of(const PictureRequest& request) {
+    const npr::StyleInfo* info = npr::find_style(request.style);
+    if (info == nullptr) {
+        throw_unknown("style", request.style, npr::styles());
+    }
+    return *info;
+}
+
+const npr::ColorScheme& scheme_of(const PictureRequest& request) {
+    const npr::ColorScheme* scheme = npr::find_color_scheme(request.scheme);
+    if (scheme == nullptr) {
+        throw_unknown("color scheme", request.scheme, npr::color_schemes());
+    }
+    return *scheme;
+}
+
+npr::Parameters parameters_of(const PictureRequest& request) {
+    npr::Parameters parameters(style_of(request).parameters());
+    for (const auto& [name, value] : request.settings) {
+        try {
+            parameters.set(name, value);
+        } catch (const std::invalid_argument& error) {
+            throw std::runtime_error(fmt::format("style {}: {}", request.style, error.what()));
+        }
+    }
+    return parameters;
+}
+
+}  // namespace
+
+bool translucent(const csg::Scene& scene) {
+    return std::any_of(scene.parts.begin(), scene.parts.end(),
+                       [](const csg::Part& part) { return part.kind != csg::PartKind::Solid; }) ||
+           std::any_of(scene.leaves.begin(), scene.leaves.end(),
+                       [](const csg::LeafInstance& leaf) { return leaf.color.given() && leaf.color.a < 1; });
+}
+
+void check_picture(const PictureRequest& request) {
+    (void)CheckedRequest(request);
+}
+
+CheckedRequest::CheckedRequest(const PictureRequest& request)
+    : style(style_of(request)), scheme(scheme_of(request)), parameters(parameters_of(request)) {}
+
+npr::Picture CheckedRequest::picture(const Model& model, const PictureRequest& request) const {
+    return {request.camera, request.size, model.geometry.box.lo,          model.geometry.box.hi,
+            parameters,     scheme,       request.transparent_background, request.samples};
+}
+
+}  // namespace ui

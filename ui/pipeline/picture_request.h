@@ -1,0 +1,44 @@
+// What a picture is to be.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/camera.h"
+#include "npr/accumulate.h"
+#include "npr/color_scheme.h"
+#include "npr/style.h"
+#include "ui/pipeline/model.h"
+
+namespace ui {
+
+struct PictureRequest {
+    gl::Camera camera;
+    glm::ivec2 size{512, 512};
+    std::string style = "shaded";
+    std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters by name; the rest are defaults.
+    std::string scheme = "Cornfield";
+    int layers = -1;  ///< 0: all; below 0: what the style needs.
+    int samples = 4;  ///< Per pixel.
+    bool transparent_background = false;
+};
+
+/// Throws std::runtime_error where there is no such style, parameter, value or scheme; names the nearest one.
+void check_picture(const PictureRequest& request);
+
+/// The same for the folders below. `style` and `scheme` are valid for ever. Throws as check_picture.
+struct CheckedRequest {
+    const npr::StyleInfo& style;
+    const npr::ColorScheme& scheme;
+    npr::Parameters parameters;
+
+    explicit CheckedRequest(const PictureRequest& request);
+    /// Refers to this and to both arguments.
+    [[nodiscard]] npr::Picture picture(const Model& model, const PictureRequest& request) const;
+};
+
+/// Does anything show what is behind it?
+[[nodiscard]] bool translucent(const csg::Scene& scene);
+
+}  // namespace ui
