@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -26,8 +27,13 @@ int become(const char* name, char** arguments) {
 
 int main(int argc, char** argv) {
     ui::keep_freed_memory();
-    if (const auto status = ui::run_language({argv + 1, argv + argc})) {
+    const auto become_graphics = [argv] { return become("csgscope-graphics", argv); };
+    const auto hand_over = [&become_graphics](std::size_t said) {
+        setenv(ui::Messages::kSaid, std::to_string(said).c_str(), 1);
+        std::exit(become_graphics());
+    };
+    if (const auto status = ui::run_language({argv + 1, argv + argc}, hand_over)) {
         return *status;
     }
-    return become("csgscope-graphics", argv);
+    return become_graphics();
 }

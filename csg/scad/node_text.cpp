@@ -1,146 +1,244 @@
 #include "csg/scad/node_text.h"
 
-#include <fmt/format.h>
+#include <array>
+#include <charconv>
+#include <concepts>
 
 #include "csg/scad/expression_writer.h"
+#include "csg/scad/number_text.h"
 
 namespace csg::scad {
 
 namespace {
 
-/// As C++ streams print it: six significant digits.
-std::string number(double value) {
-    return fmt::format("{:g}", value);
+struct Quoted {
+    std::string_view text;
+};
+
+void put_one(std::string& out, const glm::dvec3& v);
+void put_one(std::string& out, const glm::dvec2& v);
+void put_one(std::string& out, const Fineness& f);
+
+void put_one(std::string& out, const char* text) {
+    out += text;
+}
+void put_one(std::string& out, const Quoted& q) {
+    out += quoted(q.text);
+}
+void put_one(std::string& out, char c) {
+    out += c;
+}
+void put_one(std::string& out, double value) {
+    append_number(out, value);
+}
+void put_one(std::string& out, bool value) {
+    out += value ? "true" : "false";
 }
 
-std::string vector(const glm::dvec3& v) {
-    return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
+template <std::integral Integer>
+void put_one(std::string& out, Integer value) {
+    std::array<char, 24> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    out.append(digits.data(), end.ptr);
 }
 
-std::string vector(const glm::dvec2& v) {
-    return fmt::format("[{:g}, {:g}]", v.x, v.y);
+/// Appends each in turn.
+template <typename... Parts>
+void put(std::string& out, const Parts&... parts) {
+    (put_one(out, parts), ...);
 }
 
-std::string fineness(const Fineness& f) {
-    return fmt::format("$fn = {:g}, $fa = {:g}, $fs = {:g}", f.fn, f.fa, f.fs);
+void put_one(std::string& out, const glm::dvec3& v) {
+    put(out, '[', v.x, ", ", v.y, ", ", v.z, ']');
+}
+void put_one(std::string& out, const glm::dvec2& v) {
+    put(out, '[', v.x, ", ", v.y, ']');
+}
+void put_one(std::string& out, const Fineness& f) {
+    put(out, "$fn = ", f.fn, ", $fa = ", f.fa, ", $fs = ", f.fs);
+}
+
+/// "[1, 2, 3]"
+template <typename Range>
+void put_list(std::string& out, const Range& items) {
+    const char* before = "[";
+    for (const auto& item : items) {
+        out += before;
+        put_one(out, item);
+        before = ", ";
+    }
+    out += items.empty() ? "[]" : "]";
+}
+
+/// "[[1, 2, 3], [3, 4]]"
+void put_lists(std::string& out, const std::vector<std::vector<std::uint32_t>>& lists) {
+    out += '[';
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+        out += i == 0 ? "" : ", ";
+        put_list(out, lists[i]);
+    }
+    out += ']';
 }
 
 struct LeafText {
-    std::string operator()(const Cube& c) const {
-        return fmt::format("cube(size = {}, center = {})", vector(c.size), c.center);
+    std::string& out;
+
+    void operator()(const Cube& c) const { put(out, "cube(size = ", c.size, ", center = ", c.center, ')'); }
+    void operator()(const Sphere& s) const { put(out, "sphere(", s.fineness, ", r = ", s.radius, ')'); }
+    void operator()(const Cylinder& c) const {
+        put(out, "cylinder(", c.fineness, ", h = ", c.height, ", r1 = ", c.radius1, ", r2 = ", c.radius2,
+            ", center = ", c.center, ')');
     }
-    std::string operator()(const Sphere& s) const {
-        return fmt::format("sphere({}, r = {})", fineness(s.fineness), number(s.radius));
+    void operator()(const std::shared_ptr<const Polyhedron>& p) const {
+        out += "polyhedron(points = ";
+        put_list(out, p->points);
+        out += ", faces = ";
+        put_lists(out, p->faces);
+        put(out, ", convexity = ", p->convexity, ')');
     }
-    std::string operator()(const Cylinder& c) const {
-        return fmt::format("cylinder({}, h = {}, r1 = {}, r2 = {}, center = {})", fineness(c.fineness),
-                           number(c.height), number(c.radius1), number(c.radius2), c.center);
-    }
-    std::string operator()(const std::shared_ptr<const Polyhedron>& p) const {
-        std::string points, faces;
-        for (const glm::dvec3& point : p->points) {
-            points += (points.empty() ? "" : ", ") + vector(point);
+    void operator()(const Square& s) const { put(out, "square(size = ", s.size, ", center = ", s.center, ')'); }
+    void operator()(const Circle& c) const { put(out, "circle(", c.fineness, ", r = ", c.radius, ')'); }
+    void operator()(const std::shared_ptr<const Polygon>& p) const {
+        out += "polygon(points = ";
+        put_list(out, p->points);
+        out += ", paths = ";
+        if (p->has_paths && !p->paths.empty()) {
+            put_lists(out, p->paths);
+        } else {
+            out += "undef";
         }
-        for (const auto& face : p->faces) {
-            faces += fmt::format("{}[{}]", faces.empty() ? "" : ", ", fmt::join(face, ", "));
+        put(out, ", convexity = ", p->convexity, ')');
+    }
+    void operator()(const std::shared_ptr<const Text>& t) const {
+        put(out, "text(text = ", Quoted{t->text}, ", size = ", t->size, ", spacing = ", t->spacing,
+            ", font = ", Quoted{t->font}, ", direction = ", Quoted{t->direction}, ", language = ", Quoted{t->language});
+        if (!t->script.empty()) {
+            put(out, ", script = ", Quoted{t->script});
         }
-        return fmt::format("polyhedron(points = [{}], faces = [{}], convexity = {})", points, faces, p->convexity);
+        put(out, ", halign = ", Quoted{t->halign}, ", valign = ", Quoted{t->valign}, ", ", t->fineness, ')');
     }
-    std::string operator()(const Square& s) const {
-        return fmt::format("square(size = {}, center = {})", vector(s.size), s.center);
-    }
-    std::string operator()(const Circle& c) const {
-        return fmt::format("circle({}, r = {})", fineness(c.fineness), number(c.radius));
-    }
-    std::string operator()(const std::shared_ptr<const Polygon>& p) const {
-        std::string points, paths;
-        for (const glm::dvec2& point : p->points) {
-            points += (points.empty() ? "" : ", ") + vector(point);
+    void operator()(const std::shared_ptr<const Import>& i) const {
+        put(out, "import(file = ", Quoted{i->file.shown});
+        if (!i->id.empty()) {
+            put(out, ", id = ", Quoted{i->id});
         }
-        for (const auto& path : p->paths) {
-            paths += fmt::format("{}[{}]", paths.empty() ? "" : ", ", fmt::join(path, ", "));
+        if (!i->layer.empty()) {
+            put(out, ", layer = ", Quoted{i->layer});
         }
-        paths = p->has_paths && !p->paths.empty() ? '[' + paths + ']' : "undef";
-        return fmt::format("polygon(points = [{}], paths = {}, convexity = {})", points, paths, p->convexity);
+        put(out, ", origin = ", i->origin, ", scale = ", i->scale, ", center = ", i->center);
+        if (i->dpi != 72) {
+            put(out, ", dpi = ", i->dpi);
+        }
+        put(out, ", convexity = ", i->convexity, ", ", i->fineness, ", timestamp = ", i->file.modified, ')');
     }
-    std::string operator()(const std::shared_ptr<const Text>& t) const {
-        return fmt::format(
-            "text(text = {}, size = {:g}, spacing = {:g}, font = {}, direction = {}, language = {}{}, halign = {}, "
-            "valign = {}, {})",
-            quoted(t->text), t->size, t->spacing, quoted(t->font), quoted(t->direction), quoted(t->language),
-            t->script.empty() ? "" : ", script = " + quoted(t->script), quoted(t->halign), quoted(t->valign),
-            fineness(t->fineness));
-    }
-    std::string operator()(const std::shared_ptr<const Import>& i) const {
-        std::string text = "import(file = " + quoted(i->file.shown);
-        text += i->id.empty() ? "" : ", id = " + quoted(i->id);
-        text += i->layer.empty() ? "" : ", layer = " + quoted(i->layer);
-        text += fmt::format(", origin = {}, scale = {:g}, center = {}", vector(i->origin), i->scale, i->center);
-        text += i->dpi == 72 ? "" : fmt::format(", dpi = {:g}", i->dpi);
-        return text + fmt::format(", convexity = {}, {}, timestamp = {})", i->convexity, fineness(i->fineness),
-                                  i->file.modified);
-    }
-    std::string operator()(const std::shared_ptr<const Surface>& s) const {
-        return fmt::format("surface(file = {}, center = {}, invert = {}, timestamp = {})", quoted(s->file.shown),
-                           s->center, s->invert, s->file.modified);
+    void operator()(const std::shared_ptr<const Surface>& s) const {
+        put(out, "surface(file = ", Quoted{s->file.shown}, ", center = ", s->center, ", invert = ", s->invert,
+            ", timestamp = ", s->file.modified, ')');
     }
 };
-
-std::string convexity_if_not_1(unsigned convexity) {
-    return convexity > 1 ? fmt::format(", convexity = {}", convexity) : std::string();
-}
 
 struct MeshText {
-    std::string operator()(const LinearExtrude& e) const {
-        std::string text = "linear_extrude(height = " + number(e.height);
+    std::string& out;
+
+    void operator()(const LinearExtrude& e) const {
+        put(out, "linear_extrude(height = ", e.height);
         if (e.has_direction) {
-            text += fmt::format(", v = [ {:g}, {:g}, {:g}]", e.direction.x, e.direction.y, e.direction.z);
+            put(out, ", v = [ ", e.direction.x, ", ", e.direction.y, ", ", e.direction.z, ']');
         }
-        text += e.center ? ", center = true" : "";
-        text += e.twist ? ", twist = " + number(*e.twist) : "";
-        text += e.slices ? fmt::format(", slices = {}", *e.slices) : "";
-        text += e.segments ? fmt::format(", segments = {}", *e.segments) : "";
-        if (e.scale != glm::dvec2(1.0)) {
-            text += ", scale = " + (e.scale.x == e.scale.y ? number(e.scale.x) : vector(e.scale));
+        if (e.center) {
+            out += ", center = true";
         }
-        text += e.slices && e.segments ? "" : ", " + fineness(e.fineness);
-        return text + convexity_if_not_1(e.convexity) + ')';
+        if (e.twist) {
+            put(out, ", twist = ", *e.twist);
+        }
+        if (e.slices) {
+            put(out, ", slices = ", *e.slices);
+        }
+        if (e.segments) {
+            put(out, ", segments = ", *e.segments);
+        }
+        if (e.scale.x != e.scale.y) {
+            put(out, ", scale = ", e.scale);
+        } else if (e.scale.x != 1) {
+            put(out, ", scale = ", e.scale.x);
+        }
+        if (!e.slices || !e.segments) {
+            put(out, ", ", e.fineness);
+        }
+        if (e.convexity > 1) {
+            put(out, ", convexity = ", e.convexity);
+        }
+        out += ')';
     }
-    std::string operator()(const RotateExtrude& e) const {
-        return fmt::format("rotate_extrude(angle = {:g}, start = {:g}, convexity = {}, {})", e.angle, e.start,
-                           e.convexity, fineness(e.fineness));
+    void operator()(const RotateExtrude& e) const {
+        put(out, "rotate_extrude(angle = ", e.angle, ", start = ", e.start, ", convexity = ", e.convexity, ", ",
+            e.fineness, ')');
     }
-    std::string operator()(const Offset& o) const {
+    void operator()(const Offset& o) const {
         const bool round = o.corner == Offset::Corner::Round;
-        return fmt::format("offset({} = {:g}{}, {})", round ? "r" : "delta", o.distance,
-                           round ? std::string() : fmt::format(", chamfer = {}", o.corner == Offset::Corner::Chamfer),
-                           fineness(o.fineness));
+        put(out, "offset(", round ? "r" : "delta", " = ", o.distance);
+        if (!round) {
+            put(out, ", chamfer = ", o.corner == Offset::Corner::Chamfer);
+        }
+        put(out, ", ", o.fineness, ')');
     }
-    std::string operator()(const Fill&) const { return "fill()"; }
-    std::string operator()(const Projection& p) const {
-        return fmt::format("projection(cut = {}, convexity = {})", p.cut, p.convexity);
+    void operator()(const Fill&) const { out += "fill()"; }
+    void operator()(const Projection& p) const {
+        put(out, "projection(cut = ", p.cut, ", convexity = ", p.convexity, ')');
     }
-    std::string operator()(const Hull&) const { return "hull()"; }
-    std::string operator()(const Minkowski& m) const { return fmt::format("minkowski(convexity = {})", m.convexity); }
-    std::string operator()(const Resize& r) const {
-        return fmt::format("resize(newsize = [{:g},{:g},{:g}], auto = [{:d},{:d},{:d}], convexity = {})", r.size.x,
-                           r.size.y, r.size.z, r.automatic[0], r.automatic[1], r.automatic[2], r.convexity);
+    void operator()(const Hull&) const { out += "hull()"; }
+    void operator()(const Minkowski& m) const { put(out, "minkowski(convexity = ", m.convexity, ')'); }
+    void operator()(const Resize& r) const {
+        put(out, "resize(newsize = [", r.size.x, ',', r.size.y, ',', r.size.z, "], auto = [", int{r.automatic[0]}, ',',
+            int{r.automatic[1]}, ',', int{r.automatic[2]}, "], convexity = ", r.convexity, ')');
     }
-    std::string operator()(const Render& r) const { return fmt::format("render(convexity = {})", r.convexity); }
-    std::string operator()(const Roof& r) const {
-        return fmt::format("roof(method = {}, {}, convexity = {})", quoted(r.method), fineness(r.fineness),
-                           r.convexity);
+    void operator()(const Render& r) const { put(out, "render(convexity = ", r.convexity, ')'); }
+    void operator()(const Roof& r) const {
+        put(out, "roof(method = ", Quoted{r.method}, ", ", r.fineness, ", convexity = ", r.convexity, ')');
     }
 };
+
+void put_one(std::string& out, const glm::dmat4& m) {
+    out += "multmatrix([";
+    for (int row = 0; row < 4; ++row) {
+        put(out, row == 0 ? "[" : ", [", m[0][row], ", ", m[1][row], ", ", m[2][row], ", ", m[3][row], ']');
+    }
+    out += "])";
+}
+
+void put_one(std::string& out, const Rgba& c) {
+    put(out, "color([", double{c.r}, ", ", double{c.g}, ", ", double{c.b}, ", ", double{c.a}, "])");
+}
 
 }  // namespace
 
-std::string leaf_text(const LeafShape& shape) {
-    return std::visit(LeafText{}, shape);
-}
-
-std::string mesh_text(const MeshOperation& operation) {
-    return std::visit(MeshText{}, operation);
+void append_node_text(const Tree& tree, NodeId id, std::string& out) {
+    switch (tree.node(id).operation) {
+        case Operation::Group:
+            out += "group()";
+            return;
+        case Operation::Union:
+            out += "union()";
+            return;
+        case Operation::Difference:
+            out += "difference()";
+            return;
+        case Operation::Intersection:
+            out += "intersection()";
+            return;
+        case Operation::Transform:
+            put_one(out, tree.matrix(id));
+            return;
+        case Operation::Color:
+            put_one(out, tree.color(id));
+            return;
+        case Operation::Leaf:
+            std::visit(LeafText{out}, tree.shape(id));
+            return;
+        case Operation::Mesh:
+            std::visit(MeshText{out}, tree.mesh(id));
+            return;
+    }
 }
 
 }  // namespace csg::scad

@@ -1,16 +1,13 @@
-// Leaves and mesh-making operations as OpenSCAD's .csg output prints them.
+// Nodes as OpenSCAD's .csg output prints them.
 #pragma once
 
 #include <string>
 
-#include "csg/tree/mesh_operation.h"
+#include "csg/tree/tree.h"
 
 namespace csg::scad {
 
-/// "cube(size = [1, 1, 1], center = false)"
-[[nodiscard]] std::string leaf_text(const LeafShape& shape);
-
-/// "linear_extrude(height = 10, …)", without the children.
-[[nodiscard]] std::string mesh_text(const MeshOperation& operation);
+/// Appends "cube(size = [1, 1, 1], center = false)", "group()", "linear_extrude(height = 10, …)": without the children.
+void append_node_text(const Tree& tree, NodeId id, std::string& out);
 
 }  // namespace csg::scad

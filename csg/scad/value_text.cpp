@@ -3,12 +3,16 @@
 #include <charconv>
 #include <cmath>
 
+#include "csg/scad/number_text.h"
 #include "csg/scad/object.h"
 #include "csg/scad/value.h"
 
 namespace csg::scad {
 
 std::string number_text(double number) {
+    if (std::string plain; append_plain_number(plain, number)) {
+        return plain;
+    }
     if (std::isnan(number)) {
         return "nan";
     }

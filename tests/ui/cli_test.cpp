@@ -243,4 +243,17 @@ TEST_F(Cli, TheLanguageNeedsNoGraphics) {
     EXPECT_NE(picture.err.find("csgscope-graphics"), std::string::npos) << picture.err;
 }
 
+TEST_F(Cli, WhatIsHandedOverInTheMiddleIsSaidOnce) {
+    folder_.write("metrics.scad",
+                  "echo(\"before\"); if (is_undef(textmetrics(\"a\"))) cube(1); else cube(2); echo(\"after\");");
+    const Result result = run("metrics.scad -o metrics.csg");
+    ASSERT_EQ(result.status, 0) << result.err;
+    for (const std::string line : {"ECHO: \"before\"", "ECHO: \"after\""}) {
+        const std::size_t at = result.err.find(line);
+        ASSERT_NE(at, std::string::npos) << result.err;
+        EXPECT_EQ(result.err.find(line, at + 1), std::string::npos) << result.err;
+    }
+    EXPECT_NE(folder_.read("metrics.csg").find("cube("), std::string::npos);
+}
+
 }  // namespace

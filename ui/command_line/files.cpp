@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "csg/scad/source.h"
-#include "gl/file.h"
 #include "ui/command_line/options.h"
 
 namespace ui {
@@ -53,12 +52,32 @@ std::string read_standard_input() {
     return text;
 }
 
-void write_output(const std::string& path, const std::string& bytes) {
+OutputFile::OutputFile(const std::string& path) {
     if (path != "-") {
-        gl::write_file(path, bytes);
-    } else if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
+        file_.emplace(path);
+    }
+}
+
+void OutputFile::write(std::string_view bytes) {
+    if (file_) {
+        file_->write(bytes);
+    } else if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) {
         throw std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
     }
+}
+
+void OutputFile::finish() {
+    if (file_) {
+        file_->finish();
+    } else if (std::fflush(stdout) != 0) {
+        throw std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+    }
+}
+
+void write_output(const std::string& path, const std::string& bytes) {
+    OutputFile file(path);
+    file.write(bytes);
+    file.finish();
 }
 
 std::string dependency_rules(const std::vector<std::string>& targets, const std::vector<std::string>& sources) {

@@ -1,8 +1,12 @@
 // The files of the command line: standard input and output stand for "-".
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "gl/file.h"
 
 namespace ui {
 
@@ -11,6 +15,18 @@ namespace ui {
 
 /// The whole of standard input. Throws UsageError where it is longer than a source text may be.
 [[nodiscard]] std::string read_standard_input();
+
+/// A file that is written piece by piece, and is there whole or not at all; "-" is standard output. Everything throws
+/// std::runtime_error with the reason.
+class OutputFile {
+  public:
+    explicit OutputFile(const std::string& path);
+    void write(std::string_view bytes);
+    void finish();
+
+  private:
+    std::optional<gl::FileWriter> file_;  ///< Nothing: standard output.
+};
 
 /// Writes the file whole or not at all, or to standard output for "-". Throws std::runtime_error with the reason.
 void write_output(const std::string& path, const std::string& bytes);

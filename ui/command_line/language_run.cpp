@@ -77,6 +77,11 @@ void write_outputs(const Options& options, Format format, const std::string& byt
     }
 }
 
+LanguageRun::LanguageRun(const Options& options, std::shared_ptr<csg::scad::Measures> measures)
+    : options_(options), messages_(options.quiet), progress_(options.quiet) {
+    request_.measures = std::move(measures);
+}
+
 bool LanguageRun::operator()() {
     if (only({Format::Ast, Format::Param})) {
         return write_syntax(true);  // Nothing needs to run.
@@ -208,7 +213,13 @@ csg::scad::Parsed LanguageRun::parse() const {
 }
 
 void LanguageRun::write_tree() const {
-    write_outputs(options_, Format::Csg, csg::scad::csg_text(*evaluation_.tree));
+    for (const Output& output : options_.outputs) {
+        if (output.format == Format::Csg) {
+            OutputFile file(output.path);
+            csg::scad::write_csg(*evaluation_.tree, [&file](std::string_view piece) { file.write(piece); });
+            file.finish();
+        }
+    }
 }
 
 void LanguageRun::write_dependencies() const {
@@ -238,7 +249,33 @@ bool language_is_enough(const Options& options) {
            options.style == untouched.style && options.scheme == untouched.scheme;
 }
 
-std::optional<int> run_or_throw(const std::vector<std::string>& arguments) {
+/// Whatever is asked, another program must answer.
+class MeasuresElsewhere final : public csg::scad::Measures {
+  public:
+    explicit MeasuresElsewhere(std::function<void()> hand_over) : hand_over_(std::move(hand_over)) {}
+    std::optional<csg::TextMetrics> text(const csg::Text&, csg::scad::MeasureWarnings&) override {
+        hand_over_();
+        return std::nullopt;
+    }
+    std::optional<csg::FontMetrics> font(const csg::Text&, csg::scad::MeasureWarnings&) override {
+        hand_over_();
+        return std::nullopt;
+    }
+    std::optional<double> dimension(const csg::scad::DrawingQuery&, csg::scad::MeasureWarnings&) override {
+        hand_over_();
+        return std::nullopt;
+    }
+    std::optional<glm::dvec2> cross(const csg::scad::DrawingQuery&, csg::scad::MeasureWarnings&) override {
+        hand_over_();
+        return std::nullopt;
+    }
+
+  private:
+    std::function<void()> hand_over_;
+};
+
+std::optional<int> run_or_throw(const std::vector<std::string>& arguments,
+                                const std::function<void(std::size_t said)>& hand_over) {
     if (arguments.empty() || arguments[0] == "compare") {
         return std::nullopt;
     }
@@ -250,7 +287,10 @@ std::optional<int> run_or_throw(const std::vector<std::string>& arguments) {
     if (!language_is_enough(line.options)) {
         return std::nullopt;
     }
-    LanguageRun run(line.options);
+    const Messages* said = nullptr;
+    LanguageRun run(line.options,
+                    std::make_shared<MeasuresElsewhere>([&said, &hand_over] { hand_over(said->count()); }));
+    said = &run.messages();
     run.read();
     if (!run()) {
         return 1;
@@ -261,9 +301,10 @@ std::optional<int> run_or_throw(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-std::optional<int> run_language(const std::vector<std::string>& arguments) {
+std::optional<int> run_language(const std::vector<std::string>& arguments,
+                                const std::function<void(std::size_t said)>& hand_over) {
     try {
-        return run_or_throw(arguments);
+        return run_or_throw(arguments, hand_over);
     } catch (const std::bad_alloc&) {
         print_error("out of memory");
     } catch (const std::exception& error) {

@@ -1,7 +1,10 @@
 // The part of a run that is the language alone: the source, its messages, and the outputs that are texts.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,9 +35,8 @@ void write_outputs(const Options& options, Format format, const std::string& byt
 
 class LanguageRun {
   public:
-    /// The options must outlive it.
-    explicit LanguageRun(const Options& options)
-        : options_(options), messages_(options.quiet), progress_(options.quiet) {}
+    /// The options must outlive it. `measures` answers what a program asks of fonts and drawings; may be null.
+    LanguageRun(const Options& options, std::shared_ptr<csg::scad::Measures> measures);
 
     /// Reads the source. Throws UsageError.
     void read();
@@ -67,7 +69,10 @@ class LanguageRun {
 };
 
 /// Does what the arguments ask for where the language is all it takes, and gives the exit status; nothing where it
-/// takes more, of which nothing is done then.
-[[nodiscard]] std::optional<int> run_language(const std::vector<std::string>& arguments);
+/// takes more, of which nothing is done then. `hand_over` is called, from any thread, where it turns out in the middle
+/// that the answer of a font or a drawing is needed: it is given how many messages have been printed, and does not come
+/// back.
+[[nodiscard]] std::optional<int> run_language(const std::vector<std::string>& arguments,
+                                              const std::function<void(std::size_t said)>& hand_over);
 
 }  // namespace ui

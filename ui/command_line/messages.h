@@ -10,18 +10,27 @@ namespace ui {
 class Messages {
   public:
     /// `quiet`: only errors are printed.
-    explicit Messages(bool quiet) : quiet_(quiet) {}
+    explicit Messages(bool quiet);
 
     /// Prints OpenSCAD's line; for errors also the place as file:line:column, the source line and a caret.
     void add(const csg::scad::Message& message, const csg::scad::SourceSet& sources);
     /// A warning of ours, outside the language.
     void warn(const std::string& text);
 
+    [[nodiscard]] std::size_t count() const { return count_; }  ///< Of messages added.
     [[nodiscard]] std::size_t warnings() const { return warnings_; }
     [[nodiscard]] const std::string& echo_text() const { return echo_; }  ///< Line by line, all that OpenSCAD prints.
 
+    /// The variable of the environment that says how many messages of the same run another program has printed, which
+    /// has handed it over: as many are not printed again.
+    static constexpr const char* kSaid = "CSGSCOPE_MESSAGES_SAID";
+
   private:
+    void print(const std::string& line);
+
     bool quiet_;
+    std::size_t said_ = 0;  ///< By another program.
+    std::size_t count_ = 0;
     std::size_t warnings_ = 0;
     std::string echo_;
 };

@@ -36,7 +36,7 @@ PictureRequest picture_of(const Options& options) {
 /// One run: the source, what became of it, and the figures.
 class Run {
   public:
-    explicit Run(Options options) : options_(std::move(options)), language_(options_) {}
+    explicit Run(Options options) : options_(std::move(options)), language_(options_, nullptr) {}
 
     /// False where an error in the file ended it; the messages have said why.
     bool operator()() {
