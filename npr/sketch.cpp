@@ -60,7 +60,7 @@ class Noise {
         const bool on_model = p.choice(kAnchor) == 1;
         Key key{frame.layers.size, p.integer(kSeed), p.choice(kMedium), {}};
         if (on_model)
-            key.eye_from_world = frame.view.eye_from_world();
+            key.camera = frame.view.camera();
         if (!(texture_ && texture_.size() == key.size))
             texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
         if (!(key_ && *key_ == key)) {
@@ -80,7 +80,7 @@ class Noise {
     struct Key {
         glm::ivec2 size;
         int seed, medium;
-        std::optional<glm::dmat4> eye_from_world;  ///< Where the noise is anchored to the model.
+        std::optional<gl::Camera> camera;  ///< Where the noise is anchored to the model.
         bool operator==(const Key&) const = default;
     };
     const gl::Functions& gl_;

@@ -45,12 +45,11 @@ std::shared_ptr<const Solid> SolidCache::get(const Tree& tree, NodeId node, cons
     }
     const NodeGeometry& made = geometry(tree, node, by_node, warnings);
     Entry& entry = entries_[tree.node(node).hash];
-    if (!entry.solid) {
+    if (!entry.solid)
         entry.solid = as_solid(made, tools());
-        for (const std::string& warning : entry.solid->warnings) {
-            if (std::find(made.warnings.begin(), made.warnings.end(), warning) == made.warnings.end())
-                warnings.push_back(located(tree, tree.node(node).where, warning));
-        }
+    for (const std::string& warning : entry.solid->warnings) {
+        if (std::find(made.warnings.begin(), made.warnings.end(), warning) == made.warnings.end())
+            warnings.push_back(located(tree, tree.node(node).where, warning));
     }
     return entry.solid;
 }

@@ -236,4 +236,18 @@ TEST(Placed, MatricesThatAreNotAffineLeaveTheLeafOut) {
     }
 }
 
+TEST(SolidCache, AWarningIsToldEveryTimeThatTheMeshIsAskedFor) {
+    // Two cubes as one mesh, with nothing at hand that could unite them.
+    csg::TreeBuilder builder;
+    static_cast<void>(builder.file("two.scad"));
+    const csg::NodeId cubes[]{builder.leaf(csg::Cube{{1, 1, 1}, false}, {}),
+                              builder.leaf(csg::Cube{{1, 1, 1}, true}, {})};
+    const csg::Tree tree = builder.finish(builder.mesh({csg::Resize{{4, 4, 4}, {}}}, cubes, {}));
+    const csg::Scene scene = csg::make_scene(tree);
+    csg::solid::SolidCache cache;
+    const auto first = csg::solid::place(tree, scene, cache).warnings;
+    EXPECT_FALSE(first.empty());
+    EXPECT_EQ(csg::solid::place(tree, scene, cache).warnings, first);
+}
+
 }  // namespace

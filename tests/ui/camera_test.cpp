@@ -58,5 +58,18 @@ TEST(ChooseCamera, AnEmptyBoxMovesNothing) {
     EXPECT_EQ(choose_camera({mine, gl::Projection::Perspective, false, true}, {}, {}).target, mine.target);
 }
 
+TEST(ScadView, AnglesBelowZeroAreTurnedUp) {
+    gl::Camera camera;
+    camera.target = {1, -2, 3};
+    camera.rotation = {-30, 20, 0};
+    camera.distance = 7;
+    camera.fov = 40;
+    const csg::scad::View view = scad_view(camera);
+    EXPECT_EQ(view.rotation, (std::array<double, 3>{330, 20, 0}));
+    EXPECT_EQ(view.translation, (std::array<double, 3>{1, -2, 3}));
+    EXPECT_EQ(view.distance, 7);
+    EXPECT_EQ(view.fov, 40);
+}
+
 }  // namespace
 }  // namespace ui

@@ -48,11 +48,6 @@ class TimeLimit {
     std::jthread thread_;
 };
 
-/// An angle in degrees from 0 up to 360, as OpenSCAD gives them in $vpr.
-double turned(double degrees) {
-    return degrees < 0 ? degrees + 360 : degrees;
-}
-
 }  // namespace
 
 Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
@@ -144,11 +139,7 @@ void LanguageRun::read() {
         take_parameter_set();
     }
     if (options_.camera) {
-        const gl::Camera& camera = *options_.camera;
-        request_.view = {{camera.target.x, camera.target.y, camera.target.z},
-                         {turned(camera.rotation.x), turned(camera.rotation.y), turned(camera.rotation.z)},
-                         camera.distance,
-                         camera.fov};
+        request_.view = scad_view(*options_.camera);
     }
 }
 

@@ -35,4 +35,16 @@ gl::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSett
     return camera;
 }
 
+csg::scad::View scad_view(const gl::Camera& camera) {
+    csg::scad::View view;
+    for (int i = 0; i < 3; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        view.translation[at] = camera.target[i];
+        view.rotation[at] = camera.rotation[i] < 0 ? camera.rotation[i] + 360 : camera.rotation[i];
+    }
+    view.distance = camera.distance;
+    view.fov = camera.fov;
+    return view;
+}
+
 }  // namespace ui

@@ -21,4 +21,8 @@ struct CameraRequest {
 [[nodiscard]] gl::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSettings& file,
                                        const csg::Box& box);
 
+/// What a program reads of the camera in $vpt, $vpr, $vpd and $vpf. Angles below 0 are turned up by 360 degrees, as in
+/// OpenSCAD.
+[[nodiscard]] csg::scad::View scad_view(const gl::Camera& camera);
+
 }  // namespace ui

@@ -4,19 +4,14 @@
 #include <stop_token>
 #include <utility>
 
+#include "ui/pipeline/camera.h"
+
 namespace ui {
 
 namespace {
 
 constexpr double kTurn = 15;  // Degrees per key press.
 constexpr double kZoom = 1.25;
-
-csg::scad::View scad_view(const gl::Camera& camera) {
-    return {{camera.target.x, camera.target.y, camera.target.z},
-            {camera.rotation.x, camera.rotation.y, camera.rotation.z},
-            camera.distance,
-            camera.fov};
-}
 
 /// Turns by whole key presses, with orbit()'s rules.
 void turn(gl::Camera& camera, double about_x, double about_z) {
