@@ -1,5 +1,7 @@
 #include "csg/solid/clip_grid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +32,41 @@ void add(ClipperLib::Clipper& clipper, const ClipperLib::Paths& paths, ClipperLi
     } catch (const ClipperLib::clipperException& error) {
         throw OutlineError(error.what());
     }
+}
+
+using Events = std::vector<std::pair<ClipperLib::cInt, int>>;
+
+void add_events(const ClipperLib::Paths& paths, Events& events) {
+    for (const ClipperLib::Path& path : paths) {
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            const auto [low, high] = std::minmax(path[i].Y, path[(i + 1) % path.size()].Y);
+            if (low < high) {
+                events.emplace_back(low, 1);
+                events.emplace_back(high, -1);
+            }
+        }
+    }
+}
+
+/// Clipper's sweep compares each edge with those that it meets at one height. Where that would take hours, as with ten
+/// thousand circles all over each other, there is an error instead.
+void check_cost(const ClipperLib::Paths& a, const ClipperLib::Paths& b) {
+    constexpr double kMost = 2e9;
+    Events events;
+    add_events(a, events);
+    add_events(b, events);
+    const double edges = static_cast<double>(events.size()) / 2;
+    if (edges * edges < kMost)
+        return;
+    std::sort(events.begin(), events.end());
+    int abreast = 0, most = 0;
+    for (const auto& [height, change] : events) {
+        abreast += change;
+        most = std::max(most, abreast);
+    }
+    if (edges * most > kMost)
+        throw OutlineError(
+            fmt::format("outlines with {} edges, {} of them abreast, are more than can be united", edges, most));
 }
 
 }  // namespace
@@ -97,12 +134,14 @@ Outline ClipGrid::read(const ClipperLib::Paths& paths) {
 }
 
 ClipperLib::Paths ClipGrid::unite(const ClipperLib::Paths& paths, ClipperLib::PolyFillType rule) {
+    check_cost(paths, {});
     ClipperLib::Clipper clipper;
     add(clipper, paths, ClipperLib::ptSubject);
     return execute(clipper, ClipperLib::ctUnion, rule);
 }
 
 ClipperLib::Paths ClipGrid::combine(ClipperLib::ClipType type, const ClipperLib::Paths& a, const ClipperLib::Paths& b) {
+    check_cost(a, b);
     ClipperLib::Clipper clipper;
     add(clipper, a, ClipperLib::ptSubject);
     add(clipper, b, ClipperLib::ptClip);

@@ -16,7 +16,7 @@ namespace csg::solid {
 namespace {
 
 constexpr std::size_t kMostLines = std::size_t{1} << 21;
-constexpr int kDeepest = 16;
+constexpr std::size_t kMostInserted = 10'000;
 
 using Line = Loop;  ///< Open, of at least two points; or closed, with the first point again at its end.
 
@@ -41,9 +41,12 @@ std::string_view trimmed(std::string_view line) {
     return line;
 }
 
+using Blocks = std::map<std::string, std::vector<Entity>>;
+using Block = Blocks::value_type;
+
 struct File {
     std::vector<Entity> entities;
-    std::map<std::string, std::vector<Entity>> blocks;
+    Blocks blocks;
 };
 
 File read(std::string_view text) {
@@ -122,14 +125,14 @@ class Drawing {
         : file_(file), import_(import), warnings_(warnings) {}
 
     std::vector<Line> draw() {
-        draw(file_.entities, glm::dmat4(1.0), 0);
+        draw(file_.entities, glm::dmat4(1.0));
         return std::move(lines_);
     }
 
   private:
-    void draw(const std::vector<Entity>& entities, const glm::dmat4& placed, int depth) {
+    void draw(const std::vector<Entity>& entities, const glm::dmat4& placed) {
         Line polyline;
-        bool closed = false;
+        bool closed = false, wanted = true;
         for (const Entity& e : entities) {
             if (lines_.size() > kMostLines)
                 return;
@@ -138,16 +141,18 @@ class Drawing {
                 continue;
             }
             if (e.kind == "SEQEND") {
-                add(polyline, closed, placed);
+                if (wanted)
+                    add(polyline, closed, placed);
                 polyline.clear();
                 continue;
             }
-            if (!import_.layer.empty() && e.layer != import_.layer && depth == 0)
+            wanted = import_.layer.empty() || e.layer == import_.layer || !drawn_.empty();
+            if (!wanted)
                 continue;
             if (e.kind == "POLYLINE")
                 closed = (static_cast<int>(e.number(70)) & 1) != 0;
             else if (e.kind == "INSERT")
-                insert(e, placed, depth);
+                insert(e, placed);
             else
                 draw(e, placed);
         }
@@ -176,9 +181,8 @@ class Drawing {
             add(line, std::abs(to - from - 360) < 1e-6, placed);
         } else if (e.kind == "LWPOLYLINE") {
             light_polyline(e, placed);
-        } else if (e.kind != "DIMENSION" && e.kind != "VIEWPORT" && e.kind != "POINT" &&
-                   unknown_.insert(e.kind).second) {
-            warnings_.push_back(fmt::format("Unsupported DXF Entity '{}' in \"{}\"", e.kind, import_.file.shown));
+        } else if (e.kind != "DIMENSION" && e.kind != "VIEWPORT" && e.kind != "POINT") {
+            warn_once(fmt::format("Unsupported DXF Entity '{}' in \"{}\"", e.kind, import_.file.shown));
         }
     }
 
@@ -203,17 +207,32 @@ class Drawing {
         add(line, closed, placed);
     }
 
-    void insert(const Entity& e, const glm::dmat4& placed, int depth) {
+    void insert(const Entity& e, const glm::dmat4& placed) {
         const auto block = file_.blocks.find(e.block);
-        if (block == file_.blocks.end() || depth >= kDeepest || ++inserted_ > 100'000)
+        if (block == file_.blocks.end())
             return;
+        if (std::find(drawn_.begin(), drawn_.end(), &*block) != drawn_.end()) {
+            warn_once(fmt::format("DXF block '{:.40}' inserts itself", e.block));
+            return;
+        }
+        if (++inserted_ > kMostInserted) {
+            warn_once(fmt::format("DXF file inserts more than {} blocks; the rest is left out", kMostInserted));
+            return;
+        }
         const double c = cos_degrees(e.number(50)), s = sin_degrees(e.number(50));
         const double x = e.number(41, 1), y = e.number(42, 1);
         glm::dmat4 m(1.0);
         m[0] = {c * x, s * x, 0, 0};
         m[1] = {-s * y, c * y, 0, 0};
         m[3] = {e.number(10), e.number(20), 0, 1};
-        draw(block->second, placed * m, depth + 1);
+        drawn_.push_back(&*block);
+        draw(block->second, placed * m);
+        drawn_.pop_back();
+    }
+
+    void warn_once(std::string warning) {
+        if (told_.insert(warning).second)
+            warnings_.push_back(std::move(warning));
     }
 
     void add(Line line, bool closed, const glm::dmat4& placed) {
@@ -230,84 +249,91 @@ class Drawing {
     const Import& import_;
     std::vector<std::string>& warnings_;
     std::vector<Line> lines_;
-    std::set<std::string> unknown_;
+    std::set<std::string> told_;
+    std::vector<const Block*> drawn_;  ///< The blocks that this is part of, the outermost first.
     std::size_t inserted_ = 0;
 };
 
-/// Ends closer than OpenSCAD's coarse grid are one.
-constexpr double kNear = 0x1p-10;
-
-bool is_near(const glm::dvec2& a, const glm::dvec2& b) {
-    return std::abs(a.x - b.x) <= kNear && std::abs(a.y - b.y) <= kNear;
-}
-
-/// The ends of lines, by cells.
-class Ends {
+/// Where lines meet: ends closer than OpenSCAD's coarse grid to one that came before are at the joint of that one.
+class Joints {
   public:
-    void add(const glm::dvec2& p, std::size_t line) { cells_.emplace(cell(p), End{p, line}); }
-    /// The first line that has an end near p and is not used.
-    [[nodiscard]] std::optional<std::size_t> find(const glm::dvec2& p, const std::vector<char>& used) const {
-        const auto [x, y] = cell(p);
-        for (long long i = x - 1; i <= x + 1; ++i) {
-            for (long long j = y - 1; j <= y + 1; ++j) {
-                const auto [from, to] = cells_.equal_range({i, j});
-                for (auto end = from; end != to; ++end) {
-                    if (used[end->second.line] == 0 && is_near(end->second.at, p))
-                        return end->second.line;
-                }
+    std::uint32_t at(const glm::dvec2& p) {
+        // Of the points of one cell no two are apart, so a cell has one joint at most.
+        const Cell cell{whole(p.x), whole(p.y)};
+        for (long long i = cell.first - 1; i <= cell.first + 1; ++i) {
+            for (long long j = cell.second - 1; j <= cell.second + 1; ++j) {
+                const auto known = cells_.find({i, j});
+                if (known != cells_.end() && is_near(points_[known->second], p))
+                    return known->second;
             }
         }
-        return std::nullopt;
+        const auto joint = static_cast<std::uint32_t>(points_.size());
+        cells_.emplace(cell, joint);
+        points_.push_back(p);
+        return joint;
     }
+    [[nodiscard]] std::size_t size() const { return points_.size(); }
 
   private:
-    struct End {
-        glm::dvec2 at;
-        std::size_t line;
-    };
-    static std::pair<long long, long long> cell(const glm::dvec2& p) {
-        const auto whole = [](double x) {
-            return static_cast<long long>(std::floor(std::clamp(x / kNear, -1e18, 1e18)));
-        };
-        return {whole(p.x), whole(p.y)};
+    using Cell = std::pair<long long, long long>;
+    static constexpr double kNear = 0x1p-10;
+    static long long whole(double x) { return static_cast<long long>(std::floor(std::clamp(x / kNear, -1e18, 1e18))); }
+    static bool is_near(const glm::dvec2& a, const glm::dvec2& b) {
+        return std::abs(a.x - b.x) <= kNear && std::abs(a.y - b.y) <= kNear;
     }
-    std::multimap<std::pair<long long, long long>, End> cells_;
+    std::map<Cell, std::uint32_t> cells_;
+    std::vector<glm::dvec2> points_;
 };
 
 /// Closed lines as they are; others end to end, in either direction. Where no line goes on, the loop is closed
 /// straight, as in OpenSCAD.
 std::vector<Loop> join(std::vector<Line> lines) {
-    std::vector<Loop> loops;
-    Ends ends;
+    Joints joints;
+    std::vector<std::uint32_t> first(lines.size()), last(lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (is_near(lines[i].front(), lines[i].back()))
-            continue;
-        ends.add(lines[i].front(), i);
-        ends.add(lines[i].back(), i);
+        first[i] = joints.at(lines[i].front());
+        last[i] = joints.at(lines[i].back());
     }
+    std::vector<std::vector<std::size_t>> meeting(joints.size());  // The first line last.
+    for (std::size_t i = lines.size(); i-- > 0;) {
+        if (first[i] != last[i]) {
+            meeting[first[i]].push_back(i);
+            meeting[last[i]].push_back(i);
+        }
+    }
+    std::vector<Loop> loops;
     std::vector<char> used(lines.size(), 0);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (used[i] != 0)
             continue;
         used[i] = 1;
         Loop loop = std::move(lines[i]);
+        std::uint32_t begin = first[i], end = last[i];
         bool reversed = false;
-        while (!is_near(loop.front(), loop.back())) {
-            const auto next = ends.find(loop.back(), used);
-            if (!next) {
+        while (begin != end) {
+            std::vector<std::size_t>& next = meeting[end];
+            while (!next.empty() && used[next.back()] != 0)
+                next.pop_back();
+            if (next.empty()) {
                 if (reversed)
                     break;
                 reversed = true;  // On from where it began.
                 std::reverse(loop.begin(), loop.end());
+                std::swap(begin, end);
                 continue;
             }
-            Line& line = lines[*next];
-            used[*next] = 1;
-            if (!is_near(line.front(), loop.back()))
+            const std::size_t taken = next.back();
+            used[taken] = 1;
+            Line& line = lines[taken];
+            if (first[taken] != end) {
                 std::reverse(line.begin(), line.end());
+                end = first[taken];
+            } else {
+                end = last[taken];
+            }
             loop.insert(loop.end(), line.begin() + 1, line.end());
         }
-        if (is_near(loop.front(), loop.back()))
+        if (begin == end)
             loop.pop_back();
         if (loop.size() > 2)
             loops.push_back(std::move(loop));

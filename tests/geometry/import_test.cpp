@@ -1,6 +1,8 @@
 // Files of every format with the same solid or outline in them; and files that lie.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -188,6 +190,62 @@ TEST(Import, DxfEntities) {
                 0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180), 1e-6);
     EXPECT_NEAR(dxf_area("0\nCIRCLE\n10\n5\n20\n5\n40\n10\n"), 0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180),
                 1e-6);
+}
+
+TEST(Import, DxfJoinsLinesInAnyOrderAndDirectionInLinearTime) {
+    // Twenty thousand lines that go out from one point and come back: no line is looked at again and again.
+    std::string spokes;
+    for (int i = 0; i < 20'000; ++i) {
+        const double angle = i * 1e-4;
+        spokes +=
+            fmt::format("0\nLINE\n10\n0\n20\n0\n11\n{}\n21\n{}\n", 1000 * std::cos(angle), 1000 * std::sin(angle));
+    }
+    std::vector<std::string> warnings;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto loops = read_dxf("0\nSECTION\n2\nENTITIES\n" + spokes + "0\nENDSEC\n0\nEOF\n", {}, warnings);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    EXPECT_EQ(loops.size(), 10'000U);  // Two at a time: out, and in from the other end.
+}
+
+TEST(Import, DxfBlocksThatInsertThemselves) {
+    std::vector<std::string> warnings;
+    const std::string insert = "0\nINSERT\n2\na\n10\n2\n20\n0\n";
+    const auto loops =
+        read_dxf("0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nCIRCLE\n10\n0\n20\n0\n40\n1\n" + insert + insert +
+                     "0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + insert + "0\nENDSEC\n0\nEOF\n",
+                 {}, warnings);
+    EXPECT_EQ(loops.size(), 1U);
+    EXPECT_EQ(warnings, std::vector<std::string>{"DXF block 'a' inserts itself"});
+}
+
+TEST(Import, DxfPolylinesOfOtherLayersAreLeftOut) {
+    csg::Import import;
+    import.layer = "wanted";
+    const auto triangle = [](const std::string& layer) {
+        return "0\nPOLYLINE\n8\n" + layer + "\n66\n1\n70\n1\n0\nVERTEX\n8\n" + layer +
+               "\n10\n0\n20\n0\n0\nVERTEX\n10\n1\n20\n0\n0\nVERTEX\n10\n0\n20\n1\n0\nSEQEND\n8\n" + layer + "\n";
+    };
+    std::vector<std::string> warnings;
+    const std::string text = "0\nSECTION\n2\nENTITIES\n" + triangle("other") + triangle("wanted") + triangle("third") +
+                             "0\nENDSEC\n0\nEOF\n";
+    EXPECT_EQ(read_dxf(text, import, warnings).size(), 1U);
+    EXPECT_EQ(read_dxf(text, {}, warnings).size(), 3U);
+}
+
+TEST(Import, OutlinesThatWouldTakeHoursAreAnError) {
+    // A hundred thousand slanted squares, each a little aside of the last.
+    std::vector<Loop> loops;
+    for (int i = 0; i < 100'000; ++i) {
+        const double x = i * 1e-3;
+        loops.push_back({{x, 0}, {x + 50, 1}, {x + 51, 50}, {x + 1, 49}});
+    }
+    EXPECT_THROW((void)clean(loops, FillRule::NonZero), OutlineError);
+    // As many apart from each other are none.
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const glm::dvec2 shift{static_cast<double>(i % 300) * 200, static_cast<double>(i / 300) * 200};
+        loops[i] = {shift, shift + glm::dvec2(1, 0), shift + glm::dvec2(1, 1)};
+    }
+    EXPECT_NEAR(clean(loops, FillRule::NonZero).area(), 50'000, 1e-3);
 }
 
 double svg_area(const std::string& body, const std::string& head = "width='100mm' height='50mm' viewBox='0 0 100 50'") {
