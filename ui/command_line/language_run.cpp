@@ -18,6 +18,7 @@
 #include "csg/scad/value.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/parameters.h"
+#include "ui/pipeline/camera.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
