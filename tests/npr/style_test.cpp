@@ -154,14 +154,14 @@ TEST_P(StyleTest, AKeptSketchIsDrawnAnewWhenTold) {
 TEST_P(StyleTest, AKeptSketchOnTheModelFollowsEveryPartOfTheCamera) {
     scene::Studio studio(gl());
     const auto style = npr::find_style("sketch")->make(gl());
+    const gl::Camera usual;
     gl::Camera wide;
     gl::Camera flat;
     wide.fov = 60;
     flat.projection = gl::Projection::Orthographic;
-    const gl::Camera usual;
-    for (const gl::Camera* camera : {&usual, &wide, &usual, &flat}) {
+    for (const gl::Camera& camera : {usual, wide, usual, flat}) {
         const scene::Studio::Request request{
-            .style = "sketch", .settings = {{"anchor", "model"}}, .size = {48, 48}, .camera = camera};
+            .style = "sketch", .settings = {{"anchor", "model"}}, .size = {48, 48}, .camera = &camera};
         EXPECT_EQ(studio.draw_with(*style, scene::widget(), request).rgba, draw(scene::widget(), request).rgba);
     }
 }
