@@ -16,6 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "csg/scad/flat_array.h"
 #include "csg/scad/source.h"
 #include "csg/scad/symbols.h"
 
@@ -175,15 +176,15 @@ struct Unit {
 struct Program {
     SourceSet sources;
     SymbolTable symbols;
-    std::vector<Expr> expressions;
-    std::vector<ExprId> elements;
-    std::vector<Argument> arguments;
-    std::vector<Argument> assignments;
+    FlatArray<Expr> expressions;
+    FlatArray<ExprId> elements;
+    FlatArray<Argument> arguments;
+    FlatArray<Argument> assignments;
     std::unordered_map<std::uint32_t, SourceRange> first_places;  ///< By index of assignments written more than once.
-    std::vector<FunctionDefinition> functions;
-    std::vector<ModuleDefinition> modules;
-    std::vector<Instantiation> instantiations;
-    std::vector<Block> blocks;
+    FlatArray<FunctionDefinition> functions;
+    FlatArray<ModuleDefinition> modules;
+    FlatArray<Instantiation> instantiations;
+    FlatArray<Block> blocks;
     std::vector<Unit> units;  ///< The main file is units[0].
 
     /// Whether the `otherwise` of an `if` is but another `if`.
@@ -226,8 +227,8 @@ struct Program {
 
   private:
     template <typename T>
-    static std::span<const T> run(const std::vector<T>& all, Run r) {
-        return std::span(all).subspan(r.first, r.count);
+    static std::span<const T> run(const FlatArray<T>& all, Run r) {
+        return {all.data() + r.first, r.count};
     }
 };
 

@@ -30,9 +30,9 @@ class BlockBuilder {
 
 /// Moves the elements of `from` that begin at `mark` to the end of `to`.
 template <typename T>
-Run append_run(std::vector<T>& to, std::vector<T>& from, std::size_t mark) {
+Run append_run(FlatArray<T>& to, std::vector<T>& from, std::size_t mark) {
     const Run run{static_cast<std::uint32_t>(to.size()), static_cast<std::uint32_t>(from.size() - mark)};
-    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(mark), from.end());
+    to.append(from.begin() + static_cast<std::ptrdiff_t>(mark), from.end());
     from.resize(mark);
     return run;
 }

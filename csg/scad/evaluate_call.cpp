@@ -47,12 +47,14 @@ bool Evaluator::find_callee(const Expr& e, ExprId id, Scope& scope, Callee& call
                     value = variable(t.variable, scope);
                     break;
                 case CallTarget::Kind::Function: {
-                    const FunctionDefinition& f = p_.functions[t.function.id];
+                    const DefinitionRef definition = t.function;
+                    resolver_.need_function(definition.id);
+                    const FunctionDefinition& f = p_.functions[definition.id];
                     callee.parameters = p_.parameters_of(f);
                     callee.body = f.body;
-                    callee.locals = r_.locals_of_function[t.function.id];
-                    callee.unit = t.function.hops == kUsedUnit ? t.function.unit : kNone;
-                    callee.frame = callee.unit == kNone ? outward(scope.frame, t.function.hops) : nullptr;
+                    callee.locals = r_.locals_of_function[definition.id];
+                    callee.unit = definition.hops == kUsedUnit ? definition.unit : kNone;
+                    callee.frame = callee.unit == kNone ? outward(scope.frame, definition.hops) : nullptr;
                     callee.closure = Value();
                     return true;
                 }

@@ -125,7 +125,11 @@ Value Evaluator::evaluate_vector(ExprId id, Scope& scope) {
         collect(id, scope, elements);
         return elements;
     }
-    Value* const constant = r_.of_expression[id] == kNone ? nullptr : &constants_[r_.of_expression[id]];
+    const std::uint32_t number = r_.of_expression[id];
+    if (number != kNone && number >= constants_.size()) {
+        constants_.resize(r_.constants, Value::unset());  // Lists inside this one have numbers too: it lies still now.
+    }
+    Value* const constant = number == kNone ? nullptr : &constants_[number];
     if (constant != nullptr && !constant->is_unset()) {
         return *constant;
     }

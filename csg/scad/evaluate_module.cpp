@@ -164,6 +164,7 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
 
 void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& definition, const Frame* frame,
                                  Nodes& out) {
+    resolver_.need_module(definition.id);
     const ModuleDefinition& m = p_.modules[definition.id];
     check_stack(m.where, "calling module", m.name, kCallReserve);
     const auto parameters = p_.parameters_of(m);
@@ -235,6 +236,7 @@ const Frame* Evaluator::unit_frame(UnitId id) {
     UnitFrame& unit = units_[id];
     if (!unit.ready) {
         unit.ready = true;  // Before its assignments: units may use each other in circles.
+        resolver_.need_unit(id);
         const BlockId block = p_.units[id].block;
         unit.slots.assign(r_.frame_slots[block], Value::unset());
         unit.frame = {nullptr, unit.slots.data(), nullptr};

@@ -14,7 +14,7 @@ constexpr double kSmallestFineness = 0.01;
 
 std::uint32_t index_of_special(const Program& program, const Resolution& resolution, std::string_view name) {
     const Symbol symbol = program.symbols.find(name);
-    return symbol == kNoSymbol ? kNone : resolution.dynamic_index(symbol);
+    return symbol == kNoSymbol ? kNone : resolution.dynamic_of_symbol[symbol];
 }
 
 Value vector_of(const std::array<double, 3>& v) {
@@ -28,7 +28,8 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
       request_(request),
       sink_(std::move(sink)),
       stack_limit_(stack_limit),
-      r_(resolve(program)),
+      resolver_(program),
+      r_(resolver_.resolution()),
       is_undef_(find_builtin_function("is_undef")),
       parent_modules_index_(index_of_special(program, r_, "$parent_modules")),
       fn_index_(index_of_special(program, r_, "$fn")),
@@ -46,13 +47,8 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
     host_.font_files = program.fonts();
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
-    dynamic_symbols_.resize(p_.symbols.size());
-    for (Symbol s = 0; s < p_.symbols.size(); ++s) {
-        dynamic_symbols_[s] = is_dynamic(name(s));
-    }
     strings_.assign(p_.symbols.size(), Value::unset());
-    constants_.assign(r_.constants, Value::unset());
-    dynamic_.assign(r_.dynamic_names.size(), Value::unset());
+    dynamic_.assign(r_.dynamics, Value::unset());
     units_.resize(p_.units.size());
     for (std::uint32_t file = 0; file < p_.sources.size(); ++file) {
         tree_files_.push_back(builder_.file(p_.sources[file].name()));
@@ -183,7 +179,7 @@ void Evaluator::take_view(ViewSettings& view) {
         const auto assignments = p_.assignments_of(p_.blocks[p_.units[0].block]);
         const bool set = symbol != kNoSymbol && std::any_of(assignments.begin(), assignments.end(),
                                                             [&](const Argument& a) { return a.name == symbol; });
-        return set ? special(r_.dynamic_index(symbol)) : nullptr;
+        return set ? special(r_.dynamic_of_symbol[symbol]) : nullptr;
     };
     const auto take_vector = [&](const char* name, std::optional<std::array<double, 3>>& out) {
         const Value* const value = assigned(name);

@@ -10,7 +10,7 @@
 
 #include "csg/scad/ast.h"
 #include "csg/scad/builtin_functions.h"
-#include "csg/scad/resolve.h"
+#include "csg/scad/resolver.h"
 #include "csg/scad/scad.h"
 #include "csg/scad/trace.h"
 #include "csg/scad/value.h"
@@ -129,7 +129,7 @@ class Evaluator {
         std::size_t mark_;
     };
     void bind_dynamic(std::uint32_t index, Value value);
-    [[nodiscard]] bool dynamic_name(Symbol name) const { return dynamic_symbols_[name]; }
+    [[nodiscard]] bool dynamic_name(Symbol name) const { return r_.dynamic_of_symbol[name] != kNone; }
     /// Binds an argument whose name begins with `$`.
     void bind_dynamic(const Argument& a, Value value) {
         bind_dynamic(r_.argument_slots[index_of(a)], std::move(value));
@@ -271,7 +271,8 @@ class Evaluator {
     const Request& request_;
     MessageSink sink_;
     const char* stack_limit_;
-    Resolution r_;
+    Resolver resolver_;
+    const Resolution& r_;
     FunctionHost host_;
     const ActiveStep* innermost_ = nullptr;
     SourceRange call_where_;
@@ -300,7 +301,6 @@ class Evaluator {
         bool ready = false;
     };
     std::vector<UnitFrame> units_;
-    std::vector<bool> dynamic_symbols_;  ///< By symbol: whether it begins with `$`.
     TreeBuilder builder_;
     std::vector<std::uint32_t> tree_files_;  ///< By file of the SourceSet.
     std::vector<std::uint32_t> source_of_;   ///< The other way round.

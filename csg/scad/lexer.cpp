@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstring>
 #include <vector>
 
 #include "csg/scad/value.h"
@@ -12,8 +14,16 @@ namespace {
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
+/// By byte: whether names may hold it.
+constexpr std::array<bool, 256> kInWord = [] {
+    std::array<bool, 256> in{};
+    for (const char c : std::string_view("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")) {
+        in[static_cast<unsigned char>(c)] = true;
+    }
+    return in;
+}();
 bool is_word(char c) {
-    return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    return kInWord[static_cast<unsigned char>(c)];
 }
 
 TokenKind sign_of_two(char first, char second) {
@@ -149,10 +159,14 @@ std::size_t Lexer::blank_bytes() const {
 }
 
 bool Lexer::skip_comment() {
+    const char* const end = text_.data() + text_.size();
     if (peek(1) == '/') {
-        while (!at_end() && peek() != '\n' && peek() != '\r') {
-            ++place_.at;
-        }
+        const char* const begin = text_.data() + place_.at;
+        const auto find = [begin](char c, const char* before) {
+            const void* const found = std::memchr(begin, c, static_cast<std::size_t>(before - begin));
+            return found == nullptr ? before : static_cast<const char*>(found);
+        };
+        place_.at = static_cast<std::size_t>(find('\r', find('\n', end)) - text_.data());
         return true;
     }
     place_.at += 2;
@@ -168,7 +182,15 @@ bool Lexer::skip_comment() {
 
 bool Lexer::skip_blanks() {
     while (!at_end()) {
-        if (peek() == '/' && (peek(1) == '/' || peek(1) == '*')) {
+        const char c = peek();
+        if (c == ' ') {
+            ++place_.at;
+        } else if (c == '\n') {
+            ++place_.line;
+            place_.line_start = ++place_.at;
+        } else if (is_word(c)) {
+            break;
+        } else if (c == '/' && (peek(1) == '/' || peek(1) == '*')) {
             const Place begin = place_;
             if (!skip_comment()) {
                 place_ = begin;
@@ -195,24 +217,30 @@ Token Lexer::take() {
     if (at_end()) {
         return finish(TokenKind::End, begin);
     }
-    const std::size_t as_number = number_length();
-    const std::size_t as_word = word_length();
-    if (as_number > 0 && as_number >= as_word) {  // The longer one counts: `2d` is a name.
-        return number(begin, as_number);
+    const char c = peek();
+    if (is_digit(c) || c == '.') {
+        const std::size_t as_number = number_length();
+        if (as_number > 0 && as_number >= word_length()) {  // The longer one counts: `2d` is a name.
+            return number(begin, as_number);
+        }
     }
-    if (as_word > 0) {
-        return word(begin, as_word);
+    if (is_word(c) || c == '$') {
+        if (const std::size_t length = word_length(); length > 0) {
+            return word(begin, length);
+        }
     }
-    return peek() == '"' ? string(begin) : punctuation(begin);
+    return c == '"' ? string(begin) : punctuation(begin);
 }
 
 std::size_t Lexer::word_length() const {
-    std::size_t length = peek() == '$' ? 1 : 0;
-    const std::size_t first = length;
-    while (is_word(peek(length))) {
-        ++length;
+    const char* const begin = text_.data() + place_.at;
+    const char* const end = text_.data() + text_.size();
+    const char* const first = begin != end && *begin == '$' ? begin + 1 : begin;
+    const char* at = first;
+    while (at != end && is_word(*at)) {
+        ++at;
     }
-    return length > first ? length : 0;
+    return at > first ? static_cast<std::size_t>(at - begin) : 0;
 }
 
 bool Lexer::angle_bracket_follows(std::size_t keyword_length) const {
@@ -229,14 +257,15 @@ Token Lexer::word(const Place& begin, std::size_t length) {
     if ((includes || text == "use") && angle_bracket_follows(length)) {
         return file_name(includes ? TokenKind::Include : TokenKind::Use, begin);
     }
-    if (text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X') &&
+    const bool digit = is_digit(text[0]);
+    if (digit && text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X') &&
         text.find_first_not_of("0123456789abcdefABCDEF", 2) == std::string_view::npos) {
         return hexadecimal(begin, length);
     }
     place_.at += length;
     Token token = finish(word_kind(text), begin);
     token.name = symbols_.intern(text);
-    if (is_digit(text[0])) {
+    if (digit) {
         report(sink_, {Severity::Deprecated, token.where,
                        fmt::format("Names that begin with a digit ('{}') will not be accepted in future", text), true});
     }

@@ -1,6 +1,7 @@
 // Numbers and strings.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -94,8 +95,10 @@ Token Lexer::number(const Place& begin, std::size_t length) {
         }
         return token;
     }
+    constexpr std::size_t kAlwaysExact = 15;  // So many digits.
     std::uint64_t integer = 0;
-    if (text.find_first_of(".eE") == std::string_view::npos && read_integer(text, 10, integer) && !exact(integer)) {
+    if (text.size() > kAlwaysExact && text.find_first_of(".eE") == std::string_view::npos &&
+        read_integer(text, 10, integer) && !exact(integer)) {
         warn(token.where, fmt::format("Integer \"{}\" cannot be represented precisely", text));
     }
     return token;
@@ -118,7 +121,10 @@ Token Lexer::hexadecimal(const Place& begin, std::size_t length) {
 
 Token Lexer::string(const Place& begin) {
     ++place_.at;
-    std::string value;
+    const std::string_view rest = text_.substr(place_.at);
+    const std::size_t plain = std::min(rest.find_first_of("\"\\\r\n"), rest.size());
+    std::string value(rest.substr(0, plain));  // Up to the quote, mostly.
+    place_.at += plain;
     while (!at_end() && peek() != '"') {
         if (peek() == '\\') {
             escape(value);

@@ -61,7 +61,7 @@ class Parser {
     [[nodiscard]] bool at_assignment() const;
     [[nodiscard]] bool at_module_name() const;
     [[nodiscard]] bool begins_child() const;
-    Token take() { return tokens_->take(); }
+    const Token& take() { return tokens_->take(); }
     bool accept(TokenKind kind);
     /// `context` goes after "expected '…'": "after the name of the module".
     Token expect(TokenKind kind, std::string_view context);
@@ -124,7 +124,8 @@ class Parser {
     Modifiers modifiers();
     Instantiation instantiation();
     Instantiation if_chain(Modifiers modifiers);
-    BlockId children(std::string_view of);
+    template <typename Text>
+    BlockId children(const Text& of);
     BlockId block_of(const Instantiation& only);
     [[noreturn]] void fail_statement(Level level) const;
 

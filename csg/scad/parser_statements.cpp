@@ -172,6 +172,20 @@ Modifiers Parser::modifiers() {
     }
 }
 
+/// `of` is for messages: what the children belong to.
+template <typename Text>
+BlockId Parser::children(const Text& of) {
+    BlockBuilder block;
+    if (begins_child()) {
+        statement(block, Level::Child);
+    } else if (at(TokenKind::Semicolon)) {
+        take();
+    } else {
+        expect_semicolon(of());
+    }
+    return block.finish(program_);
+}
+
 Instantiation Parser::instantiation() {
     const Nesting nesting(*this);
     const Modifiers set = modifiers();
@@ -191,19 +205,8 @@ Instantiation Parser::instantiation() {
     }
     i.arguments = call_arguments("");
     i.where = from(name.where);
-    i.children = children(fmt::format("'{}(…)'", text));
+    i.children = children([&text] { return fmt::format("'{}(…)'", text); });
     return i;
-}
-
-/// `of` is for messages: what the children belong to.
-BlockId Parser::children(std::string_view of) {
-    BlockBuilder block;
-    if (begins_child()) {
-        statement(block, Level::Child);
-    } else {
-        expect_semicolon(of);
-    }
-    return block.finish(program_);
 }
 
 BlockId Parser::block_of(const Instantiation& only) {
@@ -230,13 +233,13 @@ Instantiation Parser::if_chain(Modifiers first) {
         i.arguments = gather(mark);
         close(TokenKind::ParenClose, open);
         i.where = from(word.where);
-        i.children = children("'if(…)'");
+        i.children = children([] { return "'if(…)'"; });
         chain.push_back(i);
         if (!accept(TokenKind::Else)) {
             break;
         }
         if (!at(TokenKind::If)) {
-            otherwise = children("'else'");
+            otherwise = children([] { return "'else'"; });
             break;
         }
         set = {};

@@ -8,11 +8,6 @@
 
 namespace csg::scad {
 
-std::uint32_t Resolution::dynamic_index(Symbol name) const {
-    const auto found = std::find(dynamic_names.begin(), dynamic_names.end(), name);
-    return found == dynamic_names.end() ? kNone : static_cast<std::uint32_t>(found - dynamic_names.begin());
-}
-
 bool declares_for_children(std::string_view name) {
     return name == "for" || name == "intersection_for" || name == "let" || name == "assign";
 }
@@ -26,55 +21,72 @@ Resolver::Resolver(const Program& program) : p_(program) {
     r_.module_of_instantiation.resize(p_.instantiations.size());
     r_.frame_slots.assign(p_.blocks.size(), kNone);
     r_.module_info.resize(p_.modules.size());
+    r_.dynamic_of_symbol.assign(p_.symbols.size(), kNone);
+    for (Symbol symbol = 0; symbol < p_.symbols.size(); ++symbol) {
+        if (p_.symbols.text(symbol).starts_with('$')) {
+            r_.dynamic_of_symbol[symbol] = r_.dynamics++;
+        }
+    }
+    function_known_.assign(p_.functions.size(), false);
+    module_known_.assign(p_.modules.size(), false);
+    unit_known_.assign(p_.units.size(), false);
+    unit_of_function_.assign(p_.functions.size(), kNone);
+    unit_of_module_.assign(p_.modules.size(), kNone);
+    roots_.resize(p_.units.size());
+    for (UnitId unit = 0; unit < p_.units.size(); ++unit) {
+        if (p_.units[unit].block == kNone) {
+            continue;
+        }
+        roots_[unit].unit = unit;
+        declare(p_.units[unit].block, roots_[unit], nullptr, {}, true);
+        const Block& block = p_.blocks[p_.units[unit].block];
+        std::fill_n(unit_of_function_.begin() + block.functions.first, block.functions.count, unit);
+        std::fill_n(unit_of_module_.begin() + block.modules.first, block.modules.count, unit);
+    }
+    need_unit(0);
+    if (p_.units[0].block != kNone) {
+        resolve_instantiations(p_.blocks[p_.units[0].block], roots_[0]);
+    }
+}
+
+void Resolver::gather_passed() {
+    passed_known_ = true;
     for (const Instantiation& i : p_.instantiations) {
         for (const Argument& a : p_.arguments_of(i)) {
             if (a.name != kNoSymbol && !dynamic_name(a.name)) {
-                passed_[i.name].insert(a.name);
+                passed_.emplace_back(i.name, a.name);
             }
         }
     }
+    std::sort(passed_.begin(), passed_.end());
+    passed_.erase(std::unique(passed_.begin(), passed_.end()), passed_.end());
 }
 
-Resolution Resolver::run() {
-    roots_.resize(p_.units.size());
-    for (UnitId unit = 0; unit < p_.units.size(); ++unit) {
-        if (p_.units[unit].block != kNone) {
-            roots_[unit].unit = unit;
-            declare(p_.units[unit].block, roots_[unit], nullptr, {}, true);
-        }
-    }
-    for (UnitId unit = 0; unit < p_.units.size(); ++unit) {
-        if (p_.units[unit].block != kNone) {
-            resolve_block(p_.units[unit].block, roots_[unit]);
-        }
-    }
-    number_constants();
-    return std::move(r_);
-}
-
-void Resolver::number_constants() {
-    std::vector<bool> constant(p_.expressions.size());  // Parts come before what they are part of.
-    for (ExprId id = 0; id < p_.expressions.size(); ++id) {
-        const Expr& e = p_[id];
-        if (e.kind == ExprKind::Vector) {
-            const auto elements = p_.elements_of(e);
-            constant[id] = std::all_of(elements.begin(), elements.end(), [&](ExprId part) { return constant[part]; });
-        } else {
-            constant[id] = e.kind == ExprKind::Undef || e.kind == ExprKind::Boolean || e.kind == ExprKind::Number ||
-                           e.kind == ExprKind::String;
-        }
-        if (constant[id] && e.kind == ExprKind::Vector) {
-            r_.of_expression[id] = r_.constants++;
-        }
+void Resolver::need_unit(UnitId unit) {
+    if (!unit_known_[unit] && p_.units[unit].block != kNone) {
+        unit_known_[unit] = true;
+        resolve_assignments(p_.blocks[p_.units[unit].block], roots_[unit]);
     }
 }
 
-std::uint32_t Resolver::dynamic(Symbol name) {
-    const auto [at, is_new] = dynamic_.try_emplace(name, static_cast<std::uint32_t>(r_.dynamic_names.size()));
-    if (is_new) {
-        r_.dynamic_names.push_back(name);
+void Resolver::resolve_top_function(std::uint32_t id) {
+    resolve_definition(p_.functions[id], roots_[unit_of_function_[id]]);
+}
+
+void Resolver::resolve_top_module(std::uint32_t id) {
+    resolve_definition(p_.modules[id], roots_[unit_of_module_[id]]);
+}
+
+void Resolver::number_constant(ExprId list) {
+    const auto elements = p_.elements_of(p_[list]);
+    const bool constant = std::all_of(elements.begin(), elements.end(), [&](ExprId part) {
+        const ExprKind kind = p_[part].kind;
+        return kind == ExprKind::Undef || kind == ExprKind::Boolean || kind == ExprKind::Number ||
+               kind == ExprKind::String || (kind == ExprKind::Vector && r_.of_expression[part] != kNone);
+    });
+    if (constant) {
+        r_.of_expression[list] = r_.constants++;
     }
-    return at->second;
 }
 
 void Resolver::declare(BlockId id, BlockScope& scope, const BlockScope* outer, std::span<const Argument> extra,
@@ -107,31 +119,52 @@ void Resolver::declare(BlockId id, BlockScope& scope, const BlockScope* outer, s
     }
 }
 
-void Resolver::resolve_block(BlockId id, const BlockScope& scope) {
-    const Block& block = p_.blocks[id];
+void Resolver::resolve_assignments(const Block& block, const BlockScope& scope) {
     block_ = &scope;
     for (const Argument& a : p_.assignments_of(block)) {
         statement_expression(a.value);
     }
-    for (const FunctionDefinition& f : p_.functions_of(block)) {
-        Activation activation;
-        resolve_function(p_.parameters_of(f), f.body, activation);
-        r_.locals_of_function[static_cast<std::size_t>(&f - p_.functions.data())] = activation.most;
-    }
-    for (const ModuleDefinition& m : p_.modules_of(block)) {
-        for (const Argument& a : p_.parameters_of(m)) {
-            statement_expression(a.value);
-        }
-        mark_repeated(p_.parameters_of(m));
-        BlockScope body;
-        declare(m.body, body, &scope, p_.parameters_of(m), false);
-        look_into(m, body);
-        resolve_block(m.body, body);
-        block_ = &scope;
-    }
+}
+
+void Resolver::resolve_instantiations(const Block& block, const BlockScope& scope) {
     for (const Instantiation& i : p_.instantiations_of(block)) {
         resolve_instantiation(i, scope);
     }
+}
+
+void Resolver::resolve_block(BlockId id, const BlockScope& scope) {
+    const Block& block = p_.blocks[id];
+    resolve_assignments(block, scope);
+    for (const FunctionDefinition& f : p_.functions_of(block)) {
+        resolve_definition(f, scope);
+    }
+    for (const ModuleDefinition& m : p_.modules_of(block)) {
+        resolve_definition(m, scope);
+    }
+    block_ = &scope;
+    resolve_instantiations(block, scope);
+}
+
+void Resolver::resolve_definition(const FunctionDefinition& f, const BlockScope& scope) {
+    const auto id = static_cast<std::size_t>(&f - p_.functions.data());
+    block_ = &scope;
+    function_known_[id] = true;
+    Activation activation;
+    resolve_function(p_.parameters_of(f), f.body, activation);
+    r_.locals_of_function[id] = activation.most;
+}
+
+void Resolver::resolve_definition(const ModuleDefinition& m, const BlockScope& scope) {
+    block_ = &scope;
+    module_known_[static_cast<std::size_t>(&m - p_.modules.data())] = true;
+    for (const Argument& a : p_.parameters_of(m)) {
+        statement_expression(a.value);
+    }
+    mark_repeated(p_.parameters_of(m));
+    BlockScope body;
+    declare(m.body, body, &scope, p_.parameters_of(m), false);
+    look_into(m, body);
+    resolve_block(m.body, body);
 }
 
 void Resolver::mark_repeated(std::span<const Argument> parameters) {
@@ -148,8 +181,13 @@ void Resolver::look_into(const ModuleDefinition& m, BlockScope& body) {
     const auto is_parameter = [&](Symbol name) {
         return std::any_of(parameters.begin(), parameters.end(), [&](const Argument& p) { return p.name == name; });
     };
-    if (const auto passed = passed_.find(m.name); passed != passed_.end()) {
-        for (const Symbol name : passed->second) {
+    if (!passed_known_) {
+        gather_passed();
+    }
+    const auto first = std::lower_bound(passed_.begin(), passed_.end(), std::pair(m.name, Symbol{0}));
+    if (first != passed_.end() && first->first == m.name) {
+        for (auto passed = first; passed != passed_.end() && passed->first == m.name; ++passed) {
+            const Symbol name = passed->second;
             if (!is_parameter(name)) {
                 const auto slot = body.variables.try_emplace(name, static_cast<std::uint32_t>(body.variables.size()));
                 info.other_arguments.emplace_back(name, slot.first->second);
@@ -255,10 +293,6 @@ DefinitionRef Resolver::definition_in(const BlockScope& s, Symbol name, Names Bl
         }
     }
     return {};
-}
-
-Resolution resolve(const Program& program) {
-    return Resolver(program).run();
 }
 
 }  // namespace csg::scad

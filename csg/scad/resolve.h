@@ -1,5 +1,5 @@
-// Finds out, before anything runs, what each name in a program means: the slot of a variable, the definition of a
-// function or module. Names that begin with `$` are dynamic and get an index instead.
+// Finds out, before what it stands in runs, what each name in a program means: the slot of a variable, the definition
+// of a function or module. Names that begin with `$` are dynamic and get an index instead.
 //
 // Variables live in two kinds of places. A *block* that declares something has a frame while its statements run, and
 // frames nest as blocks do; they are reached by a number of hops outwards. Parameters of functions and the variables
@@ -97,22 +97,14 @@ struct Resolution {
     std::vector<std::uint32_t> locals_of_function;
     std::vector<ModuleTarget> module_of_instantiation;
     std::vector<ModuleInfo> module_info;
-    std::vector<std::uint32_t> frame_slots;  ///< Of blocks; kNone for a block without a frame.
-    std::uint32_t constants = 0;             ///< How many lists there are whose value is known beforehand.
-    std::uint32_t statement_locals = 0;      ///< The most that an expression of a statement needs.
-    std::vector<Symbol> dynamic_names;       ///< By dynamic index.
-
-    /// The index of a `$` name; kNone where the program does not mention it.
-    [[nodiscard]] std::uint32_t dynamic_index(Symbol name) const;
+    std::vector<std::uint32_t> frame_slots;        ///< Of blocks; kNone for a block without a frame.
+    std::uint32_t constants = 0;                   ///< How many lists there are whose value is known beforehand.
+    std::uint32_t statement_locals = 0;            ///< The most that an expression of a statement needs.
+    std::vector<std::uint32_t> dynamic_of_symbol;  ///< The index of a `$` name; kNone for other names.
+    std::uint32_t dynamics = 0;                    ///< How many `$` names the program mentions.
 };
-
-[[nodiscard]] inline bool is_dynamic(const std::string& name) {
-    return name.starts_with('$');
-}
 
 /// True for the modules whose arguments declare variables for their children: for, intersection_for, let, assign.
 [[nodiscard]] bool declares_for_children(std::string_view module_name);
-
-[[nodiscard]] Resolution resolve(const Program& program);
 
 }  // namespace csg::scad

@@ -94,6 +94,7 @@ ExprId Resolver::resolve_one(ExprId id) {
             for (const ExprId element : p_.elements_of(e)) {
                 resolve_expression(element);
             }
+            number_constant(id);
             return kNone;
         case ExprKind::Call:
             call_arguments(e);

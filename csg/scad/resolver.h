@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -42,22 +41,50 @@ struct Activation {
     }
 };
 
+/// Functions and modules at the top level of a file are resolved when somebody asks for them: of a library that is
+/// included, a program uses a few.
 class Resolver {
   public:
+    /// Resolves the statements of the main file. The program must outlive it.
     explicit Resolver(const Program& program);
+    Resolver(const Resolver&) = delete;
+    Resolver& operator=(const Resolver&) = delete;
 
-    Resolution run();
+    /// Grows with what is asked for: references into its vectors hold until the next question.
+    [[nodiscard]] const Resolution& resolution() const { return r_; }
+    /// Each makes sure that the tables know about it, with all that is inside it.
+    void need_function(std::uint32_t id) {
+        if (!function_known_[id]) {
+            resolve_top_function(id);
+        }
+    }
+    void need_module(std::uint32_t id) {
+        if (!module_known_[id]) {
+            resolve_top_module(id);
+        }
+    }
+    /// The assignments of a used file.
+    void need_unit(UnitId unit);
 
   private:
+    void resolve_top_function(std::uint32_t id);
+    void resolve_top_module(std::uint32_t id);
+
     // resolve.cpp
 
-    /// Lists of constants are made once.
-    void number_constants();
     std::uint32_t index_of(const Argument& a) const { return static_cast<std::uint32_t>(&a - p_.arguments.data()); }
-    std::uint32_t dynamic(Symbol name);
-    bool dynamic_name(Symbol name) const { return is_dynamic(p_.symbols.text(name)); }
+    std::uint32_t dynamic(Symbol name) const { return r_.dynamic_of_symbol[name]; }
+    bool dynamic_name(Symbol name) const { return r_.dynamic_of_symbol[name] != kNone; }
     void declare(BlockId id, BlockScope& scope, const BlockScope* outer, std::span<const Argument> extra, bool root);
+    void resolve_assignments(const Block& block, const BlockScope& scope);
+    void resolve_instantiations(const Block& block, const BlockScope& scope);
     void resolve_block(BlockId id, const BlockScope& scope);
+    void resolve_definition(const FunctionDefinition& f, const BlockScope& scope);
+    void resolve_definition(const ModuleDefinition& m, const BlockScope& scope);
+    /// Lists of constants are made once: numbers the list where all its elements are known.
+    void number_constant(ExprId list);
+    /// Names of the arguments that calls of modules pass anywhere in the program.
+    void gather_passed();
     void mark_repeated(std::span<const Argument> parameters);
     /// What calls of a module need to know besides its parameters.
     void look_into(const ModuleDefinition& m, BlockScope& body);
@@ -94,9 +121,11 @@ class Resolver {
 
     const Program& p_;
     Resolution r_;
-    std::unordered_map<Symbol, std::set<Symbol>> passed_;  ///< Names of arguments, by name of the module called.
+    std::vector<std::pair<Symbol, Symbol>> passed_;  ///< Module called and name of an argument, sorted.
+    bool passed_known_ = false;
     std::vector<BlockScope> roots_;
-    std::unordered_map<Symbol, std::uint32_t> dynamic_;
+    std::vector<bool> function_known_, module_known_, unit_known_;
+    std::vector<UnitId> unit_of_function_, unit_of_module_;  ///< Of those at top level.
     const BlockScope* block_ = nullptr;
     Activation* activation_ = nullptr;
 };

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <memory>
+#include <mutex>
 #include <system_error>
 
 namespace csg::scad {
@@ -19,22 +21,28 @@ SourceRange spanning(const SourceRange& first, const SourceRange& last) {
     return {first.file, first.line, first.column, last.end_line, last.end_column};
 }
 
-SourceFile::SourceFile(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
-    line_starts_.push_back(0);
-    for (std::size_t i = 0; i < text_.size(); ++i) {
-        const bool ends = text_[i] == '\n' || (text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'));
-        if (ends) {
-            line_starts_.push_back(i + 1);
-        }
-    }
-}
+struct SourceFile::Lines {
+    std::once_flag once;
+    std::vector<std::size_t> starts{0};
+};
+
+SourceFile::SourceFile(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)), lines_(std::make_shared<Lines>()) {}
 
 std::string_view SourceFile::line(std::uint32_t line) const {
-    if (line == 0 || line > line_starts_.size()) {
+    std::vector<std::size_t>& starts = lines_->starts;
+    std::call_once(lines_->once, [&] {
+        for (std::size_t i = 0; i < text_.size(); ++i) {
+            if (text_[i] == '\n' || (text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'))) {
+                starts.push_back(i + 1);
+            }
+        }
+    });
+    if (line == 0 || line > starts.size()) {
         return {};
     }
-    const std::size_t begin = line_starts_[line - 1];
-    std::size_t end = line < line_starts_.size() ? line_starts_[line] : text_.size();
+    const std::size_t begin = starts[line - 1];
+    std::size_t end = line < starts.size() ? starts[line] : text_.size();
     while (end > begin && (text_[end - 1] == '\n' || text_[end - 1] == '\r')) {
         --end;
     }
@@ -65,19 +73,26 @@ ReadResult read_source_file(const std::string& path) {
     if (status.type() != fs::file_type::regular) {
         return failed("it is not a regular file");
     }
-    std::ifstream in(path, std::ios::binary);
-    if (!in) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (file == nullptr) {
         return failed(std::strerror(errno));
     }
+    std::setbuf(file.get(), nullptr);  // Pieces are large.
     std::string text;
-    std::string chunk(std::size_t{1} << 16, '\0');
-    while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0) {
-        text.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
+    const std::uintmax_t size = fs::file_size(path, error);
+    std::size_t piece = error || size > kMaxSourceBytes ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1;
+    for (std::size_t used = 0;; used = text.size(), piece = std::size_t{1} << 16) {
+        text.resize(used + piece);
+        const std::size_t got = std::fread(text.data() + used, 1, piece, file.get());
+        text.resize(used + got);
         if (text.size() > kMaxSourceBytes) {
             return failed(fmt::format("it is larger than {} MiB", kMaxSourceBytes >> 20));
         }
+        if (got < piece) {
+            break;
+        }
     }
-    if (in.bad()) {
+    if (std::ferror(file.get()) != 0) {
         return failed(std::strerror(errno));
     }
     return text;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -42,9 +43,10 @@ class SourceFile {
     [[nodiscard]] std::string_view line(std::uint32_t line) const;
 
   private:
+    struct Lines;
     std::string name_;
     std::string text_;
-    std::vector<std::size_t> line_starts_;
+    std::shared_ptr<Lines> lines_;  ///< Where they begin, once somebody has asked: most texts are never shown.
 };
 
 /// All texts of a program; a file's index is its SourceLocation::file. A file that is included twice is listed once.

@@ -5,7 +5,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <vector>
 
 namespace csg::scad {
 
@@ -20,25 +20,46 @@ class SymbolTable {
     SymbolTable& operator=(SymbolTable&&) noexcept = default;
 
     Symbol intern(std::string_view text) {
-        if (const auto found = index_.find(text); found != index_.end()) {
-            return found->second;
+        const std::uint64_t hash = hash_of(text);
+        if (2 * (texts_.size() + 1) > slots_.size()) {
+            grow();
         }
-        const auto symbol = static_cast<Symbol>(texts_.size());
-        index_.emplace(texts_.emplace_back(text), symbol);
-        return symbol;
+        Slot& slot = slots_[slot_of(text, hash)];
+        if (slot.symbol == kNoSymbol) {
+            slot = {static_cast<std::uint32_t>(hash >> 32), static_cast<Symbol>(texts_.size())};
+            texts_.emplace_back(text);
+        }
+        return slot.symbol;
     }
     /// The symbol of `text`, or kNoSymbol where the program does not contain it.
     [[nodiscard]] Symbol find(std::string_view text) const {
-        const auto found = index_.find(text);
-        return found == index_.end() ? kNoSymbol : found->second;
+        return slots_.empty() ? kNoSymbol : slots_[slot_of(text, hash_of(text))].symbol;
     }
     /// Valid as long as the table lives. Text may contain any byte.
     [[nodiscard]] const std::string& text(Symbol symbol) const { return texts_[symbol]; }
     [[nodiscard]] std::size_t size() const { return texts_.size(); }
 
   private:
-    std::deque<std::string> texts_;  // A deque, so that the views in index_ stay valid.
-    std::unordered_map<std::string_view, Symbol> index_;
+    struct Slot {
+        std::uint32_t high_hash = 0;  ///< Spares most comparisons of texts.
+        Symbol symbol = kNoSymbol;
+    };
+
+    [[nodiscard]] static std::uint64_t hash_of(std::string_view text);
+    /// Of the text, or of the free slot where it would go. The table is never full.
+    [[nodiscard]] std::size_t slot_of(std::string_view text, std::uint64_t hash) const {
+        const std::size_t mask = slots_.size() - 1;
+        const auto high = static_cast<std::uint32_t>(hash >> 32);
+        std::size_t at = static_cast<std::size_t>(hash) & mask;
+        while (slots_[at].symbol != kNoSymbol && (slots_[at].high_hash != high || texts_[slots_[at].symbol] != text)) {
+            at = (at + 1) & mask;
+        }
+        return at;
+    }
+    void grow();
+
+    std::deque<std::string> texts_;  // A deque, so that references to texts stay valid.
+    std::vector<Slot> slots_;        // A power of two of them.
 };
 
 }  // namespace csg::scad

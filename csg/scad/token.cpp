@@ -47,9 +47,30 @@ std::string_view token_text(TokenKind kind) {
 }
 
 TokenKind word_kind(std::string_view word) {
-    const auto* const found =
-        std::find_if(kWords.begin(), kWords.end(), [&](const Row& row) { return row.second == word; });
-    return found == kWords.end() ? TokenKind::Identifier : found->first;
+    // By the first letter: most words are names, and are told from these few by it.
+    const auto is = [&](std::string_view text, TokenKind kind, TokenKind otherwise = TokenKind::Identifier) {
+        return word == text ? kind : otherwise;
+    };
+    switch (word.empty() ? '\0' : word[0]) {
+        case 'a':
+            return is("assert", TokenKind::Assert);
+        case 'e':
+            return is("else", TokenKind::Else, is("each", TokenKind::Each, is("echo", TokenKind::Echo)));
+        case 'f':
+            return is("for", TokenKind::For, is("false", TokenKind::False, is("function", TokenKind::Function)));
+        case 'i':
+            return is("if", TokenKind::If);
+        case 'l':
+            return is("let", TokenKind::Let);
+        case 'm':
+            return is("module", TokenKind::Module);
+        case 't':
+            return is("true", TokenKind::True);
+        case 'u':
+            return is("undef", TokenKind::Undef);
+        default:
+            return TokenKind::Identifier;
+    }
 }
 
 }  // namespace csg::scad

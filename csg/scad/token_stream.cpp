@@ -7,17 +7,16 @@ namespace csg::scad {
 TokenStream::TokenStream(Files& files, std::uint32_t root, UnitId unit) : files_(files), unit_(unit) {
     Program& program = files.program();
     lexers_.emplace_back(program.sources[root].text(), root, program.symbols, files.sink());
-    current_ = read();
-    next_ = read();
+    tokens_[0] = read();
+    tokens_[1] = read();
 }
 
-Token TokenStream::take() {
-    previous_ = current_.where;
-    const Token taken = current_;
-    current_ = next_;
-    if (next_.kind != TokenKind::End && next_.kind != TokenKind::Error) {
-        next_ = read();
-    }
+const Token& TokenStream::take() {
+    const Token& taken = current();
+    const Token& after = next();
+    ++at_;
+    const bool last = after.kind == TokenKind::End || after.kind == TokenKind::Error;
+    tokens_[(at_ + 1) % kKept] = last ? after : read();
     return taken;
 }
 

@@ -2,6 +2,7 @@
 // parser.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "csg/scad/lexer.h"
@@ -14,13 +15,14 @@ class TokenStream {
     /// Starts with the file `root`, for `unit`; `files` must outlive it.
     TokenStream(Files& files, std::uint32_t root, UnitId unit);
 
-    [[nodiscard]] const Token& current() const { return current_; }
+    [[nodiscard]] const Token& current() const { return tokens_[at_ % kKept]; }
     /// The one after it.
-    [[nodiscard]] const Token& next() const { return next_; }
+    [[nodiscard]] const Token& next() const { return tokens_[(at_ + 1) % kKept]; }
     /// Where the token taken last was. Not known() at the start.
-    [[nodiscard]] const SourceRange& previous() const { return previous_; }
-    /// Takes the current token. The last one, of kind End or Error, stays.
-    Token take();
+    [[nodiscard]] const SourceRange& previous() const { return tokens_[(at_ + kKept - 1) % kKept].where; }
+    /// Takes the current token, which is to be copied where it is needed after two more are taken. The last one, of
+    /// kind End or Error, stays.
+    const Token& take();
 
   private:
     [[nodiscard]] Token read();
@@ -31,9 +33,9 @@ class TokenStream {
     UnitId unit_;
     std::vector<Lexer> lexers_;        ///< Of files under way, the innermost last.
     std::vector<std::uint32_t> open_;  ///< The included ones: without the first.
-    SourceRange previous_;
-    Token current_;
-    Token next_;
+    static constexpr std::size_t kKept = 4;
+    std::array<Token, kKept> tokens_;  ///< The previous one, the current one, and the next.
+    std::size_t at_ = 0;               ///< Of the current one, counted on.
 };
 
 }  // namespace csg::scad
