@@ -3,7 +3,15 @@
 namespace goldfeather {
 
 std::string_view name(EngineKind kind) {
-    return kind == EngineKind::Goldfeather ? "goldfeather" : "lists-cpu";
+    switch (kind) {
+        case EngineKind::Goldfeather:
+            return "goldfeather";
+        case EngineKind::Lists:
+            return "lists";
+        case EngineKind::ListsCpu:
+            return "lists-cpu";
+    }
+    return "";
 }
 
 EngineChoice choose_engine(std::optional<EngineKind> wanted, const EngineConditions& conditions) {

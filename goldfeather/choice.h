@@ -2,16 +2,18 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace goldfeather {
 
 enum class EngineKind {
     Goldfeather,  ///< engine.h
+    Lists,        ///< lists.h
     ListsCpu,     ///< lists_cpu.h
 };
 
-/// "goldfeather", "lists-cpu".
+/// "goldfeather", "lists", "lists-cpu".
 [[nodiscard]] std::string_view name(EngineKind kind);
 
 /// What is known before a scene is drawn.
@@ -22,7 +24,7 @@ struct EngineConditions {
 
 struct EngineChoice {
     EngineKind engine = EngineKind::Goldfeather;
-    std::string_view reason;  ///< For people.
+    std::string reason;  ///< For people.
 };
 
 /// `wanted`: the user's choice, where there is one. Goldfeather cannot draw a scene that is over budget; whoever wants

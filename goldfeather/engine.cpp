@@ -95,7 +95,8 @@ Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget)
     gl.VertexArrayAttribBinding(leaf_array_.id(), 1, 1);
     for (GLuint i = 0; i < 2; ++i) {
         gl.EnableVertexArrayAttrib(tile_array_.id(), i);
-        gl.VertexArrayAttribIFormat(tile_array_.id(), i, 4, GL_UNSIGNED_INT, i * static_cast<GLuint>(sizeof(glm::uvec4)));
+        gl.VertexArrayAttribIFormat(tile_array_.id(), i, 4, GL_UNSIGNED_INT,
+                                    i * static_cast<GLuint>(sizeof(glm::uvec4)));
         gl.VertexArrayAttribBinding(tile_array_.id(), i, 0);
     }
     gl.VertexArrayBindingDivisor(tile_array_.id(), 0, 1);
@@ -142,7 +143,7 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
     stack.size = view.size();
     stack.layers = 0;
     stack.tables = std::move(tables);
-    grow(stack, max_layers == kAllLayers ? 4 : max_layers);
+    grow(gl_, stack, max_layers == kAllLayers ? 4 : max_layers);
     stats.drawn_leaves += static_cast<std::uint32_t>(screen.leaves.size());
     stats.drawn_products += static_cast<std::uint32_t>(screen.products.size());
     stats.slots = std::max(stats.slots, screen.slots);
@@ -159,7 +160,8 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
     gl_.VertexArrayVertexBuffer(leaf_array_.id(), 1, leaves.positions().id(), 0, sizeof(glm::vec4));
 
     // The state of a row of pixels decides how many rows are walked at once.
-    const std::size_t row = static_cast<std::size_t>(view.size().x) * (sizeof(PixelState) + 8 * std::size_t{screen.words()});
+    const std::size_t row =
+        static_cast<std::size_t>(view.size().x) * (sizeof(PixelState) + 8 * std::size_t{screen.words()});
     const auto rows = static_cast<int>(std::clamp<std::size_t>(memory_budget_ / row, 1, screen.box.y1 - screen.box.y0));
     for (int first = static_cast<int>(screen.box.y0); first < static_cast<int>(screen.box.y1); first += rows) {
         Band band;
@@ -261,7 +263,7 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
         const GLuint64 ahead = candidates_.result();
         stats.fragments += ahead;
         if (max_layers == kAllLayers && filled_.result() > 0)
-            grow(stack, 2 * stack.layers);
+            grow(gl_, stack, 2 * stack.layers);
         if (ahead == 0)
             break;
     }
@@ -276,31 +278,6 @@ int Goldfeather::most_layers(std::size_t pixel_count) const {
     for (const PixelState& state : states)
         most = std::max(most, state.found >> 1);
     return static_cast<int>(most);
-}
-
-void Goldfeather::grow(LayerStack& stack, int layers) const {
-    gl::Texture depth = gl::Texture::make_2d_array(gl_, GL_R32F, stack.size, layers);
-    gl::Texture surface = gl::Texture::make_2d_array(gl_, GL_RG32UI, stack.size, layers);
-    const int had = stack.layers;
-    if (had > 0) {
-        gl_.CopyImageSubData(stack.depth.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, depth.id(), GL_TEXTURE_2D_ARRAY, 0, 0,
-                             0, 0, stack.size.x, stack.size.y, had);
-        gl_.CopyImageSubData(stack.surface.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, surface.id(), GL_TEXTURE_2D_ARRAY,
-                             0, 0, 0, 0, stack.size.x, stack.size.y, had);
-    }
-    stack.depth = std::move(depth);
-    stack.surface = std::move(surface);
-    stack.layers = layers;
-    clear_from(stack, had);
-}
-
-void Goldfeather::clear_from(const LayerStack& stack, int layer) const {
-    const float none = 0;
-    const glm::uvec2 no_surface(kNoSurface, 0);
-    const int count = stack.layers - layer;
-    gl_.ClearTexSubImage(stack.depth.id(), 0, 0, 0, layer, stack.size.x, stack.size.y, count, GL_RED, GL_FLOAT, &none);
-    gl_.ClearTexSubImage(stack.surface.id(), 0, 0, 0, layer, stack.size.x, stack.size.y, count, GL_RG_INTEGER,
-                         GL_UNSIGNED_INT, &no_surface);
 }
 
 }  // namespace goldfeather

@@ -22,22 +22,9 @@
 #include "goldfeather/leaf_buffers.h"
 #include "goldfeather/products.h"
 #include "goldfeather/screen_plan.h"
+#include "goldfeather/walk_stats.h"
 
 namespace goldfeather {
-
-/// What one walk cost.
-struct WalkStats {
-    int passes = 0;  ///< Geometry passes.
-    int bands = 0;   ///< Horizontal bands that the picture was split into to keep the memory budget.
-    std::uint64_t fragments = 0;  ///< Surfaces that were ahead of a pixel's event and passed the depth test.
-    std::uint32_t drawn_leaves = 0;
-    std::uint32_t drawn_products = 0;
-    std::uint32_t slots = 0;  ///< Parity bits per pixel.
-    int layers = 0;           ///< The most layers of any pixel, as far as it was asked for.
-};
-
-/// All layers there are.
-inline constexpr int kAllLayers = 0;
 
 /// The products of a part, with the boxes of all leaves of the scene.
 struct PartProducts {
@@ -49,7 +36,7 @@ class Goldfeather {
   public:
     /// Compiles its programs; throws gl::Error. `gl` must outlive the engine. `memory_budget`: bytes of per-pixel
     /// state before the picture is split into bands.
-    explicit Goldfeather(const gl::Functions& gl, std::size_t memory_budget = std::size_t{128} << 20);
+    explicit Goldfeather(const gl::Functions& gl, std::size_t memory_budget = kDefaultMemoryBudget);
     ~Goldfeather();
 
     /// Fills a stack with the first `max_layers` surfaces of the part (kAllLayers: all of them).
@@ -63,8 +50,6 @@ class Goldfeather {
     int draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats);
     [[nodiscard]] int most_layers(std::size_t pixel_count) const;
     void upload(const ScreenPlan& plan, const LeafBuffers& leaves);
-    void grow(LayerStack& stack, int layers) const;
-    void clear_from(const LayerStack& stack, int layer) const;
 
     const gl::Functions& gl_;
     std::size_t memory_budget_;

@@ -39,6 +39,9 @@ struct LayerStack {
     std::shared_ptr<const SurfaceTables> tables;
 };
 
+/// Makes room for `layers` layers, more than there are; the new ones are empty.
+void grow(const gl::Functions& gl, LayerStack& stack, int layers);
+
 /// One surface of a stack, in main memory.
 struct Surface {
     float depth = 0;

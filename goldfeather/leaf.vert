@@ -1,4 +1,4 @@
-// Draws leaves: three prepared vertices a triangle; per draw (base instance) the leaf's id and slot.
+// Draws leaves: three prepared vertices a triangle. Where leaves have slots, per draw (base instance) the leaf's.
 #include "goldfeather/triangles.glsl"
 
 layout(location = 0) in uvec2 leaf_and_slot;
@@ -10,10 +10,12 @@ flat out vec4 plane_depth;
 flat out vec2 depth_limits;
 flat out uint slot;
 flat out uint plane;
+flat out uint triangle;
 
 void main() {
     gl_Position = position;
-    TriangleRow row = triangles[gl_VertexID / 3];
+    triangle = uint(gl_VertexID) / 3u;
+    TriangleRow row = triangles[triangle];
     plane_depth = row.plane_depth;
     depth_limits = row.depth_limits;
     plane = row.plane;

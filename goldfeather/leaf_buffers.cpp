@@ -2,30 +2,30 @@
 
 namespace goldfeather {
 
-LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry,
-                         const glm::dvec3& local_centre)
+LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry, const glm::dvec3& local_centre)
     : gl_(gl),
       planes_(geometry.planes.planes()),
       vertices_(gl),
-      triangle_planes_(gl),
+      triangle_ids_(gl),
       plane_depths_(gl),
       positions_(gl),
       triangles_(gl) {
     std::vector<glm::vec3> vertices;
-    std::vector<std::uint32_t> planes;
-    for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
+    std::vector<glm::uvec2> ids;
+    for (csg::LeafId id = 0; id < geometry.leaves.size(); ++id) {
+        const csg::solid::PlacedLeaf& leaf = geometry.leaves[id];
         Range range{static_cast<std::uint32_t>(vertices.size()), 0};
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
             for (int corner = 0; corner < 3; ++corner)
                 vertices.emplace_back(leaf.points[leaf.triangles[t][corner]] - local_centre);
-            planes.push_back(leaf.planes[t].index);
+            ids.emplace_back(leaf.planes[t].index, id);
         }
         range.vertex_count = static_cast<std::uint32_t>(vertices.size()) - range.first_vertex;
         ranges_.push_back(range);
     }
-    triangle_count_ = planes.size();
+    triangle_count_ = ids.size();
     vertices_.upload<glm::vec3>(vertices);
-    triangle_planes_.upload<std::uint32_t>(planes);
+    triangle_ids_.upload<glm::uvec2>(ids);
     positions_.reserve(3 * triangle_count_ * sizeof(glm::vec4), GL_DYNAMIC_COPY);
     triangles_.reserve(triangle_count_ * 2 * sizeof(glm::vec4), GL_DYNAMIC_COPY);  // as TriangleRow
 }
@@ -38,7 +38,7 @@ void LeafBuffers::project(const gl::View& view, const gl::Program& prepare) {
     }
     plane_depths_.upload<glm::vec4>(scratch_, GL_STREAM_DRAW);
     GLuint binding = 2;
-    for (const gl::Buffer* buffer : {&vertices_, &triangle_planes_, &plane_depths_, &positions_, &triangles_})
+    for (const gl::Buffer* buffer : {&vertices_, &triangle_ids_, &plane_depths_, &positions_, &triangles_})
         buffer->bind(GL_SHADER_STORAGE_BUFFER, binding++);
     const auto count = static_cast<unsigned>(triangle_count_);
     prepare.set("triangle_count", count);

@@ -37,7 +37,7 @@ class LeafBuffers {
     std::vector<csg::solid::Plane> planes_;
     std::vector<Range> ranges_;
     std::size_t triangle_count_ = 0;
-    gl::Buffer vertices_, triangle_planes_, plane_depths_, positions_, triangles_;
+    gl::Buffer vertices_, triangle_ids_, plane_depths_, positions_, triangles_;
     std::vector<glm::vec4> scratch_;
 };
 

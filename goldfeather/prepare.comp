@@ -5,7 +5,7 @@
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 2) readonly buffer Vertices { float vertices[]; };  // three floats each, local coordinates
-layout(std430, binding = 3) readonly buffer TrianglePlanes { uint triangle_planes[]; };
+layout(std430, binding = 3) readonly buffer TriangleIds { uvec2 triangle_ids[]; };  // plane, leaf
 layout(std430, binding = 4) readonly buffer PlaneDepths { vec4 plane_depths[]; };
 layout(std430, binding = 5) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = 6) writeonly buffer Triangles { TriangleRow triangles[]; };
@@ -30,6 +30,6 @@ void main() {
         nearest = max(nearest, depth + error);
         farthest = min(farthest, depth - error);
     }
-    uint plane = triangle_planes[triangle];
-    triangles[triangle] = TriangleRow(plane_depths[plane], vec2(farthest, nearest), plane, 0u);
+    uvec2 ids = triangle_ids[triangle];
+    triangles[triangle] = TriangleRow(plane_depths[ids.x], vec2(farthest, nearest), ids.x, ids.y);
 }

@@ -4,5 +4,5 @@ struct TriangleRow {
     vec4 plane_depth;   // see View::PlaneDepth; w: edge-on
     vec2 depth_limits;  // least and greatest depth of the vertices
     uint plane;
-    uint unused;
+    uint leaf;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gl/error.h"
+
 namespace peel {
 namespace {
 
@@ -22,8 +24,11 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
       tables(goldfeather::SurfaceTables::make(gl, scene, geometry)),
       products(std::move(part_products)),
       box(geometry.box) {
-    if (kind == EngineKind::Goldfeather) {
+    if (kind != EngineKind::ListsCpu) {
         leaves.emplace(gl, geometry, tables->local_centre);
+    }
+    if (kind == EngineKind::Lists) {
+        lists_scene.emplace(gl, scene);
     }
     leaf_boxes.reserve(geometry.leaves.size());
     for (const auto& leaf : geometry.leaves)
@@ -32,23 +37,46 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
         kinds.push_back(part.kind);
 }
 
-Peeler::Peeler(const gl::Functions& gl) : gl_(gl), empty_array_(gl), target_(gl), upload_(gl) {}
+Peeler::Peeler(const gl::Functions& gl, std::size_t memory_budget)
+    : gl_(gl), memory_budget_(memory_budget), empty_array_(gl), target_(gl), upload_(gl) {}
 
 LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
     if (model.engine == EngineKind::ListsCpu) {
-        return peel_lists(view, model, max_layers, stats);
+        return peel_lists_cpu(view, model, max_layers, stats);
     }
     upload_.forget();
+    if (model.engine == EngineKind::Lists) {
+        auto stack = peel_lists(view, model, max_layers, stats);
+        return stack ? std::move(*stack) : peel_lists_cpu(view, model, max_layers, stats);
+    }
     return peel_parts(view, model, max_layers, stats);
 }
 
-LayerStack Peeler::peel_lists(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats) {
+std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
+    if (lists_fault_.empty()) {
+        try {
+            if (!lists_) {
+                lists_.emplace(gl_, memory_budget_);
+            }
+            return lists_->peel(view, model.lists.geometry, *model.leaves, *model.lists_scene, model.tables, max_layers,
+                                stats);
+        } catch (const gl::Error& error) {
+            lists_fault_ = error.what();
+            lists_.reset();
+        }
+    }
+    stats.fallback = lists_fault_;
+    return std::nullopt;
+}
+
+LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats) {
     goldfeather::ListsStats lists;
     goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists);
     stats.passes += 1;
     stats.bands += 1;
     stats.fragments += lists.fragments;
     stats.drawn_leaves += lists.drawn_leaves;
+    stats.longest_list = std::max(stats.longest_list, lists.longest_list);
     stats.layers = std::max(stats.layers, lists.layers);
 
     LayerStack stack = upload_.upload(cpu_layers_);
@@ -58,7 +86,7 @@ LayerStack Peeler::peel_lists(const gl::View& view, const PeelModel& model, int 
 
 LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
     if (!engine_)
-        engine_.emplace(gl_);
+        engine_.emplace(gl_, memory_budget_);
     const auto walk = [&](std::span<const goldfeather::Product> products) {
         return engine_->walk(view, *model.leaves, {products, model.leaf_boxes}, model.tables, max_layers, stats);
     };

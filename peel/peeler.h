@@ -8,6 +8,7 @@
 
 #include "goldfeather/choice.h"
 #include "goldfeather/engine.h"
+#include "goldfeather/lists.h"
 #include "goldfeather/lists_cpu.h"
 #include "peel/layer_stack.h"
 #include "peel/layer_upload.h"
@@ -28,18 +29,21 @@ struct PeelModel {
     goldfeather::ListsModel lists;
 
     std::shared_ptr<const goldfeather::SurfaceTables> tables;
-    std::optional<goldfeather::LeafBuffers> leaves;  ///< Only for Goldfeather.
+    std::optional<goldfeather::LeafBuffers> leaves;      ///< For the engines on OpenGL.
+    std::optional<goldfeather::ListsScene> lists_scene;  ///< For `lists`.
     std::vector<csg::Box> leaf_boxes;
     std::vector<std::vector<goldfeather::Product>> products;
     std::vector<csg::PartKind> kinds;
     csg::Box box;  ///< Of all leaves, world coordinates.
 };
 
-/// Peels scenes: part by part with the Goldfeather engine, merged by depth, or all at once with per-pixel lists.
+/// Peels scenes: part by part with the Goldfeather engine, merged by depth, or all at once with per-pixel lists. Where
+/// OpenGL cannot give the lists what they need, or computes them wrong, they come from the CPU, and the statistics say
+/// why.
 class Peeler {
   public:
     /// `gl` must outlive the peeler.
-    explicit Peeler(const gl::Functions& gl);
+    explicit Peeler(const gl::Functions& gl, std::size_t memory_budget = goldfeather::kDefaultMemoryBudget);
 
     /// Throws gl::Error where a program does not compile. The first `max_layers` surfaces of the whole scene
     /// (kAllLayers: all). Where surfaces of two parts coincide, a highlighted part comes first, and otherwise the part
@@ -51,11 +55,17 @@ class Peeler {
 
   private:
     [[nodiscard]] LayerStack peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
-    [[nodiscard]] LayerStack peel_lists(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats);
+    [[nodiscard]] std::optional<LayerStack> peel_lists(const gl::View& view, PeelModel& model, int max_layers,
+                                                       WalkStats& stats);
+    [[nodiscard]] LayerStack peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers,
+                                            WalkStats& stats);
     [[nodiscard]] LayerStack merge(const LayerStack& front, const LayerStack& back, int max_layers);
 
     const gl::Functions& gl_;
+    std::size_t memory_budget_;
     std::optional<goldfeather::Goldfeather> engine_;  ///< Made when first used: its programs take time to compile.
+    std::optional<goldfeather::Lists> lists_;         ///< Likewise.
+    std::string lists_fault_;                         ///< Why there are no lists on this OpenGL.
     std::optional<gl::Program> merge_;                ///< Likewise.
     gl::VertexArray empty_array_;
     gl::Framebuffer target_;

@@ -19,7 +19,8 @@
 namespace bench {
 namespace {
 
-constexpr std::array kEngines{goldfeather::EngineKind::ListsCpu, goldfeather::EngineKind::Goldfeather};
+constexpr std::array kEngines{goldfeather::EngineKind::ListsCpu, goldfeather::EngineKind::Lists,
+                              goldfeather::EngineKind::Goldfeather};
 
 struct Settings {
     std::string models = "models", engine, json, markdown, context = "auto";

@@ -124,6 +124,8 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     };
     peel("lists-cpu", goldfeather::EngineKind::ListsCpu, 1);
     peel("lists-cpu all", goldfeather::EngineKind::ListsCpu, peel::kAllLayers);
+    peel("lists", goldfeather::EngineKind::Lists, 1);
+    peel("lists all", goldfeather::EngineKind::Lists, peel::kAllLayers);
     peel("goldfeather", goldfeather::EngineKind::Goldfeather, 1);
     if (!opencsg::built()) {
         return rows;

@@ -51,10 +51,14 @@ Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_sc
 }
 
 goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                                 const gl::View& view, int max_layers) {
-    peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products);
+                                 const gl::View& view, int max_layers, peel::EngineKind engine) {
+    peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products, engine);
     peel::WalkStats stats;
-    return peel::read_back(gl, peeler.peel(view, model, max_layers, stats));
+    auto layers = peel::read_back(gl, peeler.peel(view, model, max_layers, stats));
+    if (!stats.fallback.empty()) {
+        throw OtherEngine("another engine has drawn: " + stats.fallback);
+    }
+    return layers;
 }
 
 std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers) {

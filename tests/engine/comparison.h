@@ -1,6 +1,7 @@
 // Compares an engine's stack of layers with the truth.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "goldfeather/products.h"
@@ -32,9 +33,16 @@ struct Count {
     std::size_t surfaces = 0;   ///< Compared.
 };
 
-/// Peels all layers.
+/// The engine meant has given up, and another has drawn.
+class OtherEngine : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Peels all layers. Throws OtherEngine.
 [[nodiscard]] goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                                               const gl::View& view, int max_layers = peel::kAllLayers);
+                                               const gl::View& view, int max_layers = peel::kAllLayers,
+                                               peel::EngineKind engine = peel::EngineKind::Goldfeather);
 
 /// The first `layers` layers of a stack; empty ones where it has fewer.
 [[nodiscard]] std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers);

@@ -4,20 +4,21 @@ namespace comparison {
 
 namespace {
 
-class Goldfeather : public Engine {
+class OnOpenGl : public Engine {
   public:
-    explicit Goldfeather(std::unique_ptr<gl::Context> context)
-        : context_(std::move(context)), peeler_(context_->functions()) {}
+    OnOpenGl(std::unique_ptr<gl::Context> context, peel::EngineKind kind)
+        : context_(std::move(context)), kind_(kind), peeler_(context_->functions()) {}
     goldfeather::HostLayers peel(const Subject& subject, const gl::View& view, int max_layers) override {
         context_->make_current();  // Another engine's may have been since.
-        auto layers = peel_all(context_->functions(), peeler_, subject, view, max_layers);
+        auto layers = peel_all(context_->functions(), peeler_, subject, view, max_layers, kind_);
         EXPECT_EQ(context_->functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
         return layers;
     }
-    bool needs_products() const override { return true; }
+    bool needs_products() const override { return kind_ == peel::EngineKind::Goldfeather; }
 
   private:
     std::unique_ptr<gl::Context> context_;
+    peel::EngineKind kind_;
     peel::Peeler peeler_;
 };
 
@@ -41,11 +42,12 @@ MaybeEngine make_engine(const std::string& name) {
     if (name == "lists_cpu") {
         return {std::make_unique<ListsCpu>(), {}};
     }
-    auto made = test_support::try_context(name == "goldfeather_egl" ? gl::ContextKind::Egl : gl::ContextKind::Osmesa);
+    auto made = test_support::try_context(name.ends_with("_egl") ? gl::ContextKind::Egl : gl::ContextKind::Osmesa);
     if (!made.context) {
         return {nullptr, made.reason};
     }
-    return {std::make_unique<Goldfeather>(std::move(made.context)), {}};
+    const auto kind = name.starts_with("lists") ? peel::EngineKind::Lists : peel::EngineKind::Goldfeather;
+    return {std::make_unique<OnOpenGl>(std::move(made.context), kind), {}};
 }
 
 void EngineTest::SetUp() {

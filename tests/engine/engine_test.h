@@ -20,7 +20,8 @@ class Engine {
     [[nodiscard]] virtual bool needs_products() const = 0;
 };
 
-/// "goldfeather_egl", "goldfeather_osmesa" or "lists_cpu"; null and a reason where there is no OpenGL for it.
+/// "goldfeather_egl", "goldfeather_osmesa", "lists_egl", "lists_osmesa" or "lists_cpu"; null and a reason where there
+/// is no OpenGL for it.
 struct MaybeEngine {
     std::unique_ptr<Engine> engine;
     std::string reason;

@@ -195,7 +195,9 @@ TEST_P(HardCases, HighlightedPartsComeFirstThenById) {
     EXPECT_EQ(parts, (std::vector<csg::PartId>{1, 2, 0}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, HardCases, testing::Values("goldfeather_egl", "goldfeather_osmesa", "lists_cpu"),
+INSTANTIATE_TEST_SUITE_P(Engines, HardCases,
+                         testing::Values("goldfeather_egl", "goldfeather_osmesa", "lists_egl", "lists_osmesa",
+                                         "lists_cpu"),
                          comparison::engine_name);
 
 }  // namespace

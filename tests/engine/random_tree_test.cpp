@@ -123,7 +123,7 @@ TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, RandomTrees, testing::Values("goldfeather_egl", "lists_cpu"),
+INSTANTIATE_TEST_SUITE_P(Engines, RandomTrees, testing::Values("goldfeather_egl", "lists_egl", "lists_cpu"),
                          comparison::engine_name);
 
 class Bands : public test_support::GlTest {};

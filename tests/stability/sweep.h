@@ -35,7 +35,7 @@ struct SweepOptions {
     bool few_levels = false;            ///< The first, the middle and the last level only.
 };
 
-/// Draws families with every engine that can be had here: "goldfeather", "lists-cpu", and "OpenCSG" for comparison.
+/// Draws families with every engine that can be had here: "goldfeather", "lists", "lists-cpu", and "OpenCSG" for comparison.
 class Sweep {
   public:
     explicit Sweep(const SweepOptions& options);

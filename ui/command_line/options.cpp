@@ -205,7 +205,7 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
 
     const char* const engine = "Engine";
-    text("--engine", raw.engine, "auto, goldfeather or lists-cpu (auto)", "NAME", engine);
+    text("--engine", raw.engine, "auto, goldfeather, lists or lists-cpu (auto)", "NAME", engine);
     text("--context", raw.context, "OpenGL from: auto, egl, osmesa or none (auto)", "NAME", engine);
     text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
 
@@ -299,9 +299,11 @@ void interpret(Options& o, const Raw& raw) {
         o.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
     using goldfeather::EngineKind;
-    o.engine = read_name<std::optional<EngineKind>>(
-        "--engine", raw.engine,
-        {{"auto", std::nullopt}, {"goldfeather", EngineKind::Goldfeather}, {"lists-cpu", EngineKind::ListsCpu}});
+    o.engine = read_name<std::optional<EngineKind>>("--engine", raw.engine,
+                                                    {{"auto", std::nullopt},
+                                                     {"goldfeather", EngineKind::Goldfeather},
+                                                     {"lists", EngineKind::Lists},
+                                                     {"lists-cpu", EngineKind::ListsCpu}});
     o.context = read_name<std::optional<gl::ContextKind>>("--context", raw.context,
                                                           {{"auto", gl::ContextKind::Auto},
                                                            {"egl", gl::ContextKind::Egl},

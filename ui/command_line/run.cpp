@@ -128,6 +128,9 @@ class Run {
             context ? Renderer(*context, options_.engine, painter()) : Renderer(options_.engine, painter());
         const double context_ms = watch.lap();
         const gl::Image image = renderer.render(*model_, picture_request(camera_));
+        if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
+            language_.messages().warn(fmt::format("lists-cpu has drawn instead of lists: {}", fallback));
+        }
         (void)watch.lap();
         const std::string png = gl::encode_png(image);
         picture_json_ = to_json(renderer.statistics());

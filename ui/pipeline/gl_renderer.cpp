@@ -56,7 +56,9 @@ void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, 
         }));
     gl_.Finish();
     statistics_.style_ms += watch.lap();
-    statistics_.engine = choice_;
+    const std::string& fallback = statistics_.walk.fallback;
+    statistics_.engine =
+        fallback.empty() ? choice_ : goldfeather::EngineChoice{goldfeather::EngineKind::ListsCpu, fallback};
 }
 
 std::optional<glm::dvec3> GlRenderer::pick(const Model& model, const gl::Camera& camera) {

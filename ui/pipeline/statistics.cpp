@@ -35,6 +35,8 @@ nlohmann::ordered_json to_json(const PictureStatistics& s) {
             {"drawn_leaves", s.walk.drawn_leaves},
             {"drawn_products", s.walk.drawn_products},
             {"parity_slots", s.walk.slots},
+            {"longest_list", s.walk.longest_list},
+            {"pixel_memory", s.walk.memory},
             {"ms", {{"upload", s.upload_ms}, {"peel", s.peel_ms}, {"style", s.style_ms}, {"read", s.read_ms}}}};
 }
 

@@ -5,7 +5,7 @@
 
 #include "gl/camera.h"
 #include "goldfeather/choice.h"
-#include "goldfeather/engine.h"
+#include "goldfeather/walk_stats.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {

@@ -1,0 +1,49 @@
+#include "goldfeather/blist_buffer.h"
+
+#include <algorithm>
+
+namespace goldfeather {
+
+BlistBuffer::BlistBuffer(const gl::Functions& gl, const Blist& blist)
+    : rows_(gl),
+      leaves_(blist.leaves()),
+      first_group_(static_cast<std::uint32_t>(2 * leaves_.size())),
+      first_start_(first_group_ + static_cast<std::uint32_t>(2 * blist.groups().size())),
+      parts_(static_cast<std::uint32_t>(blist.starts().size())) {
+    static_assert(sizeof(Blist::Leaf) == 2 * sizeof(glm::uvec4));
+    for (const Blist::Group& g : blist.groups()) {
+        others_.emplace_back(g.start, g.last, g.when_true, g.when_false);
+        others_.emplace_back(g.parent, g.operand, g.next, 0);
+    }
+    for (const std::uint32_t start : blist.starts()) {
+        others_.emplace_back(start, 0, 0, 0);
+    }
+    std::vector<char> none(leaves_.size(), 1);  // What differs from the rows is uploaded.
+    count_from_behind(none);
+}
+
+void BlistBuffer::count_from_behind(std::span<const char> leaves) {
+    const auto same = [](const Blist::Leaf& row, char behind) { return row.behind == (behind != 0 ? 1U : 0U); };
+    if (std::equal(leaves_.begin(), leaves_.end(), leaves.begin(), leaves.end(), same)) {
+        return;
+    }
+    std::vector<glm::uvec4> rows;
+    rows.reserve(first_start_ + parts_);
+    for (std::size_t i = 0; i < leaves_.size(); ++i) {
+        Blist::Leaf& leaf = leaves_[i];
+        leaf.behind = leaves[i] != 0 ? 1 : 0;
+        rows.emplace_back(leaf.inside, leaf.first, leaf.last, leaf.chain_end);
+        rows.emplace_back(leaf.group, leaf.complement, leaf.rank, leaf.behind);
+    }
+    rows.insert(rows.end(), others_.begin(), others_.end());
+    rows_.upload<glm::uvec4>(rows, GL_DYNAMIC_DRAW);
+}
+
+void BlistBuffer::bind(const gl::Program& program) const {
+    rows_.bind(GL_SHADER_STORAGE_BUFFER, 6);
+    program.set("first_group", first_group_);
+    program.set("first_start", first_start_);
+    program.set("part_count", parts_);
+}
+
+}  // namespace goldfeather

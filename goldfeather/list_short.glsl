@@ -1,0 +1,89 @@
+// A pixel's list of at most kCapacity surfaces, in local arrays; the next event is selected, so that few layers of a
+// long list cost little. Depths are compared by their bits, which for positive floats is the same.
+uint list_depths[kCapacity];  // 0: none
+uint list_leaves[kCapacity];
+uint list_triangles[kCapacity];
+uint event_depth;
+uint event_bits;   // surfaces of the event
+uint inside_bits;  // one surface of each leaf that holds the point
+uint list_state;   // the entry where the walk's state is kept
+
+uint list_inside_begin() { return inside_bits; }
+bool list_inside_next(inout uint cursor, out uint leaf) {
+    ++work;
+    leaf = list_leaves[cursor == 0u ? 0 : findLSB(cursor)];
+    bool any = cursor != 0u;
+    cursor &= cursor - 1u;
+    return any;
+}
+
+uint list_event_begin() { return event_bits; }
+bool list_event_next(inout uint cursor, out uint leaf, out uint triangle) {
+    ++work;
+    int i = cursor == 0u ? 0 : findLSB(cursor);
+    leaf = list_leaves[i];
+    triangle = list_triangles[i];
+    bool any = cursor != 0u;
+    cursor &= cursor - 1u;
+    return any;
+}
+
+void toggle(int i) {
+    uint bit = 1u << i;
+    for (uint bits = inside_bits; bits != 0u; bits &= bits - 1u) {
+        ++work;
+        int other = findLSB(bits);
+        if (list_leaves[other] == list_leaves[i])
+            bit = 1u << other;
+    }
+    inside_bits ^= bit;
+}
+
+void list_toggle_event() {
+    for (uint bits = event_bits; bits != 0u; bits &= bits - 1u)
+        toggle(findLSB(bits));
+}
+
+void list_load(uint first, uint count) {
+    work = kCapacity;
+    list_state = first + count;
+    for (uint i = 0u; i < uint(kCapacity); ++i) {
+        uvec2 entry = i < count ? entries[first + i] : uvec2(0u);
+        list_depths[i] = entry.x;
+        list_triangles[i] = entry.y;
+        list_leaves[i] = triangles[entry.y].leaf;
+    }
+    event_depth = 0xffffffffu;
+    event_bits = 0u;
+    inside_bits = 0u;
+}
+
+void list_begin(uint count) {
+    if (!count_inside)
+        return;
+    for (int i = 0; i < int(count); ++i)
+        if (blist_rows[2u * list_leaves[i] + 1u].w != 0u)
+            toggle(i);
+}
+
+// Goes to the next event; false where there is none.
+bool list_next_event() {
+    work += 2u * kCapacity;
+    uint next = 0u;
+    for (int i = 0; i < kCapacity; ++i)
+        if (list_depths[i] < event_depth)
+            next = max(next, list_depths[i]);
+    event_depth = next;
+    event_bits = 0u;
+    for (int i = 0; i < kCapacity; ++i)
+        if (list_depths[i] == next)
+            event_bits |= 1u << i;
+    return next != 0u;
+}
+
+// Where the walk stands, in two words.
+uvec2 list_position() { return uvec2(event_depth, inside_bits); }
+void list_go_to(uvec2 position) {
+    event_depth = position.x;
+    inside_bits = position.y;
+}
