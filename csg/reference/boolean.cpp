@@ -7,16 +7,23 @@
 #include "csg/reference/nef.h"
 #include "csg/reference/plane_boolean.h"
 #include "csg/reference/plane_cells.h"
+#include "csg/reference/self_intersection.h"
 
 namespace csg::reference {
 namespace {
 
-void check(const Mesh& mesh) {
-    const MeshFacts f = facts(mesh);
+/// Of the scene's diagonal: far above the rounding of coordinates, far below anything modelled on purpose.
+constexpr double kCrossing = 1e-8;
+
+MeshFacts checked(const Mesh& mesh) {
+    MeshFacts f = facts(mesh);
     if (!f.manifold)
         throw Undecided("the surface is not closed");
     if (!mesh.empty() && !(f.volume > 0))
         throw Undecided("the surface encloses no volume");
+    if (count_self_intersections(mesh, kCrossing * f.box.diagonal()) != 0)
+        throw Undecided("the surface crosses itself");
+    return f;
 }
 
 }  // namespace
@@ -30,7 +37,7 @@ BooleanResult make_mesh(const Scene& scene, const solid::Geometry& geometry, con
     if (request.method != Method::Nef) {
         try {
             result.mesh = plane_boolean(scene, geometry, request.threads);
-            check(result.mesh);
+            result.facts = checked(result.mesh);
             return result;
         } catch (const Undecided& undecided) {
             result.reason = undecided.what();
@@ -41,7 +48,7 @@ BooleanResult make_mesh(const Scene& scene, const solid::Geometry& geometry, con
     result.method = Method::Nef;
     try {
         result.mesh = nef_boolean(scene, geometry);
-        check(result.mesh);
+        result.facts = checked(result.mesh);
     } catch (const std::logic_error& error) {  // a precondition of CGAL
         throw std::runtime_error(fmt::format("no mesh: {}", error.what()));
     }

@@ -26,13 +26,16 @@ struct BooleanRequest {
 
 struct BooleanResult {
     Mesh mesh;  ///< Empty where the solid is; `sources` are leaves of the scene.
+    MeshFacts facts;
     Method method = Method::Planes;
     std::string reason;  ///< Why not planes; empty where they did.
 };
 
 /// The union of the scene's solid and translucent parts, regularised (DESIGN, section 3): coincident faces are those on
 /// one plane of `geometry`'s table. A leaf holds a point where a ray from there meets it an odd number of times.
-/// Throws std::runtime_error where no method gives a closed mesh, with the reason.
+/// Every result has been checked: it is closed and manifold, holds a positive volume, and no two of its triangles cross
+/// by more than rounding (self_intersection.h). Throws std::runtime_error where no method gives such a mesh, with the
+/// reason.
 [[nodiscard]] BooleanResult make_mesh(const Scene& scene, const solid::Geometry& geometry,
                                       const BooleanRequest& request = {});
 

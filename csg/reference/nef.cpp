@@ -7,15 +7,15 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
-#include <CGAL/minkowski_sum_3.h>
+#include <CGAL/convex_decomposition_3.h>
 
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "csg/reference/expression_value.h"
-#include "csg/reference/hull.h"
 #include "csg/reference/point_ids.h"
 
 namespace csg::reference {
@@ -25,10 +25,61 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Nef = CGAL::Nef_polyhedron_3<Kernel>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
+using Faces = std::vector<std::vector<std::size_t>>;
+
+struct Shell {
+    std::vector<Kernel::Point_3> points;
+    Faces faces;
+};
+
+/// Faces that share points, directly or through others.
+std::vector<Shell> shells_of(const std::vector<Kernel::Point_3>& points, const Faces& faces) {
+    std::vector<std::size_t> root(points.size());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto find = [&](std::size_t i) {
+        while (root[i] != i)
+            i = root[i] = root[root[i]];
+        return i;
+    };
+    for (const auto& face : faces) {
+        for (const std::size_t p : face)
+            root[find(p)] = find(face[0]);
+    }
+    std::map<std::size_t, std::size_t> shell_of, index_of;
+    std::vector<Shell> shells;
+    for (const auto& face : faces) {
+        const auto [at, added] = shell_of.try_emplace(find(face[0]), shells.size());
+        if (added)
+            shells.emplace_back();
+        Shell& shell = shells[at->second];
+        auto& own = shell.faces.emplace_back();
+        for (const std::size_t p : face) {
+            const auto [index, first] = index_of.try_emplace(p, shell.points.size());
+            if (first)
+                shell.points.push_back(points[p]);
+            own.push_back(index->second);
+        }
+    }
+    return shells;
+}
+
+Nef to_nef(Shell shell) {
+    auto& [points, faces] = shell;
+    CGAL::Polygon_mesh_processing::orient_polygon_soup(points, faces);
+    Polyhedron surface;
+    if (!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(faces))
+        throw std::runtime_error("an operand's faces do not form a surface");
+    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, surface);
+    if (!CGAL::is_closed(surface))
+        throw std::runtime_error("an operand's surface is not closed");
+    Nef nef(surface);
+    return nef.is_bounded() ? nef : nef.complement();
+}
+
 Nef to_nef(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& triangles) {
     PointIds ids;
     std::vector<Kernel::Point_3> soup_points;
-    std::vector<std::vector<std::size_t>> faces;
+    Faces faces;
     for (const glm::uvec3& t : triangles) {
         std::vector<std::size_t> face;
         for (int k = 0; k < 3; ++k) {
@@ -44,15 +95,14 @@ Nef to_nef(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>&
     }
     if (faces.empty())
         return {};
-    CGAL::Polygon_mesh_processing::orient_polygon_soup(soup_points, faces);
-    Polyhedron surface;
-    if (!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(faces))
-        throw std::runtime_error("an operand's faces do not form a surface");
-    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup_points, faces, surface);
-    if (!CGAL::is_closed(surface))
-        throw std::runtime_error("an operand's surface is not closed");
-    Nef nef(surface);
-    return nef.is_bounded() ? nef : nef.complement();
+    // CGAL takes all that shells enclose as inside. So each shell is a polyhedron by itself, and a point is inside
+    // where an odd number of them hold it: a shell in a shell is a cavity.
+    Nef all;
+    for (Shell& shell : shells_of(soup_points, faces)) {
+        Nef one = to_nef(std::move(shell));
+        all = all.is_empty() ? std::move(one) : all ^ one;
+    }
+    return all;
 }
 
 Mesh to_mesh(const Nef& nef) {
@@ -133,26 +183,22 @@ Mesh nef_boolean(const Scene& scene, const solid::Geometry& geometry) {
     return mesh;
 }
 
-Mesh minkowski_sum(std::span<const Mesh> operands) {
-    Mesh sum;
-    for (std::size_t i = 0; i < operands.size(); ++i) {
-        if (i == 0) {
-            sum = operands[0];
-        } else if (convex(sum) && convex(operands[i])) {
-            std::vector<glm::dvec3> points;
-            points.reserve(sum.points.size() * operands[i].points.size());
-            for (const glm::dvec3& p : sum.points) {
-                for (const glm::dvec3& q : operands[i].points)
-                    points.push_back(p + q);
-            }
-            sum = hull(points);
-        } else {
-            Nef a = to_nef(sum.points, sum.triangles), b = to_nef(operands[i].points, operands[i].triangles);
-            sum = a.is_empty() || b.is_empty() ? Mesh{} : to_mesh(CGAL::minkowski_sum_3(a, b).regularization());
-        }
+std::vector<std::vector<glm::dvec3>> convex_decomposition(const Mesh& mesh) {
+    Nef nef = to_nef(mesh.points, mesh.triangles);
+    std::vector<std::vector<glm::dvec3>> pieces;
+    if (nef.is_empty())
+        return pieces;
+    CGAL::convex_decomposition_3(nef);
+    for (auto volume = ++nef.volumes_begin(); volume != nef.volumes_end(); ++volume) {  // the first is outside
+        if (!volume->mark())
+            continue;
+        Polyhedron piece;
+        nef.convert_inner_shell_to_polyhedron(volume->shells_begin(), piece);
+        std::vector<glm::dvec3>& points = pieces.emplace_back();
+        for (auto p = piece.points_begin(); p != piece.points_end(); ++p)
+            points.emplace_back(CGAL::to_double(p->x()), CGAL::to_double(p->y()), CGAL::to_double(p->z()));
     }
-    sum.sources.assign(sum.triangles.size(), 0);
-    return sum;
+    return pieces;
 }
 
 }  // namespace csg::reference

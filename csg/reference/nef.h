@@ -1,7 +1,7 @@
 // Operations in exact arithmetic on Nef polyhedra (Hachenberger and Kettner 2005): slow, and never at a loss.
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "csg/reference/mesh.h"
 #include "csg/solid/placed.h"
@@ -13,8 +13,7 @@ namespace csg::reference {
 /// sources of the mesh's triangles are found by their planes; a leaf that is not closed throws std::runtime_error.
 [[nodiscard]] Mesh nef_boolean(const Scene& scene, const solid::Geometry& geometry);
 
-/// The Minkowski sum of closed meshes, one after the other: convex ones as the hull of their points' sums, others by
-/// decomposition into convex pieces. All sources are 0. Throws std::runtime_error where a mesh is not closed.
-[[nodiscard]] Mesh minkowski_sum(std::span<const Mesh> operands);
+/// The corners of convex pieces whose union is the closed mesh. Throws std::runtime_error where it is not closed.
+[[nodiscard]] std::vector<std::vector<glm::dvec3>> convex_decomposition(const Mesh& mesh);
 
 }  // namespace csg::reference

@@ -1,9 +1,11 @@
 #include "csg/reference/self_intersection.h"
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/box_intersection_d.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace csg::reference {
 namespace {
@@ -20,34 +22,18 @@ class Triangle {
 
     [[nodiscard]] const Box& box() const { return box_; }
 
-    /// Does an edge of `other` pass through the inside, by more than the tolerance on both sides and at all edges?
-    [[nodiscard]] bool pierced_by(const Triangle& other, double tolerance) const {
-        if (normal_ == glm::dvec3(0.0))
-            return false;
-        std::array<double, 3> d;
-        for (std::size_t i = 0; i < 3; ++i)
-            d[i] = glm::dot(normal_, other.corners_[i] - corners_[0]);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t j = (i + 1) % 3;
-            if ((d[i] > tolerance && d[j] < -tolerance) || (d[i] < -tolerance && d[j] > tolerance)) {
-                const glm::dvec3 at =
-                    other.corners_[i] + (other.corners_[j] - other.corners_[i]) * (d[i] / (d[i] - d[j]));
-                if (inside(at, tolerance))
-                    return true;
-            }
-        }
-        return false;
-    }
+    [[nodiscard]] bool degenerate() const { return normal_ == glm::dvec3(0.0); }
 
-    /// Do triangles of one plane overlap? Told by the axis that would separate them.
-    [[nodiscard]] bool overlaps_in_plane(const Triangle& other, double tolerance) const {
-        if (normal_ == glm::dvec3(0.0) || other.normal_ == glm::dvec3(0.0))
-            return false;
-        for (const glm::dvec3& p : other.corners_) {
-            if (std::abs(glm::dot(normal_, p - corners_[0])) > tolerance)
-                return false;
-        }
-        return !apart(*this, other, tolerance) && !apart(other, *this, tolerance);
+    /// Do the triangles cross, or overlap in one plane, by more than the tolerance? Not where this one is degenerate.
+    [[nodiscard]] bool crosses(const Triangle& other, double tolerance) const {
+        const std::array<double, 3> d = distances(other);
+        const auto [least, most] = std::minmax_element(d.begin(), d.end());
+        if (*least >= -tolerance && *most <= tolerance)
+            return !other.degenerate() && !apart(*this, other, tolerance) && !apart(other, *this, tolerance);
+        if (*least >= -tolerance || *most <= tolerance)
+            return false;  // on one side, as nearly all neighbours are
+        return pierced_by(other, d, tolerance) ||
+               (!other.degenerate() && other.pierced_by(*this, other.distances(*this), tolerance));
     }
 
   private:
@@ -61,6 +47,28 @@ class Triangle {
                 return false;
         }
         return true;
+    }
+
+    /// Of the other's corners from this one's plane.
+    [[nodiscard]] std::array<double, 3> distances(const Triangle& other) const {
+        std::array<double, 3> d;
+        for (std::size_t i = 0; i < 3; ++i)
+            d[i] = glm::dot(normal_, other.corners_[i] - corners_[0]);
+        return d;
+    }
+
+    /// Does an edge of `other` pass through the inside, by more than the tolerance on both sides and at all edges?
+    [[nodiscard]] bool pierced_by(const Triangle& other, const std::array<double, 3>& d, double tolerance) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3;
+            if ((d[i] > tolerance && d[j] < -tolerance) || (d[i] < -tolerance && d[j] > tolerance)) {
+                const glm::dvec3 at =
+                    other.corners_[i] + (other.corners_[j] - other.corners_[i]) * (d[i] / (d[i] - d[j]));
+                if (inside(at, tolerance))
+                    return true;
+            }
+        }
+        return false;
     }
 
     static bool apart(const Triangle& a, const Triangle& b, double tolerance) {
@@ -85,26 +93,20 @@ std::size_t count_self_intersections(const Mesh& mesh, double tolerance) {
     triangles.reserve(mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles)
         triangles.emplace_back(std::array{mesh.points[t.x], mesh.points[t.y], mesh.points[t.z]});
-    const MeshFacts f = facts(mesh);
-    const glm::dvec3 size = f.box.size();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    std::vector<std::uint32_t> order(triangles.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](auto a, auto b) { return triangles[a].box().lo[axis] < triangles[b].box().lo[axis]; });
-    std::vector<std::uint32_t> active;
-    std::size_t count = 0;
-    for (const std::uint32_t i : order) {
-        const Triangle& t = triangles[i];
-        std::erase_if(active, [&](auto j) { return triangles[j].box().hi[axis] < t.box().lo[axis]; });
-        for (const std::uint32_t j : active) {
-            const Triangle& u = triangles[j];
-            if (!intersect(t.box(), u.box()).empty() &&
-                (t.pierced_by(u, tolerance) || u.pierced_by(t, tolerance) || t.overlaps_in_plane(u, tolerance)))
-                ++count;
-        }
-        active.push_back(i);
+    // Pairs whose boxes meet, by a tree of segments (Zomorodian and Edelsbrunner 2000).
+    using Item = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Triangle*>;
+    std::vector<Item> items;
+    items.reserve(triangles.size());
+    for (const Triangle& t : triangles) {
+        const Box& b = t.box();
+        items.emplace_back(CGAL::Bbox_3(b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z), &t);
     }
+    std::size_t count = 0;
+    CGAL::box_self_intersection_d(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+        const Triangle &t = *a.handle(), &u = *b.handle();
+        if (t.degenerate() ? !u.degenerate() && u.crosses(t, tolerance) : t.crosses(u, tolerance))
+            ++count;
+    });
     return count;
 }
 

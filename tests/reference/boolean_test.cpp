@@ -1,6 +1,8 @@
 // Booleans against closed forms: volume, area, pieces and handles.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/reference/meshes.h"
 
 namespace {
@@ -82,6 +84,20 @@ TEST(Booleans, NefGivesTheSame) {
     EXPECT_EQ(facts.genus, mesh.facts.genus);
 }
 
+/// A polyhedron of two cubes, one in the other: the inner one is a cavity, for either method.
+TEST(Booleans, AShellInAShellIsACavity) {
+    const auto model = meshes::model_of(
+        "p = [for (s = [1, 3], z = [-s, s], y = [-s, s], x = [-s, s]) [x, y, z]];\n"
+        "f = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];\n"
+        "intersection() { polyhedron(p, concat(f, [for (g = f) [for (i = g) i + 8]])); cube(4); }");
+    for (const auto method : {csg::reference::Method::Planes, csg::reference::Method::Nef}) {
+        csg::reference::BooleanRequest request;
+        request.method = method;
+        const auto result = csg::reference::make_mesh(model->scene, model->geometry, request);
+        EXPECT_NEAR(result.facts.volume, 27 - 1, 1e-9) << csg::reference::name(method);
+    }
+}
+
 TEST(Booleans, SourcesAreTheLeavesThatShow) {
     const auto model = meshes::model_of("difference() { cube(4); translate([1, 1, 2]) cube([2, 2, 2]); }");
     const ui::ModelMesh mesh = ui::make_mesh(*model);
@@ -91,6 +107,23 @@ TEST(Booleans, SourcesAreTheLeavesThatShow) {
         const bool outer = c.x == 0 || c.x == 4 || c.y == 0 || c.y == 4 || c.z == 0 || c.z == 4;
         EXPECT_EQ(mesh.mesh.sources[i], outer ? 0u : 1u);
     }
+}
+
+TEST(Booleans, TrianglesKnowLeafPartLineAndColour) {
+    const auto model = meshes::model_of(
+        "color(\"red\") difference() {\n  cube(4);\n  translate([1, 1, 2]) cube([2, 2, 2]);\n}\n"
+        "color([0, 0, 1, 0.5]) translate([9, 0, 0]) cube(1);");
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    std::set<std::uint32_t> lines;
+    for (std::size_t i = 0; i < mesh.mesh.triangles.size(); ++i) {
+        const csg::LeafInstance& leaf = model->scene.leaves[mesh.mesh.sources[i]];
+        const double x = mesh.mesh.points[mesh.mesh.triangles[i].x].x;
+        lines.insert(leaf.where.line);
+        EXPECT_EQ(leaf.part, x < 8 ? 0u : 1u);
+        EXPECT_EQ(leaf.where.line == 5, x > 8);
+        EXPECT_EQ(leaf.color.r, x < 8 ? 1.0f : 0.0f);
+    }
+    EXPECT_EQ(lines, (std::set<std::uint32_t>{2, 3, 5}));
 }
 
 TEST(Booleans, NothingIsAnError) {

@@ -3,7 +3,7 @@
 
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
-#include "csg/reference/nef.h"
+#include "csg/reference/minkowski.h"
 #include "csg/reference/self_intersection.h"
 #include "csg/solid/node_geometry.h"
 #include "tests/reference/meshes.h"
@@ -57,6 +57,39 @@ TEST(Minkowski, OfAnL) {
     const Mesh operands[] = {mesh_of("difference() { cube([4, 4, 1]); translate([2, 2, -1]) cube([3, 3, 3]); }"),
                              mesh_of("cube(1);")};
     EXPECT_NEAR(volume(csg::reference::minkowski_sum(operands)), (25.0 - 4) * 2, 1e-9);
+}
+
+TEST(Minkowski, OfABallThatIsConvexButForRounding) {
+    // A box and a ball of OpenSCAD's: faces, edges and corners as Steiner's formula has them, with the ball's own
+    // mean width in place of the sphere's. Decomposed in exact arithmetic this took half a minute.
+    const Mesh ball = mesh_of("sphere(2, $fn = 40);");
+    const Mesh operands[] = {mesh_of("cube([8, 6, 4], center = true);"), ball};
+    const auto facts = csg::reference::facts(ball);
+    const Mesh sum = csg::reference::minkowski_sum(operands);
+    const glm::dvec3 size = facts.box.size(), box(8, 6, 4);
+    // Of a centrally symmetric body K: V(B + K) = V(B) + sum of face areas times width / 2 twice + edges times the
+    // area of K's shadow along them + V(K).
+    const auto shadow_along = [&](const char* turn) {
+        Mesh mesh = mesh_of(std::string("rotate(") + turn + ") sphere(2, $fn = 40);");
+        const solid::Mesh plain{std::move(mesh.points), std::move(mesh.triangles)};
+        return solid::shadow(std::span(&plain, 1)).area();
+    };
+    const double expected = box.x * box.y * box.z + box.y * box.z * size.x + box.x * box.z * size.y +
+                            box.x * box.y * size.z + box.x * shadow_along("[0, 90, 0]") +
+                            box.y * shadow_along("[90, 0, 0]") + box.z * shadow_along("[0, 0, 0]") + facts.volume;
+    EXPECT_NEAR(volume(sum), expected, 1e-9 * expected);
+}
+
+TEST(Minkowski, OfCubesThatTouchAtACorner) {
+    const Mesh operands[] = {mesh_of("cube(2); translate([2, 2, 2]) cube(2);"), mesh_of("cube(1);")};
+    // Two cubes of 3 that share a cube of 1.
+    EXPECT_NEAR(volume(csg::reference::minkowski_sum(operands)), 27 + 27 - 1, 1e-9);
+}
+
+TEST(Minkowski, OfAHollowCube) {
+    const Mesh operands[] = {mesh_of("difference() { cube(9, center = true); cube(5, center = true); }"),
+                             mesh_of("cube(1, center = true);")};
+    EXPECT_NEAR(volume(csg::reference::minkowski_sum(operands)), 1000 - 64, 1e-9);
 }
 
 solid::Outline shadow(const std::string& program) {

@@ -5,7 +5,7 @@
 
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
-#include "csg/reference/nef.h"
+#include "csg/reference/minkowski.h"
 #include "csg/reference/roof.h"
 
 namespace ui {
