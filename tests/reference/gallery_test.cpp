@@ -22,13 +22,13 @@ std::vector<Json> gallery() {
     return Json::parse(file).at("models").get<std::vector<Json>>();
 }
 
-std::shared_ptr<const ui::Model> load(const std::string& file) {
+std::shared_ptr<const ui::Model> load(const std::string& path) {
     csg::scad::Request request;
-    request.path = kModels + file;
+    request.path = path;
     request.preview = false;
     const auto evaluation = csg::scad::evaluate(request, [](const auto&, const auto&) {});
     if (!evaluation.ok)
-        throw std::runtime_error(file + " has errors");
+        throw std::runtime_error(path + " has errors");
     return ui::ModelBuilder().build(evaluation.tree);
 }
 
@@ -48,7 +48,7 @@ TEST(GalleryMeshes, AreClosedAndAsLargeAsOpenScads) {
     for (const Json& entry : gallery()) {
         const std::string file = entry.at("file");
         SCOPED_TRACE(file);
-        const auto model = load(file);
+        const auto model = load(kModels + file);
         const ui::ModelMesh mesh = ui::make_mesh(*model);
         EXPECT_EQ(mesh.method, "planes") << mesh.reason;
         EXPECT_TRUE(mesh.facts.manifold);
@@ -58,11 +58,35 @@ TEST(GalleryMeshes, AreClosedAndAsLargeAsOpenScads) {
     }
 }
 
+/// Ten and one larger models (tests/bench/meshes), 14 to 1,163 leaves, which OpenSCAD takes minutes for.
+class LargerMeshes : public testing::TestWithParam<const char*> {};
+
+TEST_P(LargerMeshes, AreClosedAndAsLargeAsOpenScads) {
+    const std::string folder = CSGSCOPE_SOURCE_DIR "/tests/bench/meshes/";
+    std::ifstream volumes(folder + "volumes.txt");
+    double expected = 0;
+    for (std::string line; std::getline(volumes, line);) {
+        std::istringstream words(line);
+        if (std::string name; words >> name && name == GetParam())
+            words >> expected;
+    }
+    const ui::ModelMesh mesh = ui::make_mesh(*load(folder + GetParam() + ".scad"));
+    EXPECT_EQ(mesh.method, "planes") << mesh.reason;
+    EXPECT_TRUE(mesh.facts.manifold);
+    EXPECT_LE(std::abs(mesh.facts.volume - expected), rounding(mesh) + 1e-6 * expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Benchmark, LargerMeshes,
+                         testing::Values("bored_block", "engraved_plate", "fluted_vase", "gear_train", "heat_sink",
+                                         "hull_chain", "lattice", "menger_3", "minkowski_case", "perforated_panel",
+                                         "threaded_rod"),
+                         [](const auto& info) { return std::string(info.param); });
+
 TEST(GalleryMeshes, AreWhatThePictureShows) {
     for (const Json& entry : gallery()) {
         const std::string file = entry.at("file");
         SCOPED_TRACE(file);
-        const auto model = load(file);
+        const auto model = load(kModels + file);
         const auto [all, outside] =
             meshes::picture_errors(model->scene, model->geometry, ui::make_mesh(*model).mesh, 192);
         EXPECT_EQ(outside.coverage_wrong, 0u);
