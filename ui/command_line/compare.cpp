@@ -1,11 +1,7 @@
 #include "ui/command_line/compare.h"
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -13,12 +9,14 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
+#include "csg/scad/csg_text.h"
 #include "csg/scad/scad.h"
 #include "gl/context.h"
 #include "goldfeather/lists_cpu.h"
 #include "peel/peeler.h"
+#include "ui/command_line/compare_openscad.h"
+#include "ui/command_line/compare_options.h"
 #include "ui/command_line/compare_report.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/messages.h"
@@ -36,59 +34,28 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-struct CompareOptions {
-    std::string input, against = "cgal", engine = "lists-cpu", report, reference;
-    double tolerance = 0, reference_threshold = 0.01;
-    int views = 1, size = 256;
-};
-
-CompareOptions read_options(const std::vector<std::string>& arguments) {
-    CompareOptions o;
-    CLI::App app("csgscope compare draws a model and compares all layers of the picture with a mesh.",
-                 "csgscope compare");
-    app.add_option("file", o.input, "The .scad file")->required();
-    app.add_option("--against", o.against,
-                   "cgal (the exact mesh), openscad (its mesh), FILE.stl, FILE.off or FILE.png");
-    app.add_option("--engine", o.engine, "goldfeather or lists-cpu")
-        ->check(CLI::IsMember({"goldfeather", "lists-cpu"}));
-    app.add_option("--views", o.views, "Views spread over the sphere, of both projections")->check(CLI::Range(1, 100));
-    app.add_option("--imgsize", o.size, "Width and height in pixels")->check(CLI::Range(16, 4096));
-    app.add_option("--report", o.report, "Folder for report.html, report.json and difference pictures");
-    app.add_option("--tolerance", o.tolerance, "Largest share of wrong pixels outside the band (0)")
-        ->check(CLI::Range(0.0, 1.0));
-    app.add_option("--reference", o.reference, "A picture to compare with, as --against FILE.png");
-    app.add_option("--reference-threshold", o.reference_threshold, "Largest share of pixels that may differ (0.01)")
-        ->check(CLI::Range(0.0, 1.0));
-    try {
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    } catch (const CLI::CallForHelp&) {
-        write_output("-", app.help());
-        o.input.clear();
-    } catch (const CLI::ParseError& error) {
-        throw UsageError(fmt::format("compare: {}", error.what()));
-    }
-    if (o.against.ends_with(".png")) {
-        o.reference = o.against;
-    }
-    return o;
-}
-
 struct Loaded {
     std::shared_ptr<const Model> model;
     csg::scad::ViewSettings view;
 };
 
-Loaded load(const CompareOptions& o) {
+/// `preview`: $preview, which is true for pictures and trees, and false for meshes.
+csg::scad::Evaluation evaluate(const CompareOptions& o, bool preview) {
     csg::scad::Request request;
     request.path = o.input;
     request.text = read_source(o.input);
-    request.preview = !o.reference.empty();
+    request.preview = preview;
     Messages messages(true);
     auto evaluation =
         csg::scad::evaluate(request, [&](const auto& message, const auto& sources) { messages.add(message, sources); });
     if (!evaluation.ok) {
         throw ModelError("the model has errors");
     }
+    return evaluation;
+}
+
+Loaded load(const CompareOptions& o) {
+    const csg::scad::Evaluation evaluation = evaluate(o, !o.reference.empty());
     return {ModelBuilder().build(evaluation.tree), evaluation.view};
 }
 
@@ -101,50 +68,12 @@ std::string read_file(const std::string& path) {
     return bytes.str();
 }
 
-/// A file in a folder of its own, gone at the end.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::string& name) {
-        std::string folder = (fs::temp_directory_path() / "csgscope.XXXXXX").string();
-        if (mkdtemp(folder.data()) == nullptr) {
-            throw std::runtime_error(fmt::format("{}: cannot be created", folder));
-        }
-        folder_ = folder;
-        path_ = folder_ / name;
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    fs::path folder_, path_;
-};
-
-/// The mesh that `openscad` makes of the file.
-csg::reference::Mesh mesh_of_openscad(const std::string& input) {
-    const TemporaryFile file("mesh.off");
-    const pid_t child = fork();
-    if (child == 0) {
-        execlp("openscad", "openscad", "-q", "-o", file.path().c_str(), input.c_str(), static_cast<char*>(nullptr));
-        _exit(127);
-    }
-    int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw std::runtime_error("openscad is not installed, or made no mesh of the model");
-    }
-    return csg::reference::decode_mesh(read_file(file.path().string()));
-}
-
 csg::reference::Mesh reference_mesh(const CompareOptions& o, const Model& model) {
     if (o.against == "cgal") {
         return make_mesh(model).mesh;
     }
     if (o.against == "openscad") {
-        return mesh_of_openscad(o.input);
+        return OpenscadProcess(o.input).mesh();
     }
     try {
         return csg::reference::decode_mesh(read_file(o.against));
@@ -228,6 +157,16 @@ glm::dvec3 shade(const glm::dvec3& normal, const gl::View& view) {
     return glm::dvec3(0.95, 0.8, 0.35) * (0.3 + 0.7 * light);
 }
 
+/// Grey where all agrees; blue in the band, red outside it, the darker the more layers differ.
+glm::dvec3 heat(const Comparison& comparison, std::size_t pixel) {
+    if (comparison.wrong[pixel] == 0) {
+        return glm::dvec3(0.85);
+    }
+    const double much = 1 - std::exp2(-static_cast<double>(comparison.wrong_layers[pixel]));
+    return glm::mix(glm::dvec3(0.85), comparison.wrong[pixel] == 1 ? glm::dvec3(0.0, 0.2, 0.8) : glm::dvec3(0.8, 0, 0),
+                    0.3 + 0.7 * much);
+}
+
 ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& mesh, const gl::View& view,
                            const goldfeather::HostLayers& stack, const MeshLayers& truth,
                            const Comparison& comparison) {
@@ -249,10 +188,7 @@ ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& 
                 set(result.expected, x, y, shade(normal_of(mesh, truth.of[i][0].triangle), view));
             }
             if (drawn || !truth.of[i].empty()) {
-                set(result.difference, x, y,
-                    comparison.wrong[i] == 0   ? glm::dvec3(0.85)
-                    : comparison.wrong[i] == 1 ? glm::dvec3(0.2, 0.4, 0.9)
-                                               : glm::dvec3(0.9, 0.1, 0.1));
+                set(result.difference, x, y, heat(comparison, i));
             }
         }
     }
@@ -272,8 +208,8 @@ int compare_with_mesh(const CompareOptions& o) {
     std::vector<ComparedView> views;
     Drawer drawer(solid, o.engine);
     for (int i = 0; i < o.views; ++i) {
-        const gl::View view(camera_of(i, o.views, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo,
-                            box.hi);
+        const gl::Camera camera = o.camera ? *o.camera : camera_of(i, o.views, facts.box.empty() ? box : facts.box);
+        const gl::View view(camera, {o.size, o.size}, box.lo, box.hi);
         const auto stack = drawer.layers(view);
         const MeshLayers truth = mesh_layers(mesh, view);
         const Comparison comparison = compare_layers(stack, solid.geometry, mesh, truth, view, box.diagonal());
@@ -286,16 +222,26 @@ int compare_with_mesh(const CompareOptions& o) {
         }
     }
     const double worst = std::max({outside.coverage(), outside.layers(), outside.normals()});
-    const bool good = worst <= o.tolerance;
-    const Json json = {{"model", o.input},
-                       {"against", o.against},
-                       {"engine", o.engine},
-                       {"views", o.views},
-                       {"mesh", {{"triangles", mesh.triangles.size()}, {"volume", facts.volume}}},
-                       {"all", to_json(all)},
-                       {"without_band", to_json(outside)},
-                       {"tolerance", o.tolerance},
-                       {"within_tolerance", good}};
+    bool good = worst <= o.tolerance;
+    Json openscad;
+    if (o.against == "openscad") {
+        const gl::Camera camera = o.camera ? *o.camera : camera_of(0, 1, facts.box);
+        openscad = compare_with_openscad(OpenscadProcess(o.input), csg::scad::csg_text(*evaluate(o, true).tree),
+                                         *loaded.model, facts, camera, o.size);
+        good = good && openscad["volume"]["agrees"].get<bool>() && openscad["tree_agrees"].get<bool>();
+    }
+    Json json = {{"model", o.input},
+                 {"against", o.against},
+                 {"engine", o.engine},
+                 {"views", o.views},
+                 {"mesh", {{"triangles", mesh.triangles.size()}, {"volume", facts.volume}}},
+                 {"all", to_json(all)},
+                 {"without_band", to_json(outside)},
+                 {"tolerance", o.tolerance},
+                 {"within_tolerance", good}};
+    if (!openscad.is_null()) {
+        json["openscad"] = openscad;
+    }
     fmt::print("{}\n", json.dump(2));
     if (!o.report.empty()) {
         fs::create_directories(o.report);
@@ -356,7 +302,7 @@ int compare_with_picture(const CompareOptions& o) {
 }  // namespace
 
 int run_compare(const std::vector<std::string>& arguments) {
-    const CompareOptions options = read_options(arguments);
+    const CompareOptions options = read_compare_options(arguments);
     if (options.input.empty()) {
         return 0;
     }

@@ -34,6 +34,27 @@ std::string picture(const gl::Image& image, const char* alt) {
                        image.height, base64(gl::encode_png(image)));
 }
 
+/// Rows of the layers, all pixels; none where a picture was compared with a picture.
+std::string layer_table(const ComparedView& view) {
+    const auto layers = view.all.find("layers");
+    if (layers == view.all.end() || layers->empty()) {
+        return "";
+    }
+    std::string rows =
+        "</table>\n<table><tr><th>layer</th><th>pixels</th><th>coverage error</th><th>normal error</th>"
+        "<th>depth, RMS</th><th>depth, largest</th></tr>\n";
+    std::size_t number = 0;
+    for (const auto& layer : *layers) {
+        rows += fmt::format("<tr><td>{}</td>", ++number);
+        for (const auto& [name, value] : layer.items()) {
+            rows += fmt::format("<td>{}</td>",
+                                value.is_number_float() ? fmt::format("{:.3g}", value.get<double>()) : value.dump());
+        }
+        rows += "</tr>\n";
+    }
+    return rows;
+}
+
 constexpr const char* kHead = R"(<style>
 body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 70em; color: #222; }
 .view { display: flex; gap: 1em; flex-wrap: wrap; align-items: start; margin-bottom: 2em; }
@@ -61,15 +82,22 @@ std::string report_page(const std::string& title, const std::string& summary, co
             "<h2>{}</h2>\n<div class=\"view\">\n<figure><div class=\"pair\">{}<div class=\"top\">{}</div></div>"
             "<br><input type=\"range\" aria-label=\"picture or mesh\" value=\"50\" oninput=\"slide(this)\">"
             "<figcaption>left of the line the picture, right of it the reference</figcaption></figure>\n"
-            "<figure>{}<figcaption>grey: agrees; blue: differs within the band; red: differs outside it"
+            "<figure>{}<figcaption>the picture</figcaption></figure>\n"
+            "<figure>{}<figcaption>the reference</figcaption></figure>\n"
+            "<figure>{}<figcaption>grey: agrees; blue: differs within the band; red: outside it; the darker, the more "
+            "layers"
             "</figcaption></figure>\n<table><tr><th></th><th>all pixels</th><th>without the band</th></tr>\n",
             html(view.title), picture(view.expected, "reference"), picture(view.drawn, "picture"),
+            picture(view.drawn, "picture"), picture(view.expected, "reference"),
             picture(view.difference, "differences"));
         for (const auto& [name, value] : view.all.items()) {
             const auto outside = view.outside.find(name);
-            page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html(name), value.dump(),
-                                outside == view.outside.end() || name == "edge_f_score" ? "" : outside->dump());
+            if (name != "layers") {
+                page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html(name), value.dump(),
+                                    outside == view.outside.end() || name == "edge_f_score" ? "" : outside->dump());
+            }
         }
+        page += layer_table(view);
         page += "</table></div>\n";
     }
     return page + "</body></html>\n";

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kOneDegree = 0.99984769515639127;  // its cosine
 constexpr double kCrease = 0.94;                    // of the first layer's edges: cosine of 20 degrees
+constexpr double kWrongDepth = 1e-4;                // over the diagonal: a pixel that is off by more is shown as wrong
 constexpr double kStep = 0.05;                      // over the diagonal: a larger step of the first layer is an edge
 
 /// A surface as both sides tell it: the normal does not tell the side.
@@ -20,6 +21,10 @@ using Field = std::vector<std::vector<Sample>>;
 
 bool alike(const Sample& a, const Sample& b) {
     return std::abs(glm::dot(a.normal, b.normal)) >= kOneDegree;
+}
+
+double rms(double squares, std::size_t count) {
+    return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
 }
 
 class Comparer {
@@ -81,6 +86,7 @@ class Comparer {
     [[nodiscard]] Comparison compare(const Field& drawn, const Field& truth) const {
         Comparison result;
         result.wrong.assign(truth.size(), 0);
+        result.wrong_layers.assign(truth.size(), 0);
         const std::vector<char> near = band(truth);
         for (std::size_t i = 0; i < truth.size(); ++i) {
             if (drawn[i].empty() && truth[i].empty()) {
@@ -88,7 +94,11 @@ class Comparer {
             }
             Errors e;
             pixel(drawn[i], truth[i], e);
-            const bool wrong = e.coverage_wrong + e.layers_wrong + e.normals_wrong > 0 || e.depth_largest > 1e-4;
+            const bool wrong = e.coverage_wrong + e.layers_wrong + e.normals_wrong > 0 || e.depth_largest > kWrongDepth;
+            result.wrong_layers[i] =
+                static_cast<std::uint16_t>(std::count_if(e.layer.begin(), e.layer.end(), [](const LayerErrors& l) {
+                    return l.coverage_wrong + l.normals_wrong > 0 || l.depth_largest > kWrongDepth;
+                }));
             result.wrong[i] = !wrong ? 0 : near[i] != 0 ? 1 : 2;
             result.all.add(e);
             if (near[i] == 0) {
@@ -118,6 +128,7 @@ class Comparer {
         e.pixels = 1;
         e.coverage_wrong = drawn.empty() != truth.empty() ? 1 : 0;
         e.layers_wrong = drawn.size() != truth.size() ? 1 : 0;
+        layer_by_layer(drawn, truth, e);
         if (e.layers_wrong != 0) {
             return;
         }
@@ -127,6 +138,24 @@ class Comparer {
             e.depth_largest = std::max(e.depth_largest, off);
             e.normals_wrong += alike(drawn[k], truth[k]) ? 0 : 1;
             ++e.surfaces;
+        }
+    }
+
+    /// The k-th surface with the k-th, whatever their numbers.
+    void layer_by_layer(const std::vector<Sample>& drawn, const std::vector<Sample>& truth, Errors& e) const {
+        e.layer.resize(std::max(drawn.size(), truth.size()));
+        for (std::size_t k = 0; k < e.layer.size(); ++k) {
+            LayerErrors& layer = e.layer[k];
+            layer.pixels = 1;
+            if (k >= drawn.size() || k >= truth.size()) {
+                layer.coverage_wrong = 1;
+                continue;
+            }
+            const double off = std::abs(drawn[k].distance - truth[k].distance) / diagonal_;
+            layer.surfaces = 1;
+            layer.normals_wrong = alike(drawn[k], truth[k]) ? 0 : 1;
+            layer.depth_squares = off * off;
+            layer.depth_largest = off;
         }
     }
 
@@ -142,7 +171,16 @@ glm::dvec3 normal_of(const csg::reference::Mesh& mesh, std::uint32_t triangle) {
 }
 
 double Errors::depth_rms() const {
-    return surfaces == 0 ? 0 : std::sqrt(depth_squares / static_cast<double>(surfaces));
+    return rms(depth_squares, surfaces);
+}
+
+void LayerErrors::add(const LayerErrors& other) {
+    pixels += other.pixels;
+    coverage_wrong += other.coverage_wrong;
+    surfaces += other.surfaces;
+    normals_wrong += other.normals_wrong;
+    depth_squares += other.depth_squares;
+    depth_largest = std::max(depth_largest, other.depth_largest);
 }
 
 double Errors::edge_f_score() const {
@@ -161,6 +199,10 @@ void Errors::add(const Errors& other) {
     normals_wrong += other.normals_wrong;
     depth_squares += other.depth_squares;
     depth_largest = std::max(depth_largest, other.depth_largest);
+    layer.resize(std::max(layer.size(), other.layer.size()));
+    for (std::size_t k = 0; k < other.layer.size(); ++k) {
+        layer[k].add(other.layer[k]);
+    }
     edges_matched += other.edges_matched;
     edges_drawn += other.edges_drawn;
     edges_true += other.edges_true;
@@ -188,9 +230,20 @@ Comparison compare_layers(const goldfeather::HostLayers& stack, const csg::solid
 }
 
 nlohmann::ordered_json to_json(const Errors& e) {
-    return {{"pixels", e.pixels},           {"surfaces", e.surfaces},          {"coverage_error", e.coverage()},
-            {"layer_error", e.layers()},    {"normal_error", e.normals()},     {"depth_rms", e.depth_rms()},
-            {"depth_max", e.depth_largest}, {"edge_f_score", e.edge_f_score()}};
+    const auto share = [](std::size_t part, std::size_t whole) {
+        return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+    };
+    nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+    for (const LayerErrors& l : e.layer) {
+        layers.push_back({{"pixels", l.pixels},
+                          {"coverage_error", share(l.coverage_wrong, l.pixels)},
+                          {"normal_error", share(l.normals_wrong, l.surfaces)},
+                          {"depth_rms", rms(l.depth_squares, l.surfaces)},
+                          {"depth_max", l.depth_largest}});
+    }
+    return {{"pixels", e.pixels},           {"surfaces", e.surfaces},           {"coverage_error", e.coverage()},
+            {"layer_error", e.layers()},    {"normal_error", e.normals()},      {"depth_rms", e.depth_rms()},
+            {"depth_max", e.depth_largest}, {"edge_f_score", e.edge_f_score()}, {"layers", layers}};
 }
 
 }  // namespace ui

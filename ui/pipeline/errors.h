@@ -11,6 +11,16 @@
 
 namespace ui {
 
+/// Of the k-th surfaces behind the pixels.
+struct LayerErrors {
+    std::size_t pixels = 0;          ///< With a surface there in one of the two.
+    std::size_t coverage_wrong = 0;  ///< … in just one.
+    std::size_t surfaces = 0, normals_wrong = 0;
+    double depth_squares = 0, depth_largest = 0;  ///< Over the scene's diagonal.
+
+    void add(const LayerErrors& other);
+};
+
 /// Of one picture, all layers. Shares are of the pixels with something in one of the two.
 struct Errors {
     std::size_t pixels = 0;
@@ -20,6 +30,7 @@ struct Errors {
     std::size_t normals_wrong = 0;   ///< Surfaces whose normals differ by more than 1 degree.
     double depth_squares = 0;        ///< Sum, over the scene's diagonal.
     double depth_largest = 0;        ///< Over the scene's diagonal.
+    std::vector<LayerErrors> layer;  ///< One by one, from the front.
     std::size_t edges_matched = 0, edges_drawn = 0, edges_true = 0, edges_found = 0;
 
     [[nodiscard]] double coverage() const { return share(coverage_wrong, pixels); }
@@ -39,7 +50,8 @@ struct Errors {
 struct Comparison {
     Errors all;      ///< All pixels.
     Errors outside;  ///< Without the band of one pixel along the mesh's silhouettes and creases, in any layer.
-    std::vector<std::uint8_t> wrong;  ///< By pixel: 0 agrees, 1 differs inside the band, 2 differs outside it.
+    std::vector<std::uint8_t> wrong;          ///< By pixel: 0 agrees, 1 differs inside the band, 2 differs outside it.
+    std::vector<std::uint16_t> wrong_layers;  ///< By pixel: how many of its layers differ.
 };
 
 /// Of unit length.

@@ -1,0 +1,55 @@
+#include "ui/command_line/compare_options.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "ui/command_line/files.h"
+#include "ui/command_line/options.h"
+
+namespace ui {
+
+CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
+    CompareOptions o;
+    std::string camera, projection = "p";
+    CLI::App app("csgscope compare draws a model and compares all layers of the picture with a mesh.",
+                 "csgscope compare");
+    app.add_option("file", o.input, "The .scad file")->required();
+    app.add_option("--against", o.against,
+                   "cgal (the exact mesh), openscad (its tree, mesh and picture), FILE.stl, FILE.off or FILE.png");
+    app.add_option("--engine", o.engine, "goldfeather or lists-cpu (lists-cpu)")
+        ->check(CLI::IsMember({"goldfeather", "lists-cpu"}));
+    app.add_option("--views", o.views, "Views spread over the sphere, of both projections in turn (1)")
+        ->check(CLI::Range(1, 100));
+    app.add_option("--camera", camera, "One view instead: the numbers of csgscope --camera");
+    app.add_option("--projection", projection, "Of --camera: o (orthographic) or p (perspective, default)")
+        ->check(CLI::IsMember({"o", "p"}));
+    app.add_option("--imgsize", o.size, "Width and height in pixels (256)")->check(CLI::Range(16, 4096));
+    app.add_option("--report", o.report, "Folder for report.html, report.json and pictures of the differences");
+    app.add_option("--tolerance", o.tolerance, "Largest share of wrong pixels outside the band (0)")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--reference", o.reference, "A picture to compare with, as --against FILE.png");
+    app.add_option("--reference-threshold", o.reference_threshold, "Largest share of pixels that may differ (0.01)")
+        ->check(CLI::Range(0.0, 1.0));
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        write_output("-", app.help());
+        o.input.clear();
+        return o;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(fmt::format("compare: {}", error.what()));
+    }
+    if (o.against.ends_with(".png")) {
+        o.reference = o.against;
+    }
+    if (!camera.empty()) {
+        if (o.views != 1) {
+            throw UsageError("compare: --camera is one view; --views has its own");
+        }
+        o.camera = read_camera(camera);
+        o.camera->projection = projection == "o" ? gl::Projection::Orthographic : gl::Projection::Perspective;
+    }
+    return o;
+}
+
+}  // namespace ui

@@ -1,0 +1,26 @@
+// The options of csgscope compare.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/camera.h"
+
+namespace ui {
+
+struct CompareOptions {
+    std::string input;             ///< Empty: help was asked for, and printed.
+    std::string against = "cgal";  ///< Or "openscad", or a file.
+    std::string engine = "lists-cpu";
+    std::string report;                ///< Folder; empty: none.
+    std::string reference;             ///< A picture; empty: meshes are compared.
+    std::optional<gl::Camera> camera;  ///< The only view; absent: `views` of them.
+    double tolerance = 0, reference_threshold = 0.01;
+    int views = 1, size = 256;
+};
+
+/// Throws UsageError.
+[[nodiscard]] CompareOptions read_compare_options(const std::vector<std::string>& arguments);
+
+}  // namespace ui
