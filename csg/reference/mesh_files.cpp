@@ -1,22 +1,13 @@
 #include "csg/reference/mesh_files.h"
 
-#include <fmt/format.h>
-
 #include <bit>
 #include <cmath>
 #include <cstring>
 
-#include "csg/reference/zip.h"
+#include "csg/reference/mesh_text.h"
 
 namespace csg::reference {
 namespace {
-
-using Text = fmt::memory_buffer;
-
-template <typename... Args>
-void put(Text& out, fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(fmt::appender(out), format, std::forward<Args>(args)...);
-}
 
 glm::dvec3 normal_of(const Mesh& mesh, const glm::uvec3& t) {
     const glm::dvec3 n = glm::cross(mesh.points[t.y] - mesh.points[t.x], mesh.points[t.z] - mesh.points[t.x]);
@@ -67,14 +58,6 @@ std::string binary_stl(const Mesh& mesh) {
     return out;
 }
 
-std::uint32_t part_of(const MeshDocument& d, std::size_t triangle) {
-    return d.part_of.empty() ? 0 : d.part_of[triangle];
-}
-
-int byte_of(float value) {
-    return static_cast<int>(std::lround(std::min(1.0f, std::max(0.0f, value)) * 255));
-}
-
 std::string off(const MeshDocument& d) {
     Text out;
     put(out, "OFF\n{} {} 0\n", d.mesh.points.size(), d.mesh.triangles.size());
@@ -122,29 +105,6 @@ std::string obj(const MeshDocument& d) {
     return fmt::to_string(out);
 }
 
-std::string xml(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-        }
-    }
-    return out;
-}
-
 std::string amf(const MeshDocument& d) {
     Text out;
     put(out,
@@ -175,51 +135,6 @@ std::string amf(const MeshDocument& d) {
     }
     put(out, "  </mesh>\n </object>\n</amf>\n");
     return fmt::to_string(out);
-}
-
-/// 3MF core specification 1.3: a package with one model; parts are entries of a material group, triangle by triangle,
-/// so that the object stays one closed surface.
-std::string three_mf(const MeshDocument& d) {
-    Text out;
-    put(out,
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<model unit=\"millimeter\" xml:lang=\"en-US\" "
-        "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-        " <metadata name=\"Application\">csgscope</metadata>\n <resources>\n  <basematerials id=\"1\">\n");
-    for (const MeshPart& part : d.parts) {
-        const auto& c = part.rgba;
-        put(out, "   <base name=\"{}\" displaycolor=\"#{:02X}{:02X}{:02X}{:02X}\"/>\n", xml(part.name), byte_of(c[0]),
-            byte_of(c[1]), byte_of(c[2]), byte_of(c[3]));
-    }
-    put(out,
-        "  </basematerials>\n  <object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n   <mesh>\n"
-        "    <vertices>\n");
-    for (const glm::dvec3& v : d.mesh.points)
-        put(out, "     <vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", v.x + 0.0, v.y + 0.0, v.z + 0.0);
-    put(out, "    </vertices>\n    <triangles>\n");
-    for (std::size_t i = 0; i < d.mesh.triangles.size(); ++i) {
-        const glm::uvec3& t = d.mesh.triangles[i];
-        const std::uint32_t part = part_of(d, i);
-        if (part == 0)
-            put(out, "     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", t.x, t.y, t.z);
-        else
-            put(out, "     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" pid=\"1\" p1=\"{}\"/>\n", t.x, t.y, t.z, part);
-    }
-    put(out,
-        "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build><item objectid=\"2\"/></build>\n"
-        "</model>\n");
-    const std::string types =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
-        "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
-        "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>"
-        "</Types>\n";
-    const std::string relations =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-        "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-        "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
-    return zip({{"[Content_Types].xml", types}, {"_rels/.rels", relations}, {"3D/3dmodel.model", fmt::to_string(out)}});
 }
 
 std::string wrl(const MeshDocument& d) {
@@ -257,6 +172,29 @@ std::string wrl(const MeshDocument& d) {
 }
 
 }  // namespace
+
+std::string xml(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+        }
+    }
+    return out;
+}
 
 std::string encode(const MeshDocument& document, MeshFormat format) {
     switch (format) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,11 +21,23 @@ struct MeshPart {
     std::array<float, 4> rgba{0.976f, 0.843f, 0.173f, 1};  ///< sRGB, 0 to 1.
 };
 
+enum class ThreeMfColors { Model, None, Selected };
+
+struct ThreeMfOptions {
+    std::string unit = "millimeter";  ///< One of the specification's names.
+    ThreeMfColors colors = ThreeMfColors::Model;
+    std::array<float, 4> selected{0.976f, 0.843f, 0.173f, 1};  ///< The colour of all parts for Selected.
+    bool color_group = false;  ///< Colours as colours (materials extension), without the names of parts.
+    int decimals = 0;          ///< Of coordinates; 0: as many as are needed to read them back to the last bit.
+    std::map<std::string, std::string> meta_data;  ///< By the specification's names; empty texts are left out.
+};
+
 /// What is written: `part_of` gives each triangle's part (all 0 where it is empty).
 struct MeshDocument {
     const Mesh& mesh;
     std::vector<MeshPart> parts;
     std::vector<std::uint32_t> part_of;
+    ThreeMfOptions three_mf;  ///< For 3MF only.
 };
 
 /// The bytes of the file. Coordinates are written so that they are read back to the last bit (STL in single precision

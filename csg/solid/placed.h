@@ -51,6 +51,13 @@ class SolidCache {
     /// appended, with file:line.
     std::shared_ptr<const Solid> get(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
                                      std::vector<std::string>& warnings);
+    /// The whole tree as one region of the plane; null where its first object is solid or there is none. Warnings as
+    /// above.
+    std::shared_ptr<const Outline> outline(const Tree& tree, std::vector<std::string>& warnings);
+    struct Size {
+        std::size_t entries = 0, bytes = 0;  ///< Bytes of points and triangles.
+    };
+    [[nodiscard]] Size size() const;
     /// Forgets what was not asked for since the last trim.
     void trim();
 

@@ -85,6 +85,30 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
     return *entries_[tree.node(top).hash].geometry;
 }
 
+std::shared_ptr<const Outline> SolidCache::outline(const Tree& tree, std::vector<std::string>& warnings) {
+    return tree.root() == kNoNode ? nullptr : geometry(tree, tree.root(), dimensions(tree), warnings).outline;
+}
+
+SolidCache::Size SolidCache::size() const {
+    Size size;
+    std::unordered_set<const Solid*> counted;  // An entry may hold what another one does.
+    const auto count = [&](const std::shared_ptr<const Solid>& solid) {
+        if (solid && counted.insert(solid.get()).second)
+            size.bytes += solid->points.size() * sizeof(glm::dvec3) + solid->triangles.size() * sizeof(glm::uvec3);
+    };
+    for (const auto& [key, entry] : entries_) {
+        ++size.entries;
+        count(entry.solid);
+        if (!entry.geometry)
+            continue;
+        for (const Piece& piece : entry.geometry->pieces)
+            count(piece.solid);
+        if (entry.geometry->outline)
+            size.bytes += entry.geometry->outline->corners() * sizeof(glm::dvec2);
+    }
+    return size;
+}
+
 void SolidCache::trim() {
     std::erase_if(entries_, [this](const auto& entry) { return entry.second.used != generation_; });
     ++generation_;

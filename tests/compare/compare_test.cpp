@@ -1,4 +1,5 @@
 // Export and comparison, as their users run them; and what may go wrong while a file is written.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -35,6 +36,97 @@ TEST_F(Export, AllFormats) {
     EXPECT_EQ(geometry.at("simple"), true);
     EXPECT_EQ(geometry.at("bounding_box").at("size"), Json({10.0, 10.0, 10.0}));
     EXPECT_GT(geometry.at("volume"), 0.0);
+}
+
+TEST_F(Export, DrawingsOfFlatModels) {
+    folder_.write("f.scad", "difference() { square(20, center = true); circle(5, $fn = 40); }");
+    const Result result =
+        run("f.scad -o f.svg -o f.dxf -o f.pdf -O export-svg/fill-color=gold -O export-pdf/paper-size=a5 "
+            "--summary-file s.json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(folder_.read("f.svg").find("fill=\"#ffd700\""), std::string::npos);
+    EXPECT_NE(folder_.read("f.dxf").find("\nLINE\n"), std::string::npos);
+    EXPECT_NE(folder_.read("f.pdf").find("/MediaBox [0 0 419.528 595.276]"), std::string::npos);
+    const Json geometry = Json::parse(folder_.read("s.json")).at("geometry");
+    EXPECT_EQ(geometry.at("dimensions"), 2);
+    EXPECT_EQ(geometry.at("contours"), 2);
+    EXPECT_EQ(geometry.at("convex"), false);
+    EXPECT_EQ(geometry.at("bounding_box").at("size"), Json({20.0, 20.0}));
+    // What is written is the same model again.
+    for (const char* file : {"f.svg", "f.dxf"}) {
+        folder_.write("again.scad", std::string("import(\"") + file + "\");");
+        ASSERT_EQ(run("again.scad --summary area --summary-file again.json -q").status, 0);
+        EXPECT_NEAR(Json::parse(folder_.read("again.json")).at("geometry").at("area").get<double>(),
+                    geometry.at("area").get<double>(), 1e-9)
+            << file;
+    }
+}
+
+TEST_F(Export, SameBytesFromAnywhere) {
+    folder_.write("f.scad", "square(20, center = true); translate([0, 15]) text(\"a\");");
+    fs::create_directory(folder_.path("below"));
+    folder_.write("below/f.scad", folder_.read("f.scad"));
+    folder_.write("below/m.scad", folder_.read("m.scad"));
+    ASSERT_EQ(run("f.scad -o f.svg -o f.dxf -o f.pdf").status, 0);
+    ASSERT_EQ(run("m.scad -o m.stl -o m.off -o m.obj -o m.amf -o m.3mf -o m.wrl").status, 0);
+    ASSERT_EQ(run("below/f.scad -o b.svg -o b.dxf -o b.pdf").status, 0);
+    ASSERT_EQ(run("below/m.scad -o b.stl -o b.off -o b.obj -o b.amf -o b.3mf -o b.wrl").status, 0);
+    for (const std::string suffix : {"svg", "dxf", "pdf"})
+        EXPECT_EQ(folder_.read("f." + suffix), folder_.read("b." + suffix)) << suffix;
+    for (const std::string suffix : {"stl", "off", "obj", "amf", "3mf", "wrl"})
+        EXPECT_EQ(folder_.read("m." + suffix), folder_.read("b." + suffix)) << suffix;
+}
+
+TEST_F(Export, DimensionsThatDoNotFitAreRefused) {
+    folder_.write("flat.scad", "\nsquare(3);");
+    folder_.write("mixed.scad", "cube(3);\nsquare(9);");
+    const auto refused = [&](const std::string& arguments, const std::string& why) {
+        const Result result = run(arguments);
+        EXPECT_EQ(result.status, 1) << arguments;
+        EXPECT_NE(result.err.find(why), std::string::npos) << result.err;
+    };
+    refused("flat.scad -o x.stl", "flat.scad:2:1: the model is flat");
+    refused("m.scad -o x.svg", "the model is solid");
+    refused("mixed.scad -o x.stl", "mixed.scad:2:1 is flat");
+    refused("mixed.scad -o x.svg", "mixed.scad:1:1 is solid");
+    refused("m.scad -o x.stl -o x.svg", "the model is solid");
+    folder_.write("none.scad", "");
+    refused("none.scad -o x.pdf", "empty");
+    for (const char* file : {"x.stl", "x.svg", "x.pdf"})
+        EXPECT_FALSE(fs::exists(folder_.path(file))) << file;
+}
+
+TEST_F(Export, ADrawingLargerThanThePageIsAWarning) {
+    folder_.write("f.scad", "square([250, 10]);");
+    EXPECT_NE(run("f.scad -o f.pdf").err.find("larger than the page"), std::string::npos);
+    EXPECT_EQ(run("f.scad -o f.pdf -O export-pdf/orientation=auto").err, "");
+}
+
+TEST_F(Export, SummariesTellWhatIsAsked) {
+    ASSERT_EQ(run("m.scad --summary time --summary camera --summary cache --summary-file s.json -q").status, 0);
+    const Json some = Json::parse(folder_.read("s.json"));
+    EXPECT_EQ(some.size(), 3u);
+    EXPECT_GT(some.at("cache").at("geometry_cache").at("entries"), 0);
+    EXPECT_EQ(some.at("camera").at("fov"), 22.5);
+    EXPECT_EQ(some.at("time").at("hours"), 0);
+    EXPECT_EQ(some.at("time").at("total").get<int>() % 1000, some.at("time").at("milliseconds"));
+    ASSERT_EQ(run("m.scad --summary volume --summary-file s.json -q").status, 0);
+    const Json volume = Json::parse(folder_.read("s.json"));
+    EXPECT_EQ(volume.size(), 1u);
+    EXPECT_EQ(volume.at("geometry").size(), 2u);  // dimensions and volume
+    EXPECT_GT(volume.at("geometry").at("volume"), 0.0);
+    EXPECT_NE(run("m.scad --summary areas").err.find("Did you mean \"area\"?"), std::string::npos);
+}
+
+TEST_F(Export, OptionsOfFormats) {
+    EXPECT_NE(run("m.scad -o m.3mf -O export-3mf/units=inch").err.find("Did you mean \"export-3mf/unit\"?"),
+              std::string::npos);
+    EXPECT_EQ(run("m.scad -o m.3mf -O export-3mf/unit=mile").status, 1);
+    EXPECT_EQ(run("m.scad -o m.3mf -O export-3mf/decimal-precision=17").status, 1);
+    EXPECT_EQ(run("m.scad -o m.3mf -O export-3mf/unit").status, 1);
+    const Result help = run("--help-export");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_NE(help.out.find("paper-size"), std::string::npos);
 }
 
 TEST_F(Export, FormatOfStandardOutput) {
@@ -132,6 +224,25 @@ TEST_F(Export, KilledWhileKeeping) {
     EXPECT_EQ(folder_.read("a.off"), folder_.read("b.off"));
 }
 
+TEST_F(Export, ConcurrentExportsIntoOneCache) {
+    const std::string command = "cd '" + folder_.path("") +
+                                "' && for i in 1 2 3 4 5 6; do '" CSGSCOPE_PROGRAM
+                                "' m.scad -o m$i.stl --cache kept 2>>err.txt & done; wait";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    ASSERT_EQ(run("m.scad -o one.stl").status, 0);
+    for (int i = 1; i <= 6; ++i)
+        EXPECT_EQ(folder_.read(fmt::format("m{}.stl", i)), folder_.read("one.stl"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path("kept")), {}), 1);  // nothing half written beside it
+    ASSERT_EQ(run("m.scad -o b.stl --cache kept --stats b.json").status, 0);
+    EXPECT_EQ(Json::parse(folder_.read("b.json")).at("mesh").at("cached"), true);
+}
+
+TEST_F(Export, AFullDeviceIsAnError) {
+    const Result result = run("m.scad -o /dev/full --export-format stl");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("No space left"), std::string::npos) << result.err;
+}
+
 TEST_F(Export, ACacheThatCannotBeWrittenIsAWarning) {
     folder_.write("file", "");
     const Result result = run("m.scad -o a.stl --cache file/kept");
@@ -152,6 +263,36 @@ TEST_F(Export, ThePictureAgreesWithTheMesh) {
     EXPECT_EQ(page.find("http"), std::string::npos) << "the page must stand alone";
     EXPECT_TRUE(fs::exists(folder_.path("report/difference_3.png")));
     EXPECT_EQ(Json::parse(folder_.read("report/report.json")), json);
+}
+
+TEST_F(Export, LayersAreToldOneByOne) {
+    const Result result = run("compare m.scad --imgsize 64");
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json layers = Json::parse(result.out).at("all").at("layers");
+    // The ball sticks out of the faces of the cube, so its inside is seen: in and out on both sides.
+    ASSERT_GE(layers.size(), 4u);
+    EXPECT_GT(layers[0].at("pixels"), layers[3].at("pixels"));
+    EXPECT_EQ(layers[0].at("coverage_error"), 0.0);
+}
+
+TEST_F(Export, OneCameraIsOneView) {
+    ASSERT_EQ(run("compare m.scad --imgsize 64 --camera 0,0,0,0,0,0,60 --projection o").status, 0);
+    EXPECT_NE(run("compare m.scad --camera 0,0,0,0,0,0,60 --views 3").err.find("--views"), std::string::npos);
+    EXPECT_EQ(run("compare m.scad --camera 1,2").status, 1);
+}
+
+TEST_F(Export, AgainstOpenscad) {
+    if (std::system("openscad --version >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "openscad is not installed";
+    const Result result = run("compare m.scad --imgsize 64 --against openscad");
+    ASSERT_EQ(result.status, 0) << result.out << result.err;
+    const Json json = Json::parse(result.out).at("openscad");
+    EXPECT_EQ(json.at("tree_agrees"), true);
+    EXPECT_EQ(json.at("volume").at("agrees"), true);
+    EXPECT_LT(json.at("volume").at("relative_difference"), 1e-5);
+    if (!json.at("picture").is_null()) {
+        EXPECT_LT(json.at("picture").at("coverage_error"), 0.02);
+    }
 }
 
 TEST_F(Export, AnotherMeshIsFoundOut) {

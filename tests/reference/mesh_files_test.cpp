@@ -1,5 +1,6 @@
 // Mesh files: what is written is read again, and the same mesh gives the same bytes.
 #include <gtest/gtest.h>
+#include <zip.h>
 
 #include "csg/reference/mesh_files.h"
 #include "tests/reference/meshes.h"
@@ -45,9 +46,54 @@ TEST(MeshFiles, ColoursArePartsOfTheFile) {
     EXPECT_NE(amf.find("<color><r>1</r><g>0</g><b>0</b><a>1</a></color>"), std::string::npos);
     EXPECT_NE(amf.find("<color><r>0</r><g>0</g><b>1</b><a>1</a></color>"), std::string::npos);
     EXPECT_NE(amf.find("<volume materialid=\"2\">"), std::string::npos);
+    EXPECT_NE(amf.find("<metadata type=\"name\">part 1 (test.scad:1)</metadata>"), std::string::npos);
     const std::string obj = ui::encode_mesh(*model, mesh, MeshFormat::Obj);
-    EXPECT_NE(obj.find("g part_1\n"), std::string::npos);
-    EXPECT_NE(obj.find("g part_2\n"), std::string::npos);
+    EXPECT_NE(obj.find("g part_1_(test.scad:1)\n"), std::string::npos);
+    EXPECT_NE(obj.find("g part_2_(test.scad:1)\n"), std::string::npos);
+}
+
+/// The model inside a 3MF package.
+std::string model_in(const std::string& package) {
+    zip_error_t error;
+    zip_source_t* source = zip_source_buffer_create(package.data(), package.size(), 0, &error);
+    zip_t* archive = zip_open_from_source(source, ZIP_RDONLY, &error);
+    EXPECT_NE(archive, nullptr);
+    zip_file_t* file = zip_fopen(archive, "3D/3dmodel.model", 0);
+    std::string text(1 << 20, '\0');
+    text.resize(static_cast<std::size_t>(zip_fread(file, text.data(), text.size())));
+    zip_fclose(file);
+    zip_discard(archive);
+    return text;
+}
+
+TEST(MeshFiles, ThreeMfAsAsked) {
+    const auto model = meshes::model_of(kProgram);
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    const auto written = [&](const csg::reference::ThreeMfOptions& how) {
+        return model_in(ui::encode_mesh(*model, mesh, MeshFormat::ThreeMf, how));
+    };
+    const auto holds = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+    csg::reference::ThreeMfOptions how;
+    const std::string plain = written(how);
+    EXPECT_TRUE(holds(plain, "unit=\"millimeter\""));
+    EXPECT_TRUE(holds(plain, "<base name=\"part 1 (test.scad:1)\" displaycolor=\"#FF0000FF\"/>"));
+    EXPECT_TRUE(holds(plain, "pid=\"1\" p1=\"1\""));
+    how.unit = "inch";
+    how.color_group = true;
+    how.decimals = 2;
+    how.meta_data["Title"] = "a < b";
+    const std::string colors = written(how);
+    EXPECT_TRUE(holds(colors, "unit=\"inch\""));
+    EXPECT_TRUE(holds(colors, "<metadata name=\"Title\">a &lt; b</metadata>"));
+    EXPECT_TRUE(holds(colors, "<m:color color=\"#0000FFFF\"/>"));
+    EXPECT_FALSE(holds(colors, "basematerials"));
+    EXPECT_TRUE(holds(colors, "x=\"0.43\" y=\"1.41\""));  // a corner of the hole
+    how.colors = csg::reference::ThreeMfColors::None;
+    EXPECT_FALSE(holds(written(how), "pid="));
+    how.colors = csg::reference::ThreeMfColors::Selected;
+    how.selected = {0, 1, 0, 1};
+    EXPECT_FALSE(holds(written(how), "#FF0000FF"));
+    EXPECT_TRUE(holds(written(how), "#00FF00FF"));
 }
 
 TEST(MeshFiles, BrokenFilesAreRefused) {

@@ -60,11 +60,6 @@ void Progress::say(const char* stage) const {
     }
 }
 
-bool wants(const Options& options, Format format) {
-    return std::any_of(options.outputs.begin(), options.outputs.end(),
-                       [&](const Output& output) { return output.format == format; });
-}
-
 void write_outputs(const Options& options, Format format, const std::string& bytes) {
     for (const Output& output : options.outputs) {
         if (output.format == format) {
@@ -129,7 +124,7 @@ void LanguageRun::read() {
     request_.path = options_.input == "-" ? "<stdin>" : options_.input;
     request_.text = options_.input == "-" ? read_standard_input() : read_source(options_.input);
     request_.definitions = options_.definitions;
-    request_.preview = options_.preview && !wants(options_, Format::Mesh);
+    request_.preview = options_.preview && !needs_geometry(options_);  // as OpenSCAD does
     request_.check_ranges = options_.check_ranges;
     request_.trace_parameters = options_.trace_parameters;
     request_.trace_depth = static_cast<std::size_t>(options_.trace_depth);

@@ -29,8 +29,6 @@ class Progress {
     bool shown_;
 };
 
-[[nodiscard]] bool wants(const Options& options, Format format);
-
 void write_outputs(const Options& options, Format format, const std::string& bytes);
 
 class LanguageRun {

@@ -16,12 +16,14 @@ namespace {
 
 constexpr int kLargestSide = 16384;
 constexpr int kMostLayers = 65535;
+using csg::solid::DrawingFormat;
 struct NamedFormat {
     std::string_view name;
     Format format;
     MeshFormat mesh = MeshFormat::AsciiStl;
+    DrawingFormat drawing = DrawingFormat::Svg;
 };
-const std::array<NamedFormat, 13> kFormats{{{"png", Format::Png},
+const std::array<NamedFormat, 16> kFormats{{{"png", Format::Png},
                                             {"stl", Format::Mesh},
                                             {"asciistl", Format::Mesh},
                                             {"binstl", Format::Mesh, MeshFormat::BinaryStl},
@@ -30,11 +32,15 @@ const std::array<NamedFormat, 13> kFormats{{{"png", Format::Png},
                                             {"amf", Format::Mesh, MeshFormat::Amf},
                                             {"3mf", Format::Mesh, MeshFormat::ThreeMf},
                                             {"wrl", Format::Mesh, MeshFormat::Wrl},
+                                            {"svg", Format::Drawing},
+                                            {"dxf", Format::Drawing, {}, DrawingFormat::Dxf},
+                                            {"pdf", Format::Drawing, {}, DrawingFormat::Pdf},
                                             {"csg", Format::Csg},
                                             {"ast", Format::Ast},
                                             {"echo", Format::Echo},
                                             {"param", Format::Param}}};
-constexpr const char* kFormatNames = "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, csg, ast, echo and param";
+constexpr const char* kFormatNames =
+    "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, svg, dxf, pdf, csg, ast, echo and param";
 
 /// The numbers of "1,2.5,-3", `counts` of them; the decimal point does not depend on the locale.
 std::vector<double> read_numbers(std::string_view option, std::string_view text,
@@ -86,7 +92,7 @@ Output read_format(std::string_view option, const std::string& path, const std::
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const NamedFormat& known : kFormats) {
         if (name == known.name) {
-            return {path, known.format, known.mesh};
+            return {path, known.format, known.mesh, known.drawing};
         }
     }
     throw UsageError(fmt::format("{}: format \"{}\" is not supported; there are {}", option, text, kFormatNames));
@@ -110,7 +116,7 @@ Output read_output(const std::string& path, const std::string& export_format) {
     return read_format(fmt::format("-o {}", path), path, path.substr(dot + 1));
 }
 
-gl::Camera read_camera(std::string_view text) {
+gl::Camera camera_of_numbers(std::string_view text) {
     const auto n = read_numbers("--camera", text, {6, 7},
                                 "6 numbers eye_x,y,z,center_x,y,z or 7 numbers translate_x,y,z,rot_x,y,z,distance");
     if (n.size() == 6) {
@@ -131,12 +137,12 @@ gl::Camera read_camera(std::string_view text) {
 
 /// The options as texts, as CLI11 gives them.
 struct Raw {
-    std::vector<std::string> inputs, outputs, settings;
+    std::vector<std::string> inputs, outputs, settings, export_options;
     std::string export_format, camera, size, layers, samples, view, csg_limit, make, backend, render, preview, scheme;
     std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::vector<std::string> summary, features;
-    bool version = false;
+    bool version = false, help_export = false;
 };
 
 void declare(CLI::App& app, Options& o, Raw& raw) {
@@ -160,21 +166,23 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     const char* const in = "Input and output";
     app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("");
     list("-o,--o", raw.outputs,
-         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .csg, .ast, .echo or .param; - is standard output. May "
-         "be "
-         "repeated. Without it a window opens",
+         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .svg, .dxf, .pdf, .csg, .ast, .echo or .param; - is "
+         "standard output. May be repeated. Without it a window opens",
          "FILE", in);
     text("--export-format", raw.export_format,
          "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);
+    list("-O,--O", raw.export_options, "Set an option of a file format; may be repeated (--help-export)",
+         "SECTION/KEY=VALUE", in);
     text("--cache", o.cache, "Keep meshes in this folder, and take them from there", "DIR", in);
     list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
     text("-p,--p", o.parameter_file, "A file of parameter sets, as OpenSCAD's customizer writes it", "FILE", in);
     text("-P,--P", o.parameter_set, "The parameter set of that file to take", "NAME", in);
     text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
     text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
-    text("--summary-file", raw.summary_file,
-         "Write camera, bounding box and figures of the mesh as JSON; - is standard output", "FILE", in);
-    list("--summary", raw.summary, "Print all, camera, bounding-box or time", "WHAT", in);
+    text("--summary-file", raw.summary_file, "Write what --summary names (all) as JSON; - is standard output", "FILE",
+         in);
+    list("--summary", raw.summary, "Print all, cache, time, camera, geometry, bounding-box, area or volume", "WHAT",
+         in);
     app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(in);
     app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
 
@@ -210,6 +218,7 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
 
     const char* const other = "Other";
+    app.add_flag("--help-export", raw.help_export, "Print the options of file formats")->group(other);
     app.add_flag("-v,--version", raw.version, "Print the version")->group(other);
     app.add_flag("--info", o.information, "Print version and OpenGL")->group(other);
     const char* const accepted = "Accepted for OpenSCAD's sake, without effect";
@@ -286,7 +295,7 @@ void interpret(Options& o, const Raw& raw) {
                                               {"ortho", gl::Projection::Orthographic},
                                               {"orthographic", gl::Projection::Orthographic}});
     if (!raw.camera.empty()) {
-        o.camera = read_camera(raw.camera);
+        o.camera = camera_of_numbers(raw.camera);
         o.camera->projection = o.projection;
     }
     if (!raw.scheme.empty()) {
@@ -314,10 +323,27 @@ void interpret(Options& o, const Raw& raw) {
     o.summary_file = given(raw.summary_file);
     o.dependencies = given(raw.dependencies);
     o.summary = !raw.summary.empty();
+    o.summary_parts = read_summary_parts(raw.summary);
+    o.exports = read_export_options(raw.export_options);
     o.preview = raw.render.empty() || !raw.preview.empty();
 }
 
 }  // namespace
+
+bool wants(const Options& options, Format format) {
+    return std::any_of(options.outputs.begin(), options.outputs.end(),
+                       [&](const Output& output) { return output.format == format; });
+}
+
+bool needs_geometry(const Options& options) {
+    const bool told = options.summary || options.summary_file;
+    return wants(options, Format::Mesh) || wants(options, Format::Drawing) ||
+           (told && (options.summary_parts.needs_geometry() || (options.summary_parts.all && options.outputs.empty())));
+}
+
+gl::Camera read_camera(std::string_view text) {
+    return camera_of_numbers(text);
+}
 
 CommandLine read_command_line(const std::vector<std::string>& arguments) {
     CLI::App app("csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.", "csgscope");
@@ -346,6 +372,10 @@ CommandLine read_command_line(const std::vector<std::string>& arguments) {
     }
     if (raw.version) {
         line.text = "csgscope version " CSGSCOPE_VERSION "\n";
+        return line;
+    }
+    if (raw.help_export) {
+        line.text = export_options_help();
         return line;
     }
     interpret(line.options, raw);

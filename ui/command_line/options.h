@@ -10,6 +10,8 @@
 #include "gl/camera.h"
 #include "gl/context.h"
 #include "goldfeather/choice.h"
+#include "ui/command_line/export_options.h"
+#include "ui/command_line/summary_parts.h"
 #include "ui/pipeline/mesh.h"
 
 namespace ui {
@@ -20,17 +22,19 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-enum class Format { Png, Csg, Ast, Echo, Param, Mesh };
+enum class Format { Png, Csg, Ast, Echo, Param, Mesh, Drawing };
 
 struct Output {
     std::string path;  ///< "-": standard output.
     Format format = Format::Png;
-    MeshFormat mesh = MeshFormat::AsciiStl;  ///< For Format::Mesh.
+    MeshFormat mesh = MeshFormat::AsciiStl;                              ///< For Format::Mesh.
+    csg::solid::DrawingFormat drawing = csg::solid::DrawingFormat::Svg;  ///< For Format::Drawing.
 };
 
 struct Options {
     std::string input;  ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
+    ExportOptions exports;
     std::vector<std::string> definitions;  ///< name=expression
     std::string parameter_file;            ///< Parameter sets; empty: none.
     std::string parameter_set;             ///< The one to take.
@@ -60,15 +64,25 @@ struct Options {
     bool transparent_background = false;
     bool quiet = false;
     bool hard_warnings = false;
-    bool summary = false;
+    bool summary = false;  ///< Printed.
+    SummaryParts summary_parts;
     bool information = false;  ///< --info
 };
+
+/// Is there an output of these options of this format?
+[[nodiscard]] bool wants(const Options& options, Format format);
+
+/// Is there something to write or to tell that is the geometry itself, not a picture of it?
+[[nodiscard]] bool needs_geometry(const Options& options);
 
 /// What to do: run with the options, or print `text` on standard output and end well.
 struct CommandLine {
     Options options;
     std::optional<std::string> text;
 };
+
+/// The numbers of --camera, in either of OpenSCAD's notations. Throws UsageError.
+[[nodiscard]] gl::Camera read_camera(std::string_view text);
 
 /// Reads the arguments (without the program's name). Throws UsageError.
 [[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments);

@@ -1,16 +1,18 @@
 #include "ui/command_line/run.h"
 
+#include <chrono>
 #include <new>
 
 #include <fmt/format.h>
 
 #include "gl/error.h"
 #include "ui/command_line/compare.h"
+#include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/options.h"
+#include "ui/command_line/summary.h"
 #include "ui/pipeline/camera.h"
-#include "ui/pipeline/mesh_cache.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
@@ -48,12 +50,15 @@ class Run {
         if (language_.evaluation().tree == nullptr) {
             return true;  // Nothing needed to run, or an error is what the console was to show.
         }
-        if (wants(options_, Format::Mesh)) {
-            // OpenSCAD evaluates with $preview false where a mesh is wanted; so did the language.
+        if (needs_geometry(options_) || wants(options_, Format::Png) || options_.statistics || options_.summary ||
+            options_.summary_file) {
             build();
-            export_mesh();
-        } else if (wants(options_, Format::Png) || options_.statistics || options_.summary || options_.summary_file) {
-            build();
+        }
+        if (needs_geometry(options_)) {
+            language_.progress().say("Computing the geometry…");
+            geometry_ = make_geometry(options_, *model_, builder_, language_.messages());
+            language_.progress().say("");
+            write_geometry(options_, *model_, geometry_, language_.messages());
         }
         if (wants(options_, Format::Png)) {
             draw();
@@ -85,11 +90,10 @@ class Run {
 
     void build() {
         language_.progress().say("Building the model…");
-        ModelBuilder builder;
         if (!options_.preview) {
-            builder.set_flat_thickness(0x1p-10);  // --render: outlines are flat.
+            builder_.set_flat_thickness(0x1p-10);  // --render: outlines are flat.
         }
-        model_ = builder.build(language_.evaluation().tree);
+        model_ = builder_.build(language_.evaluation().tree);
         for (const std::string& warning : model_->warnings) {
             language_.messages().warn(warning);
         }
@@ -144,22 +148,6 @@ class Run {
         write_outputs(options_, Format::Png, png);
     }
 
-    void export_mesh() {
-        language_.progress().say("Computing the mesh…");
-        MeshCache cache(options_.cache);
-        mesh_ = cache.get(*model_);
-        mesh_known_ = cache.hit();
-        language_.progress().say("");
-        if (!cache.problem().empty()) {
-            language_.messages().warn(cache.problem());
-        }
-        for (const Output& output : options_.outputs) {
-            if (output.format == Format::Mesh) {
-                write_output(output.path, encode_mesh(*model_, *mesh_, output.mesh));
-            }
-        }
-    }
-
     /// What is written beside the outputs.
     void report() {
         language_.write_dependencies();
@@ -183,10 +171,12 @@ class Run {
         all["warnings"] = language_.messages().warnings();
         Json ms = {{"evaluate", language_.evaluate_ms()}};
         ms.update(model_ms);
-        if (mesh_) {
-            ms["boolean"] = mesh_->boolean_ms;
-            all["mesh"] = to_json(*mesh_);
-            all["mesh"]["cached"] = mesh_known_;
+        if (geometry_.mesh) {
+            ms["boolean"] = geometry_.mesh->boolean_ms;
+            all["mesh"] = *geometry_.figures();
+            all["mesh"]["cached"] = geometry_.mesh_known;
+        } else if (geometry_.outline) {
+            all["outline"] = *geometry_.figures();
         }
         if (!picture_json_.is_null()) {
             ms.update(picture_json_["ms"]);
@@ -197,23 +187,22 @@ class Run {
     }
 
     [[nodiscard]] Json summary() const {
-        const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
-        Json json = {{"camera", to_json(camera_)}, {"bounding_box", nullptr}};
-        if (!model_->empty()) {
-            json["bounding_box"] = {
-                {"min", array(model_->box.lo)}, {"max", array(model_->box.hi)}, {"size", array(model_->box.size())}};
-        }
-        if (mesh_) {
-            json["geometry"] = to_json(*mesh_);
-        }
-        return json;
+        SummaryFigures figures;
+        figures.camera = camera_;
+        figures.box = model_->box;
+        figures.cache = builder_.cache_size();
+        figures.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+        figures.geometry = geometry_.figures();
+        return summary_json(options_.summary_parts, figures);
     }
 
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
     Options options_;
     LanguageRun language_;
+    ModelBuilder builder_;
     std::shared_ptr<const Model> model_;
-    std::shared_ptr<const ModelMesh> mesh_;
-    bool mesh_known_ = false;  ///< From the cache.
+    Geometry geometry_;  ///< Once it was needed.
     gl::Camera camera_;
     Json picture_json_;
 };

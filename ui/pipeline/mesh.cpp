@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "ui/pipeline/stopwatch.h"
@@ -15,6 +16,7 @@ ModelMesh make_mesh(const Model& model) {
     try {
         auto found = csg::reference::make_mesh(model.scene, model.geometry);
         result.mesh = std::move(found.mesh);
+        result.facts = found.facts;
         result.method = csg::reference::name(found.method);
         result.reason = std::move(found.reason);
     } catch (const std::bad_alloc&) {
@@ -26,13 +28,27 @@ ModelMesh make_mesh(const Model& model) {
     if (result.mesh.empty()) {
         throw ModelError("the model is empty: there is no solid to export");
     }
-    result.facts = csg::reference::facts(result.mesh);
     return result;
 }
 
-std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format) {
+namespace {
+
+/// "part 2 (case.scad:14)": folders are left out, so that the bytes do not depend on where the files are.
+std::string part_name(const Model& model, std::size_t number, csg::LeafId leaf) {
+    const csg::SourceLocation& where = model.scene.leaves[leaf].where;
+    const auto& files = model.tree->files();
+    return where.known() && where.file < files.size()
+               ? fmt::format("part {} ({}:{})", number, std::filesystem::path(files[where.file]).filename().string(),
+                             where.line)
+               : fmt::format("part {}", number);
+}
+
+}  // namespace
+
+std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format,
+                        const csg::reference::ThreeMfOptions& three_mf) {
     // One part of the file for each colour, in the order of the leaves.
-    csg::reference::MeshDocument document{mesh.mesh, {}, {}};
+    csg::reference::MeshDocument document{mesh.mesh, {}, {}, three_mf};
     std::map<std::array<float, 4>, std::uint32_t> known;
     const csg::reference::MeshPart plain;
     std::vector<std::uint32_t> of_leaf(model.scene.leaves.size());
@@ -48,7 +64,8 @@ std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat fo
         const std::array<float, 4> rgba = c.given() ? std::array{c.r, c.g, c.b, c.a} : plain.rgba;
         const auto [at, added] = known.try_emplace(rgba, static_cast<std::uint32_t>(document.parts.size()));
         if (added) {
-            document.parts.push_back({fmt::format("part {}", document.parts.size() + 1), rgba});
+            document.parts.push_back(
+                {part_name(model, document.parts.size() + 1, static_cast<csg::LeafId>(leaf)), rgba});
         }
         of_leaf[leaf] = at->second;
     }
@@ -65,7 +82,10 @@ nlohmann::ordered_json to_json(const ModelMesh& mesh) {
     Json json = {{"dimensions", 3},
                  {"facets", mesh.mesh.triangles.size()},
                  {"vertices", mesh.mesh.points.size()},
+                 {"edges", mesh.mesh.triangles.size() / 2 * 3},
+                 {"triangular", true},
                  {"simple", f.manifold},
+                 {"self_intersecting", false},  // or there would be no mesh: see make_mesh
                  {"components", f.components},
                  {"genus", f.genus},
                  {"area", f.area},

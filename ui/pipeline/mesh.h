@@ -24,8 +24,10 @@ struct ModelMesh {
 /// The solid and translucent parts as one closed mesh. Throws ModelError where there is nothing, or no closed mesh.
 [[nodiscard]] ModelMesh make_mesh(const Model& model);
 
-/// The bytes of a file; parts of the file are the colours of the model.
-[[nodiscard]] std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format);
+/// The bytes of a file. Parts of the file are the colours of the model; each is named by the place in the source where
+/// the first object of that colour stands.
+[[nodiscard]] std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format,
+                                      const csg::reference::ThreeMfOptions& three_mf = {});
 
 /// For summaries, in OpenSCAD's form: {"dimensions": 3, "facets": …, "vertices": …, "simple": true, "area": …,
 /// "volume": …, "bounding_box": {"min": …, "max": …, "size": …}}.

@@ -80,4 +80,13 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     return model;
 }
 
+std::shared_ptr<const csg::solid::Outline> ModelBuilder::outline(const Model& model) {
+    std::vector<std::string> warnings;
+    auto outline = solids_.outline(*model.tree, warnings);
+    if (!outline || outline->empty()) {
+        throw ModelError("the model is empty: there is nothing to export");
+    }
+    return outline;
+}
+
 }  // namespace ui

@@ -54,6 +54,13 @@ class ModelBuilder {
     /// ended it.
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree, std::stop_token stop = {});
 
+    /// A flat model (ui/pipeline/outline.h) as one region of the plane; its warnings are those of the model. Throws
+    /// ModelError where nothing is left of it.
+    [[nodiscard]] std::shared_ptr<const csg::solid::Outline> outline(const Model& model);
+
+    /// What the meshes kept from one model to the next take.
+    [[nodiscard]] csg::solid::SolidCache::Size cache_size() const { return solids_.size(); }
+
   private:
     goldfeather::Budget budget_;
     double flat_thickness_ = 1;

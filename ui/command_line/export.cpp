@@ -1,0 +1,90 @@
+#include "ui/command_line/export.h"
+
+#include <filesystem>
+
+#include "ui/command_line/files.h"
+#include "ui/pipeline/mesh_cache.h"
+#include "ui/pipeline/outline.h"
+
+namespace ui {
+
+namespace {
+
+std::string file_name(const Options& options) {
+    return options.input == "-" ? std::string() : std::filesystem::path(options.input).filename().string();
+}
+
+std::string drawing(const Options& options, const csg::solid::Outline& outline, csg::solid::DrawingFormat format,
+                    Messages& messages) {
+    if (format == csg::solid::DrawingFormat::Svg) {
+        return encode_svg(outline, options.exports.svg);
+    }
+    if (format == csg::solid::DrawingFormat::Dxf) {
+        return encode_dxf(outline);
+    }
+    csg::solid::PdfPage page = options.exports.pdf;
+    if (!options.exports.pdf_meta_data) {
+        page.title = page.author = page.subject = page.keywords = "";
+    } else if (page.title.empty()) {
+        page.title = file_name(options);
+    }
+    if (options.exports.pdf_file_name) {
+        page.file_name = file_name(options);
+    }
+    if (beyond_page(outline, page)) {
+        messages.warn("the drawing is larger than the page; see -O export-pdf/paper-size and export-pdf/orientation");
+    }
+    return encode_pdf(outline, page);
+}
+
+}  // namespace
+
+std::optional<nlohmann::ordered_json> Geometry::figures() const {
+    if (mesh) {
+        return to_json(*mesh);
+    }
+    if (outline) {
+        return to_json(*outline);
+    }
+    return std::nullopt;
+}
+
+Geometry make_geometry(const Options& options, const Model& model, ModelBuilder& builder, Messages& messages) {
+    if (wants(options, Format::Mesh)) {
+        need_solid(model);
+    }
+    if (wants(options, Format::Drawing)) {
+        need_flat(model);
+    }
+    Geometry geometry;
+    const Extent extent = extent_of(model);
+    if (extent == Extent::Flat) {
+        geometry.outline = builder.outline(model);
+    } else if (extent == Extent::Solid) {
+        MeshCache cache(options.cache);
+        geometry.mesh = cache.get(model);
+        geometry.mesh_known = cache.hit();
+        if (!cache.problem().empty()) {
+            messages.warn(cache.problem());
+        }
+    }
+    return geometry;
+}
+
+void write_geometry(const Options& options, const Model& model, const Geometry& geometry, Messages& messages) {
+    csg::reference::ThreeMfOptions three_mf = options.exports.three_mf;
+    if (!options.exports.three_mf_meta_data) {
+        three_mf.meta_data.clear();
+    } else if (three_mf.meta_data["Title"].empty()) {
+        three_mf.meta_data["Title"] = file_name(options);
+    }
+    for (const Output& output : options.outputs) {
+        if (output.format == Format::Mesh) {
+            write_output(output.path, encode_mesh(model, *geometry.mesh, output.mesh, three_mf));
+        } else if (output.format == Format::Drawing) {
+            write_output(output.path, drawing(options, *geometry.outline, output.drawing, messages));
+        }
+    }
+}
+
+}  // namespace ui

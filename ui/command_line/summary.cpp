@@ -1,0 +1,72 @@
+#include "ui/command_line/summary.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ui/pipeline/statistics.h"
+
+namespace ui {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json time_json(double milliseconds) {
+    const long total = std::lround(milliseconds);
+    const long hours = total / 3'600'000, minutes = total / 60'000 % 60, seconds = total / 1000 % 60;
+    return {{"time", fmt::format("{}:{:02}:{:02}.{:03}", hours, minutes, seconds, total % 1000)},
+            {"total", total},
+            {"milliseconds", total % 1000},
+            {"seconds", seconds},
+            {"minutes", minutes},
+            {"hours", hours}};
+}
+
+Json box_json(const csg::Box& box) {
+    if (box.empty()) {
+        return nullptr;
+    }
+    const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
+    return {{"min", array(box.lo)}, {"max", array(box.hi)}, {"size", array(box.size())}};
+}
+
+/// The figures that were asked for.
+Json geometry_json(const SummaryParts& parts, const Json& figures) {
+    Json json = Json::object();
+    for (const auto& [key, value] : figures.items()) {
+        const bool told = key == "bounding_box" ? parts.bounding_box
+                          : key == "area"       ? parts.area
+                          : key == "volume"     ? parts.volume
+                          : key == "dimensions" ? true
+                                                : parts.geometry;
+        if (told) {
+            json[key] = value;
+        }
+    }
+    return json;
+}
+
+}  // namespace
+
+Json summary_json(const SummaryParts& parts, const SummaryFigures& figures) {
+    Json json = Json::object();
+    if (parts.cache) {
+        json["cache"]["geometry_cache"] = {{"entries", figures.cache.entries}, {"bytes", figures.cache.bytes}};
+    }
+    if (parts.time) {
+        json["time"] = time_json(figures.milliseconds);
+    }
+    if (parts.camera) {
+        json["camera"] = to_json(figures.camera);
+    }
+    if (parts.bounding_box) {
+        json["bounding_box"] = box_json(figures.box);
+    }
+    if (figures.geometry && (parts.geometry || parts.area || parts.volume)) {
+        json["geometry"] = geometry_json(parts, *figures.geometry);
+    }
+    return json;
+}
+
+}  // namespace ui

@@ -1,0 +1,26 @@
+// --summary and --summary-file, in OpenSCAD's form.
+#pragma once
+
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "csg/solid/placed.h"
+#include "csg/tree/box.h"
+#include "gl/camera.h"
+#include "ui/command_line/summary_parts.h"
+
+namespace ui {
+
+struct SummaryFigures {
+    gl::Camera camera;
+    csg::Box box;                                    ///< Encloses the model; empty where it is.
+    std::optional<nlohmann::ordered_json> geometry;  ///< to_json of the mesh or of the outline.
+    csg::solid::SolidCache::Size cache;
+    double milliseconds = 0;  ///< Wall time of the run so far.
+};
+
+/// {"cache": …, "time": …, "camera": …, "bounding_box": …, "geometry": …}, of which `parts` are told.
+[[nodiscard]] nlohmann::ordered_json summary_json(const SummaryParts& parts, const SummaryFigures& figures);
+
+}  // namespace ui
