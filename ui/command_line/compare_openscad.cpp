@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gl/context.h"
 #include "ui/pipeline/mesh.h"
 #include "ui/pipeline/renderer.h"
 
@@ -61,12 +60,11 @@ nlohmann::ordered_json compare_with_openscad(const OpenscadProcess& openscad, co
                                      {"agrees", off <= rounding_of_openscad(ours) + 1e-6 * ours.volume}}},
                                    {"picture", nullptr}};
     if (const auto picture = openscad.picture(camera, size)) {
-        const auto context = gl::create_context(gl::ContextKind::Auto);
         PictureRequest request;
         request.camera = camera;
         request.size = {picture->width, picture->height};
         request.samples = 1;
-        const gl::Image drawn = Renderer(*context).render(model, request);
+        const gl::Image drawn = Renderer().render(model, request);
         json["picture"]["coverage_error"] = static_cast<double>(pixels_that_differ_in_coverage(drawn, *picture)) /
                                             static_cast<double>(drawn.rgba.size() / 4);
     }
