@@ -1,5 +1,7 @@
 #include "goldfeather/expression_state.h"
 
+#include <algorithm>
+
 namespace goldfeather {
 
 ExpressionTree::ExpressionTree(const csg::Scene& scene)
@@ -30,6 +32,41 @@ ExpressionTree::ExpressionTree(const csg::Scene& scene)
                 child.vote = subtracted ? -1 : 1;
                 child.complement = nodes_[i].complement != subtracted;
             }
+        }
+    }
+}
+
+void ExpressionState::wait(std::uint32_t node) {
+    if (waiting_[node] == 0) {
+        waiting_[node] = 1;
+        heap_.push_back({node, counts_[node] >= tree_.node(node).need});
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+}
+
+void ExpressionState::toggle(std::span<const csg::LeafId> leaves, std::vector<csg::PartId>& changed) {
+    for (const csg::LeafId leaf : leaves) {
+        const std::uint32_t node = tree_.node_of(leaf);
+        wait(node);
+        counts_[node] ^= 1;
+    }
+    // Parents stand behind their children: when a node's turn comes, all below it have had theirs.
+    while (!heap_.empty()) {
+        std::pop_heap(heap_.begin(), heap_.end());
+        const Turned turned = heap_.back();
+        heap_.pop_back();
+        waiting_[turned.node] = 0;
+        const ExpressionTree::Node& n = tree_.node(turned.node);
+        const bool value = counts_[turned.node] >= n.need;
+        if (value == turned.before) {
+            continue;
+        }
+        if (n.parent == ExpressionTree::kNone) {
+            parts_[n.part] = value ? 1 : 0;
+            changed.push_back(n.part);
+        } else {
+            wait(n.parent);
+            counts_[n.parent] += value ? n.vote : -n.vote;
         }
     }
 }

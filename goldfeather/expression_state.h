@@ -45,7 +45,10 @@ class ExpressionTree {
 class ExpressionState {
   public:
     explicit ExpressionState(const ExpressionTree& tree)
-        : tree_(tree), counts_(tree.counts_outside()), parts_(tree.part_count(), 0) {}
+        : tree_(tree),
+          counts_(tree.counts_outside()),
+          parts_(tree.part_count(), 0),
+          waiting_(tree.counts_outside().size(), 0) {}
 
     /// Enters the leaf, or leaves it. Gives true where the value of its part has changed.
     bool toggle(csg::LeafId leaf) {
@@ -70,6 +73,11 @@ class ExpressionState {
         }
     }
 
+    /// The same for many at once; a leaf that is named twice is entered and left. Every node on the way is looked at
+    /// once, while one by one each leaf may turn all nodes above it, down a long chain. Adds the parts that have
+    /// changed.
+    void toggle(std::span<const csg::LeafId> leaves, std::vector<csg::PartId>& changed);
+
     [[nodiscard]] bool inside_leaf(csg::LeafId leaf) const { return counts_[tree_.node_of(leaf)] != 0; }
     [[nodiscard]] bool inside_part(csg::PartId part) const { return parts_[part] != 0; }
 
@@ -88,6 +96,17 @@ class ExpressionState {
     const ExpressionTree& tree_;
     std::vector<std::int32_t> counts_;
     std::vector<char> parts_;
+
+    /// A node whose count has changed, and whether it was true before.
+    struct Turned {
+        std::uint32_t node;
+        bool before;
+        bool operator<(const Turned& other) const { return node > other.node; }  ///< The first one on top of the heap.
+    };
+    void wait(std::uint32_t node);
+
+    std::vector<Turned> heap_;
+    std::vector<char> waiting_;  ///< By node: whether it is in the heap.
 };
 
 }  // namespace goldfeather

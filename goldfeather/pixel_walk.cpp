@@ -31,11 +31,15 @@ std::span<const FoundSurface> PixelWalk::walk(std::span<const Fragment> fragment
 
 void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
     known.found.clear();
-    for (std::size_t i = 0; i < fragments.size(); ++i) {
-        // Inside at the near plane is what has an odd number of surfaces behind it.
-        if (counted_from_behind_[fragments[i].leaf] != 0) {
-            state_.toggle(fragments[i].leaf);
+    // Inside at the near plane is what has an odd number of surfaces behind it.
+    switching_.clear();
+    for (const Fragment& f : fragments) {
+        if (counted_from_behind_[f.leaf] != 0) {
+            switching_.push_back(f.leaf);
         }
+    }
+    if (!switching_.empty()) {
+        toggle_switching();
     }
     const auto count = static_cast<std::uint32_t>(fragments.size());
     for (std::uint32_t first = 0; first < count && known.found.size() < max_layers_;) {
@@ -47,72 +51,109 @@ void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
         first = end;
     }
     // Back to the outside: open meshes and layers that nobody asked for leave something behind.
+    if (fragments.size() <= kOneByOne) {
+        for (const Fragment& f : fragments) {
+            if (state_.inside_leaf(f.leaf)) {
+                state_.toggle(f.leaf);
+            }
+        }
+        return;
+    }
+    switching_.clear();
     for (const Fragment& f : fragments) {
         if (state_.inside_leaf(f.leaf)) {
-            state_.toggle(f.leaf);
+            switching_.push_back(f.leaf);
+        }
+    }
+    std::sort(switching_.begin(), switching_.end());
+    switching_.erase(std::unique(switching_.begin(), switching_.end()), switching_.end());
+    toggle_switching();
+}
+
+void PixelWalk::toggle_switching() {
+    changed_.clear();
+    if (switching_.size() > kOneByOne) {
+        state_.toggle(switching_, changed_);
+        return;
+    }
+    for (const csg::LeafId leaf : switching_) {
+        if (!state_.toggle(leaf)) {
+            continue;
+        }
+        // There and back again is no change.
+        const csg::PartId part = scene_.leaves[leaf].part;
+        const auto known = std::find(changed_.begin(), changed_.end(), part);
+        if (known == changed_.end()) {
+            changed_.push_back(part);
+        } else {
+            changed_.erase(known);
         }
     }
 }
 
 void PixelWalk::event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end,
                       std::vector<FoundSurface>& found) {
-    touched_.clear();
     switching_.clear();
     for (std::uint32_t i = first; i < end; ++i) {
-        const csg::LeafId leaf = fragments[i].leaf;
-        switching_.push_back(leaf);
-        if (!state_.toggle(leaf)) {
-            continue;
-        }
-        const csg::PartId part = scene_.leaves[leaf].part;
-        if (std::none_of(touched_.begin(), touched_.end(), [&](const TouchedPart& t) { return t.part == part; })) {
-            touched_.push_back({part, !state_.inside_part(part)});
-        }
+        switching_.push_back(fragments[i].leaf);
     }
-    std::erase_if(touched_, [&](const TouchedPart& t) { return state_.inside_part(t.part) == t.before; });
-    if (touched_.empty()) {
+    toggle_switching();
+    if (changed_.empty()) {
         return;
     }
-    std::sort(switching_.begin(), switching_.end());
-    if (touched_.size() > 1) {  // Highlighted parts come first.
-        const auto plain = [&](const TouchedPart& t) { return scene_.parts[t.part].kind != csg::PartKind::Highlight; };
-        std::sort(touched_.begin(), touched_.end(), [&](const TouchedPart& a, const TouchedPart& b) {
-            return plain(a) != plain(b) ? plain(b) : a.part < b.part;
-        });
+    std::sort(switching_.begin(), switching_.end(), [&](csg::LeafId a, csg::LeafId b) {
+        const csg::PartId of_a = scene_.leaves[a].part, of_b = scene_.leaves[b].part;
+        return of_a != of_b ? of_a < of_b : a < b;
+    });
+    if (changed_.size() > 1) {  // Highlighted parts come first.
+        const auto plain = [&](csg::PartId part) { return scene_.parts[part].kind != csg::PartKind::Highlight; };
+        std::sort(changed_.begin(), changed_.end(),
+                  [&](csg::PartId a, csg::PartId b) { return plain(a) != plain(b) ? plain(b) : a < b; });
     }
-    for (const TouchedPart& t : touched_) {
+    const std::size_t begin = found.size();
+    bool leaving = false;
+    for (const csg::PartId part : changed_) {
         if (found.size() == max_layers_) {
-            return;
+            break;
         }
-        FoundSurface surface{first, end, 0, false, t.before};
-        find_leaf(surface, t.part);
-        found.push_back(surface);
+        found.push_back({first, end, 0, false, !state_.inside_part(part)});
+        if (found.back().leaving) {
+            leaving = true;
+        } else {
+            find_leaf(found.back(), part);
+        }
     }
+    if (!leaving) {
+        return;
+    }
+    // The result's side of what is left is before the event.
+    left_.clear();
+    for (std::size_t i = begin; i < found.size(); ++i) {
+        left_.push_back(changed_[i - begin]);
+    }
+    toggle_switching();
+    for (std::size_t i = begin; i < found.size(); ++i) {
+        if (found[i].leaving) {
+            find_leaf(found[i], left_[i - begin]);
+        }
+    }
+    toggle_switching();
 }
 
 void PixelWalk::find_leaf(FoundSurface& surface, csg::PartId part) {
-    const auto toggle_all = [&] {
-        for (const csg::LeafId leaf : switching_) {
-            state_.toggle(leaf);
-        }
-    };
-    if (surface.leaving) {
-        toggle_all();  // The result's side is before the event.
-    }
-    for (std::size_t i = 0; i < switching_.size();) {
-        const csg::LeafId leaf = switching_[i];
+    auto at = std::partition_point(switching_.begin(), switching_.end(),
+                                   [&](csg::LeafId leaf) { return scene_.leaves[leaf].part < part; });
+    while (at != switching_.end() && scene_.leaves[*at].part == part) {
+        const csg::LeafId leaf = *at;
         std::size_t times = 0;
-        for (; i < switching_.size() && switching_[i] == leaf; ++i) {
+        for (; at != switching_.end() && *at == leaf; ++at) {
             ++times;
         }
-        if (times % 2 == 1 && scene_.leaves[leaf].part == part && state_.responsible(leaf)) {
+        if (times % 2 == 1 && state_.responsible(leaf)) {
             surface.leaf = leaf;
             surface.reversed = !state_.inside_leaf(leaf);  // Of a product on its side, but not inside: subtracted.
-            break;
+            return;
         }
-    }
-    if (surface.leaving) {
-        toggle_all();
     }
 }
 

@@ -43,11 +43,15 @@ class PixelWalk {
         std::vector<FoundSurface> found;
     };
     static constexpr std::size_t kRemembered = 256;
+    static constexpr std::size_t kOneByOne = 16;  ///< So many leaves are entered or left one after the other.
     static constexpr std::size_t kLongest = 256;  ///< Longer sequences share one place: they would fill the memory.
 
     void evaluate(std::span<const Fragment> fragments, Known& known);
     void event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end,
                std::vector<FoundSurface>& found);
+    /// Enters or leaves those in switching_; adds to changed_ the parts that are others then.
+    void toggle_switching();
+    /// Sets leaf and orientation. The state must be that of the result's side of the event.
     void find_leaf(FoundSurface& surface, csg::PartId part);
 
     const csg::Scene& scene_;
@@ -56,12 +60,9 @@ class PixelWalk {
     ExpressionState state_;
     std::vector<std::uint32_t> key_;  ///< Of the ray at hand.
     std::vector<Known> known_;
-    std::vector<csg::LeafId> switching_;  ///< Of the event, sorted.
-    struct TouchedPart {
-        csg::PartId part;
-        bool before;
-    };
-    std::vector<TouchedPart> touched_;
+    std::vector<csg::LeafId> switching_;  ///< Of the event, sorted by part, then by leaf.
+    std::vector<csg::PartId> changed_;    ///< By the last toggle_switching.
+    std::vector<csg::PartId> left_;       ///< The event's changed parts.
 };
 
 }  // namespace goldfeather

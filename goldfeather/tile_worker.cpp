@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace goldfeather {
 
@@ -15,6 +16,13 @@ constexpr std::size_t kMostSpans = std::size_t{1} << 21;
 
 /// So many new fragments are put in by insertion.
 constexpr std::size_t kInsertion = 32;
+
+/// Of so many new fragments, that of a leaf is looked for one by one.
+constexpr std::size_t kFew = 8;
+
+/// In place of a slot: the fragment has taken another's place.
+constexpr std::uint32_t kTaken = std::numeric_limits<std::uint32_t>::max();
+constexpr csg::LeafId kNoLeaf = std::numeric_limits<csg::LeafId>::max();
 
 static_assert(TileSpans::kSide == CpuLayers::kTileSide);
 
@@ -112,18 +120,14 @@ void TileWorker::advance(int x, int at) {
     // A leaf's triangle mostly takes the place of its neighbour.
     // Field by field: a fragment copied right after its depth was stored would wait for the store.
     const double sample = static_cast<double>(x) + 0.5 - half_width_;
+    if (entering_.size() > kFew) {
+        index_entering();
+    }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < sorted_.size(); ++i) {
         Fragment from = sorted_[i];
-        if (slots_[from.slot].last < at) {
-            const auto next = std::find_if(entering_.begin(), entering_.end(),
-                                           [&](const Fragment& e) { return e.leaf == from.leaf; });
-            if (next == entering_.end()) {
-                continue;
-            }
-            from = *next;
-            *next = entering_.back();
-            entering_.pop_back();
+        if (slots_[from.slot].last < at && !take_entering(from)) {
+            continue;
         }
         Fragment& to = sorted_[kept++];
         to.depth = depth(slots_[from.slot], sample);
@@ -132,18 +136,59 @@ void TileWorker::advance(int x, int at) {
         to.slot = from.slot;
     }
     sorted_.resize(kept);
+    std::size_t entered = 0;
     for (const Fragment& f : entering_) {
-        sorted_.push_back({depth(slots_[f.slot], sample), f.leaf, f.plane, f.slot});
+        if (f.slot != kTaken) {
+            sorted_.push_back({depth(slots_[f.slot], sample), f.leaf, f.plane, f.slot});
+            ++entered;
+        }
     }
-    sort(entering_.size());
+    forget_entering();
+    sort(entered);
+}
+
+/// Few are searched one by one, many by an index.
+void TileWorker::index_entering() {
+    entering_of_.resize(job_.model.geometry.leaves.size(), 0);
+    for (std::size_t i = 0; i < entering_.size(); ++i) {
+        entering_of_[entering_[i].leaf] = static_cast<std::uint32_t>(i + 1);
+    }
+}
+
+/// Replaces `f`, whose span has ended, by one of its leaf's whose span begins, if there is any.
+bool TileWorker::take_entering(Fragment& f) {
+    if (entering_.size() > kFew) {
+        std::uint32_t& place = entering_of_[f.leaf];
+        if (place == 0) {
+            return false;
+        }
+        f = std::exchange(entering_[place - 1], {0, f.leaf, 0, kTaken});
+        place = 0;
+        return true;
+    }
+    const auto next =
+        std::find_if(entering_.begin(), entering_.end(), [&](const Fragment& e) { return e.leaf == f.leaf; });
+    if (next == entering_.end()) {
+        return false;
+    }
+    f = *next;
+    next->slot = kTaken;
+    next->leaf = kNoLeaf;
+    return true;
+}
+
+void TileWorker::forget_entering() {
+    if (entering_.size() > kFew) {
+        for (const Fragment& f : entering_) {
+            entering_of_[f.leaf] = 0;
+        }
+    }
     entering_.clear();
 }
 
+/// By insertion, since most stand where they should; where that takes too many steps, from the start.
 void TileWorker::sort(std::size_t entered) {
-    if (entered > kInsertion) {
-        std::sort(sorted_.begin(), sorted_.end(), nearer);
-        return;
-    }
+    std::size_t steps = entered > kInsertion ? 0 : 4 * sorted_.size() + kInsertion * kInsertion;
     for (std::size_t i = 1; i < sorted_.size(); ++i) {
         if (!nearer(sorted_[i], sorted_[i - 1])) {
             continue;
@@ -154,6 +199,11 @@ void TileWorker::sort(std::size_t entered) {
             sorted_[j] = sorted_[j - 1];
         }
         sorted_[j] = f;
+        if (i - j > steps) {
+            std::sort(sorted_.begin(), sorted_.end(), nearer);
+            return;
+        }
+        steps -= i - j;
     }
 }
 

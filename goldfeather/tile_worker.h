@@ -67,6 +67,9 @@ class TileWorker {
     void enter(std::uint32_t triangle, int last, int y);
     /// Makes sorted_ the fragments of the pixel at `x` in the picture, `at` from the tile's corner.
     void advance(int x, int at);
+    void index_entering();
+    [[nodiscard]] bool take_entering(Fragment& f);
+    void forget_entering();
     void sort(std::size_t entered);
     /// The pixels from x on, at most `length`, that have the order and the events of the first.
     [[nodiscard]] int same_order(int x, int length) const;
@@ -82,9 +85,10 @@ class TileWorker {
     TileSpans spans_;
     PixelWalk walk_;
     std::vector<Fragment> sorted_;
-    std::vector<Fragment> entering_;  ///< Of spans that begin in the pixel.
-    std::vector<Slot> slots_;         ///< Of the row.
-    std::vector<Target> targets_;     ///< By layer.
+    std::vector<Fragment> entering_;          ///< Of spans that begin in the pixel.
+    std::vector<std::uint32_t> entering_of_;  ///< By leaf: 1 + its place in entering_, 0 where there is none.
+    std::vector<Slot> slots_;                 ///< Of the row.
+    std::vector<Target> targets_;             ///< By layer.
     std::array<int, TileSpans::kPixels> layers_{};
     int tile_layers_ = 0;
     int most_layers_ = 0;
