@@ -23,6 +23,8 @@ void read_off(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
 void read_obj(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings);
 /// Of xml; objects one after the other.
 void read_amf(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings);
+/// The model file (xml) of a 3mf archive: what it builds, put together of its objects.
+void read_3mf_model(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings);
 /// The archive at `path`.
 void read_3mf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <zip.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -83,13 +84,22 @@ class Model3mf {
     void build(FileMesh& mesh, std::vector<std::string>& warnings) const {
         glm::dmat4 unit(1.0);
         unit[0][0] = unit[1][1] = unit[2][2] = scale_;
-        unsigned made = 0;
+        Assembly assembly{mesh, {}, 0, false, false, false};
         for (const Reference& item : items_)
-            add({item.object, unit * item.placed}, mesh, 0, made);
+            add({item.object, unit * item.placed}, assembly);
         if (bad_)
             warnings.emplace_back("3MF file has triangles whose indices are out of bounds; they are ignored");
-        if (made >= kMostObjects)
-            warnings.emplace_back("3MF file has more than 100000 components; the rest is left out");
+        if (assembly.in_itself)
+            warnings.emplace_back("3MF file has an object that is a component of itself; it is left out there");
+        if (assembly.too_deep)
+            warnings.push_back(
+                fmt::format("3MF file has components nested deeper than {}; they are left out", kDeepest));
+        if (assembly.too_many)
+            warnings.push_back(
+                fmt::format("3MF file has more than {} components, or more than {} triangles; the rest is left out",
+                            kMostObjects, kMostFaces));
+        if (assembly.made > kMostObjects)
+            warnings.push_back(fmt::format("3MF file has more than {} components; the rest is left out", kMostObjects));
     }
 
   private:
@@ -105,22 +115,39 @@ class Model3mf {
         std::vector<Reference> components;
     };
     static constexpr unsigned kMostObjects = 100'000;
-    static constexpr int kDeepest = 32;
+    static constexpr std::size_t kDeepest = 32;
+    /// What is put together from objects.
+    struct Assembly {
+        FileMesh& mesh;
+        std::vector<const Object*> within;  ///< The objects that the next one is part of, the outermost first.
+        unsigned made = 0;
+        bool in_itself = false, too_deep = false, too_many = false;
+    };
 
-    void add(const Reference& reference, FileMesh& mesh, int depth, unsigned& made) const {
+    void add(const Reference& reference, Assembly& assembly) const {
         const auto found = objects_.find(reference.object);
-        if (found == objects_.end() || depth > kDeepest || ++made > kMostObjects)
+        if (found == objects_.end())
             return;
         const Object& object = found->second;
-        if (mesh.faces.size() + object.mesh.faces.size() > kMostFaces)
+        FileMesh& mesh = assembly.mesh;
+        if (std::find(assembly.within.begin(), assembly.within.end(), &object) != assembly.within.end()) {
+            assembly.in_itself = true;
             return;
+        }
+        assembly.too_deep |= assembly.within.size() > kDeepest;
+        assembly.too_many |= assembly.made == kMostObjects || mesh.faces.size() + object.mesh.faces.size() > kMostFaces;
+        if (assembly.within.size() > kDeepest || assembly.too_many)
+            return;
+        ++assembly.made;
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
         for (const glm::dvec3& p : object.mesh.points)
             mesh.points.emplace_back(reference.placed * glm::dvec4(p, 1.0));
         for (const auto& face : object.mesh.faces)
             mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+        assembly.within.push_back(&object);
         for (const Reference& component : object.components)
-            add({component.object, reference.placed * component.placed}, mesh, depth + 1, made);
+            add({component.object, reference.placed * component.placed}, assembly);
+        assembly.within.pop_back();
     }
 
     std::map<std::string, Object> objects_;
@@ -201,15 +228,17 @@ void read_amf(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
         warnings.emplace_back("AMF file has triangles whose indices are out of bounds; they are ignored");
 }
 
-void read_3mf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings) {
-    const auto text = model_of(path, warnings);
-    if (!text)
-        return;
+void read_3mf_model(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
     Model3mf model;
     XmlEvents events;
     events.open = [&](const std::string& name, const Attributes& attributes) { model.open(name, attributes); };
-    read_xml(*text, events, warnings);
+    read_xml(text, events, warnings);
     model.build(mesh, warnings);
+}
+
+void read_3mf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings) {
+    if (const auto text = model_of(path, warnings))
+        read_3mf_model(*text, mesh, warnings);
 }
 
 }  // namespace csg::solid

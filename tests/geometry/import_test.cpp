@@ -1,5 +1,6 @@
 // Files of every format with the same solid or outline in them; and files that lie.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -87,6 +88,46 @@ TEST(Import, TheSameSolidFromEveryFormat) {
     EXPECT_NEAR(volume(read_with(read_off, off)), 1, 1e-12);
     EXPECT_NEAR(volume(read_with(read_obj, obj)), 1, 1e-12);
     EXPECT_NEAR(volume(read_with(read_amf, amf)), 1, 1e-12);
+}
+
+std::string model_3mf(const std::string& objects, const std::string& items) {
+    return "<?xml version='1.0'?><model unit='millimeter'><resources>" + objects + "</resources><build>" + items +
+           "</build></model>";
+}
+const std::string kTriangle3mf =
+    "<object id='1'><mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/>"
+    "<vertex x='0' y='1' z='0'/></vertices><triangles><triangle v1='0' v2='1' v3='2'/></triangles></mesh></object>";
+
+TEST(Import, ComponentsOfA3mfModel) {
+    const auto read = [](const std::string& text) { return read_with(read_3mf_model, text).faces.size(); };
+    const std::string two =
+        "<object id='2'><components><component objectid='1'/>"
+        "<component objectid='1' transform='1 0 0 0 1 0 0 0 1 5 0 0'/></components></object>";
+    EXPECT_EQ(read(model_3mf(kTriangle3mf + two, "<item objectid='2'/><item objectid='1'/>")), 3U);
+}
+
+TEST(Import, ComponentsWithoutEnd) {
+    const auto warning = [](const std::string& text) {
+        FileMesh mesh;
+        std::vector<std::string> warnings;
+        read_3mf_model(text, mesh, warnings);
+        return warnings.size() == 1 ? warnings[0] : std::to_string(warnings.size()) + " warnings";
+    };
+    const std::string itself =
+        "<object id='2'><components><component objectid='1'/><component objectid='2'/>"
+        "<component objectid='2'/></components></object>";
+    EXPECT_THAT(warning(model_3mf(kTriangle3mf + itself, "<item objectid='2'/>")),
+                testing::HasSubstr("a component of itself"));
+    std::string doubled = kTriangle3mf, chain = kTriangle3mf;
+    for (int i = 2; i < 60; ++i) {
+        const std::string one = "<component objectid='" + std::to_string(i - 1) + "'/>";
+        const std::string head = "<object id='" + std::to_string(i) + "'><components>";
+        chain += head + one + "</components></object>";
+        doubled += head + one + one + "</components></object>";
+    }
+    EXPECT_THAT(warning(model_3mf(chain, "<item objectid='59'/>")), testing::HasSubstr("deeper than 32"));
+    EXPECT_THAT(warning(model_3mf(doubled, "<item objectid='25'/>")),
+                testing::HasSubstr("more than 100000 components"));
 }
 
 TEST(Import, CountsAreNotBelieved) {
