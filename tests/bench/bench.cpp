@@ -7,6 +7,7 @@
 #include <iostream>
 #include <utility>
 
+#include "peel/cpu_layers.h"
 #include "tests/bench/floor.h"
 #include "tests/bench/report.h"
 #include "tests/bench/subject.h"
@@ -99,8 +100,12 @@ class Bench {
         peel::WalkStats stats;
         row.peel = median(settings_.repeat, [&] {
             stats = {};
-            (void)peeler_.peel(view, peel_model, layers, stats);
-            gl_.Finish();
+            if (peel_model.engine == goldfeather::EngineKind::ListsCpu && context_.software()) {
+                peel_lists(peel_model, view, layers, stats);
+            } else {
+                (void)peeler_.peel(view, peel_model, layers, stats);
+                gl_.Finish();
+            }
         });
         row.passes = stats.passes;
         row.found_layers = stats.layers;
@@ -116,10 +121,19 @@ class Bench {
         return row;
     }
 
+    /// As frames have it where the CPU paints them: nothing is uploaded.
+    void peel_lists(const peel::PeelModel& model, const gl::View& view, int layers, peel::WalkStats& stats) {
+        goldfeather::ListsStats lists;
+        goldfeather::peel_lists(model.lists, view, layers, 0, cpu_layers_, lists);
+        stats.passes = 1;
+        stats.layers = lists.layers;
+    }
+
     const Settings& settings_;
     const gl::Context& context_;
     const gl::Functions& gl_;
     peel::Peeler peeler_;
+    peel::CpuLayers cpu_layers_;  ///< Its memory is used again.
     Report report_;
 };
 
