@@ -11,7 +11,8 @@ namespace plot {
 
 namespace {
 
-constexpr std::array<const char*, 6> kColors{"#1f4e9e", "#c0392b", "#2e8b57", "#8e44ad", "#d68910", "#444444"};
+constexpr std::array<const char*, 8> kColors{"#1f4e9e", "#c0392b", "#2e8b57", "#8e44ad",
+                                             "#d68910", "#444444", "#17a2b8", "#e75480"};
 constexpr int kLeft = 62, kRight = 14, kTop = 30, kBottom = 46;
 
 std::string escaped(const std::string& text) {
