@@ -1,11 +1,10 @@
 #include "csg/reference/self_intersection.h"
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "csg/reference/box_pairs.h"
 
 namespace csg::reference {
 namespace {
@@ -16,8 +15,11 @@ class Triangle {
         normal_ = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double length = glm::length(normal_);
         normal_ = length > 0 ? normal_ / length : glm::dvec3(0.0);
-        for (const glm::dvec3& p : corners)
-            box_ = enclose(box_, p);
+        for (std::size_t i = 0; i < 3; ++i) {
+            box_ = enclose(box_, corners[i]);
+            if (!degenerate())
+                inward_[i] = glm::normalize(glm::cross(normal_, corners[(i + 1) % 3] - corners[i]));
+        }
     }
 
     [[nodiscard]] const Box& box() const { return box_; }
@@ -37,13 +39,9 @@ class Triangle {
     }
 
   private:
-    [[nodiscard]] glm::dvec3 inward(std::size_t edge) const {
-        return glm::normalize(glm::cross(normal_, corners_[(edge + 1) % 3] - corners_[edge]));
-    }
-
     [[nodiscard]] bool inside(const glm::dvec3& p, double tolerance) const {
         for (std::size_t i = 0; i < 3; ++i) {
-            if (glm::dot(inward(i), p - corners_[i]) <= tolerance)
+            if (glm::dot(inward_[i], p - corners_[i]) <= tolerance)
                 return false;
         }
         return true;
@@ -73,7 +71,7 @@ class Triangle {
 
     static bool apart(const Triangle& a, const Triangle& b, double tolerance) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const glm::dvec3 in = a.inward(i);
+            const glm::dvec3& in = a.inward_[i];
             if (std::all_of(b.corners_.begin(), b.corners_.end(),
                             [&](const glm::dvec3& p) { return glm::dot(in, p - a.corners_[i]) <= tolerance; }))
                 return true;
@@ -82,6 +80,7 @@ class Triangle {
     }
 
     std::array<glm::dvec3, 3> corners_;
+    std::array<glm::dvec3, 3> inward_;  ///< By edge, from corner i on: in the plane, of unit length.
     glm::dvec3 normal_;
     Box box_;
 };
@@ -93,17 +92,13 @@ std::size_t count_self_intersections(const Mesh& mesh, double tolerance) {
     triangles.reserve(mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles)
         triangles.emplace_back(std::array{mesh.points[t.x], mesh.points[t.y], mesh.points[t.z]});
-    // Pairs whose boxes meet, by a tree of segments (Zomorodian and Edelsbrunner 2000).
-    using Item = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Triangle*>;
-    std::vector<Item> items;
-    items.reserve(triangles.size());
-    for (const Triangle& t : triangles) {
-        const Box& b = t.box();
-        items.emplace_back(CGAL::Bbox_3(b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z), &t);
-    }
+    std::vector<Box> boxes;
+    boxes.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+        boxes.push_back(t.box());
     std::size_t count = 0;
-    CGAL::box_self_intersection_d(items.begin(), items.end(), [&](const Item& a, const Item& b) {
-        const Triangle &t = *a.handle(), &u = *b.handle();
+    BoxTree(boxes).pairs([&](std::uint32_t a, std::uint32_t b) {
+        const Triangle &t = triangles[a], &u = triangles[b];
         if (t.degenerate() ? !u.degenerate() && u.crosses(t, tolerance) : t.crosses(u, tolerance))
             ++count;
     });

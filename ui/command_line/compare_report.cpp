@@ -34,6 +34,11 @@ std::string picture(const gl::Image& image, const char* alt) {
                        image.height, base64(gl::encode_png(image)));
 }
 
+/// With three digits, where it is no whole number.
+std::string short_number(const nlohmann::ordered_json& value) {
+    return value.is_number_float() ? fmt::format("{:.3g}", value.get<double>()) : value.dump();
+}
+
 /// Rows of the layers, all pixels; none where a picture was compared with a picture.
 std::string layer_table(const ComparedView& view) {
     const auto layers = view.all.find("layers");
@@ -93,8 +98,9 @@ std::string report_page(const std::string& title, const std::string& summary, co
         for (const auto& [name, value] : view.all.items()) {
             const auto outside = view.outside.find(name);
             if (name != "layers") {
-                page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html(name), value.dump(),
-                                    outside == view.outside.end() || name == "edge_f_score" ? "" : outside->dump());
+                page +=
+                    fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html(name), short_number(value),
+                                outside == view.outside.end() || name == "edge_f_score" ? "" : short_number(*outside));
             }
         }
         page += layer_table(view);

@@ -1,0 +1,86 @@
+// Pairs of boxes that meet.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "csg/tree/box.h"
+
+namespace csg::reference {
+
+/// A balanced tree over boxes: halves of the boxes by the middle of the longest side, down to a handful.
+class BoxTree {
+  public:
+    /// Keeps the span, which must outlive the tree.
+    explicit BoxTree(std::span<const Box> boxes);
+
+    /// Calls `visit(i, j)` once for each pair of boxes that meet, touching ones too; the same boxes give the same
+    /// order.
+    template <typename Visit>
+    void pairs(Visit&& visit) const {
+        within({1, 0, order_.size()}, visit);
+    }
+
+  private:
+    static constexpr std::size_t kMostInLeaf = 8;
+
+    /// A node by its number (children 2 n and 2 n + 1) and its range of `order_`.
+    struct Node {
+        std::size_t number, from, to;
+        [[nodiscard]] Node left() const { return {2 * number, from, (from + to) / 2}; }
+        [[nodiscard]] Node right() const { return {2 * number + 1, (from + to) / 2, to}; }
+    };
+
+    static bool meet(const Box& a, const Box& b) {
+        return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
+               b.lo.z <= a.hi.z;
+    }
+    [[nodiscard]] bool is_leaf(const Node& node) const { return node.number >= first_leaf_; }
+    void build(const Node& node);
+
+    template <typename Visit>
+    void within(const Node& node, Visit& visit) const {
+        if (is_leaf(node)) {
+            for (std::size_t i = node.from; i < node.to; ++i)
+                one_with(order_[i], i + 1, node.to, visit);
+            return;
+        }
+        within(node.left(), visit);
+        within(node.right(), visit);
+        between(node.left(), node.right(), visit);
+    }
+
+    /// Both nodes are at the same depth.
+    template <typename Visit>
+    void between(const Node& a, const Node& b, Visit& visit) const {
+        if (!meet(bounds_[a.number], bounds_[b.number]))
+            return;
+        if (is_leaf(a)) {
+            for (std::size_t i = a.from; i < a.to; ++i) {
+                if (meet(boxes_[order_[i]], bounds_[b.number]))
+                    one_with(order_[i], b.from, b.to, visit);
+            }
+            return;
+        }
+        between(a.left(), b.left(), visit);
+        between(a.left(), b.right(), visit);
+        between(a.right(), b.left(), visit);
+        between(a.right(), b.right(), visit);
+    }
+
+    template <typename Visit>
+    void one_with(std::uint32_t box, std::size_t from, std::size_t to, Visit& visit) const {
+        for (std::size_t j = from; j < to; ++j) {
+            if (meet(boxes_[box], boxes_[order_[j]]))
+                visit(box, order_[j]);
+        }
+    }
+
+    std::span<const Box> boxes_;
+    std::vector<std::uint32_t> order_;
+    std::size_t first_leaf_ = 1;
+    std::vector<Box> bounds_;  ///< By number of node.
+};
+
+}  // namespace csg::reference
