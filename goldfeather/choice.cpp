@@ -1,5 +1,11 @@
 #include "goldfeather/choice.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
 namespace goldfeather {
 
 std::string_view name(EngineKind kind) {
@@ -10,21 +16,65 @@ std::string_view name(EngineKind kind) {
             return "lists";
         case EngineKind::ListsCpu:
             return "lists-cpu";
+        case EngineKind::Scs:
+            return "scs";
     }
     return "";
+}
+
+bool needs_products(EngineKind kind) {
+    return kind == EngineKind::Goldfeather || kind == EngineKind::Scs;
+}
+
+double estimated_depth(std::span<const csg::Box> leaf_boxes, const csg::Box& scene) {
+    const auto area = [](const csg::Box& box) {
+        const glm::dvec3 size = box.empty() ? glm::dvec3(0.0) : box.size();
+        return size.x * size.y + size.y * size.z + size.z * size.x;
+    };
+    double sum = 0;
+    for (const csg::Box& box : leaf_boxes) {
+        sum += area(box);
+    }
+    const double whole = area(scene);
+    return whole > 0 ? 2 * sum / whole : 0;
+}
+
+double estimated_cost(EngineKind kind, const EngineConditions& c) {
+    // Measured on a software renderer, where drawing the leaves once and a core's own work are in one currency. With a
+    // GPU only the numbers of passes are known; drawing is taken to cost it a thirtieth of what it costs the CPU.
+    constexpr double kCpuPerGpu = 30;
+    const double never = std::numeric_limits<double>::infinity();
+    switch (kind) {
+        case EngineKind::ListsCpu:
+            return (1.5 + 0.1 * c.depth) * (c.software_renderer ? 1 : kCpuPerGpu);
+        case EngineKind::Lists:
+            return 2 + 8 + c.depth;  // Two passes, and a walk along each list.
+        case EngineKind::Goldfeather:
+            // A pass an event and its resolve: rays differ in depth, and the deepest decides.
+            return c.over_budget ? never : (2 + 2 * c.depth) * 3;
+        case EngineKind::Scs:
+            return never;  // Not all scenes, and one layer only: never chosen.
+    }
+    return never;
 }
 
 EngineChoice choose_engine(std::optional<EngineKind> wanted, const EngineConditions& conditions) {
     if (wanted) {
         return {*wanted, "as asked for"};
     }
-    if (conditions.over_budget) {
-        return {EngineKind::ListsCpu, "a part has too many products"};
+    constexpr std::array kKinds{EngineKind::ListsCpu, EngineKind::Lists, EngineKind::Goldfeather};
+    const EngineKind least = *std::min_element(kKinds.begin(), kKinds.end(), [&](EngineKind a, EngineKind b) {
+        return estimated_cost(a, conditions) < estimated_cost(b, conditions);
+    });
+    std::string reason = conditions.software_renderer ? "OpenGL is computed by the CPU; estimated"
+                                                      : "OpenGL is computed by a GPU; estimated";
+    for (const EngineKind kind : kKinds) {
+        reason += kind == EngineKind::Goldfeather && conditions.over_budget
+                      ? fmt::format(" {}: too many products;", name(kind))
+                      : fmt::format(" {} {:.1f},", name(kind), estimated_cost(kind, conditions));
     }
-    if (conditions.software_renderer) {
-        return {EngineKind::ListsCpu, "OpenGL is computed by the CPU"};
-    }
-    return {EngineKind::Goldfeather, "OpenGL is computed by a GPU"};
+    reason.pop_back();
+    return {least, reason + " draws of all leaves"};
 }
 
 }  // namespace goldfeather

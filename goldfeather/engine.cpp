@@ -146,6 +146,7 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
     grow(gl_, stack, max_layers == kAllLayers ? 4 : max_layers);
     stats.drawn_leaves += static_cast<std::uint32_t>(screen.leaves.size());
     stats.drawn_products += static_cast<std::uint32_t>(screen.products.size());
+    stats.skipped_products += static_cast<std::uint32_t>(part.products.size() - screen.products.size());
     stats.slots = std::max(stats.slots, screen.slots);
     stack.complete = true;
     if (screen.tiles.empty())

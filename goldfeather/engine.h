@@ -20,17 +20,11 @@
 #include "gl/view_block.h"
 #include "goldfeather/layer_stack.h"
 #include "goldfeather/leaf_buffers.h"
-#include "goldfeather/products.h"
+#include "goldfeather/part_products.h"
 #include "goldfeather/screen_plan.h"
 #include "goldfeather/walk_stats.h"
 
 namespace goldfeather {
-
-/// The products of a part, with the boxes of all leaves of the scene.
-struct PartProducts {
-    std::span<const Product> products;
-    std::span<const csg::Box> leaf_boxes;  ///< World boxes by LeafId.
-};
 
 class Goldfeather {
   public:

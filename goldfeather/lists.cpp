@@ -87,6 +87,7 @@ LayerStack Lists::peel(const gl::View& view, const csg::solid::Geometry& geometr
         const csg::solid::PlacedLeaf& leaf = geometry.leaves[id];
         const LeafBuffers::Range range = leaves.ranges()[id];
         if (range.vertex_count == 0 || leaf.box.empty() || view.screen_box(leaf.box.lo, leaf.box.hi).empty()) {
+            ++stats.skipped_leaves;
             continue;
         }
         ++stats.drawn_leaves;

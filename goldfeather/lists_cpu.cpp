@@ -70,11 +70,16 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     for (csg::LeafId id = 0; id < model.geometry.leaves.size(); ++id) {
         const csg::solid::PlacedLeaf& leaf = model.geometry.leaves[id];
         if (leaf.box.empty() || view.screen_box(leaf.box.lo, leaf.box.hi).empty()) {
+            ++stats.skipped_leaves;
             continue;
         }
         ++stats.drawn_leaves;
         job.counted_from_behind[id] = leaf.solid->closed && near_plane_cuts(view, leaf.box) ? 1 : 0;
+        const std::size_t before = job.triangles.size();
         project_leaf(leaf, id, view, job.triangles);
+        // Clipping may make more of a triangle than one.
+        const std::size_t kept = std::min(job.triangles.size() - before, leaf.triangles.size());
+        stats.skipped_triangles += leaf.triangles.size() - kept;
     }
     job.bins = make_bins(job.triangles, job.size);
     const int tiles = job.bins.tiles.x * job.bins.tiles.y;

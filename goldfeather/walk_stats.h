@@ -13,11 +13,14 @@ struct WalkStats {
     std::uint64_t fragments = 0;  ///< Surfaces of leaves in pixels that the engine looked at.
     std::uint32_t drawn_leaves = 0;
     std::uint32_t drawn_products = 0;  ///< Where the engine needs a sum of products.
-    std::uint32_t slots = 0;           ///< Parity bits per pixel, where the engine keeps them.
-    std::uint32_t longest_list = 0;    ///< Most surfaces along a ray, where the engine keeps lists.
-    std::size_t memory = 0;            ///< Bytes of per-pixel state and lists at once.
-    int layers = 0;                    ///< The most layers of any pixel, as far as it was asked for.
-    std::string fallback;              ///< Why `lists-cpu` drew instead of the engine meant; empty where it did not.
+    // Leaves (in lists) and products that a picture has nothing of: outside the view, or of no product in it.
+    std::uint32_t skipped_leaves = 0, skipped_products = 0;
+    std::uint64_t skipped_triangles = 0;  ///< Of drawn leaves: they cover no sample. Known to `lists-cpu` only.
+    std::uint32_t slots = 0;              ///< Parity bits per pixel, where the engine keeps them.
+    std::uint32_t longest_list = 0;       ///< Most surfaces along a ray, where the engine keeps lists.
+    std::size_t memory = 0;               ///< Bytes of per-pixel state and lists at once.
+    int layers = 0;                       ///< The most layers of any pixel, as far as it was asked for.
+    std::string fallback;                 ///< Why `lists-cpu` drew instead of the engine meant; empty where it did not.
 };
 
 /// All layers there are.

@@ -49,6 +49,14 @@ LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, 
         auto stack = peel_lists(view, model, max_layers, stats);
         return stack ? std::move(*stack) : peel_lists_cpu(view, model, max_layers, stats);
     }
+    if (model.engine == EngineKind::Scs) {
+        for (const auto& products : model.products) {
+            stats.fallback = goldfeather::Scs::obstacle(view, model.lists.geometry, products, max_layers);
+            if (!stats.fallback.empty()) {
+                return peel_lists_cpu(view, model, max_layers, stats);
+            }
+        }
+    }
     return peel_parts(view, model, max_layers, stats);
 }
 
@@ -76,6 +84,8 @@ LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, 
     stats.bands += 1;
     stats.fragments += lists.fragments;
     stats.drawn_leaves += lists.drawn_leaves;
+    stats.skipped_leaves += lists.skipped_leaves;
+    stats.skipped_triangles += lists.skipped_triangles;
     stats.longest_list = std::max(stats.longest_list, lists.longest_list);
     stats.layers = std::max(stats.layers, lists.layers);
 
@@ -85,9 +95,14 @@ LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, 
 }
 
 LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
-    if (!engine_)
+    const bool scs = model.engine == EngineKind::Scs;
+    if (scs && !scs_)
+        scs_.emplace(gl_, memory_budget_);
+    if (!scs && !engine_)
         engine_.emplace(gl_, memory_budget_);
     const auto walk = [&](std::span<const goldfeather::Product> products) {
+        if (scs)
+            return scs_->peel(view, *model.leaves, {products, model.leaf_boxes}, model.tables, stats);
         return engine_->walk(view, *model.leaves, {products, model.leaf_boxes}, model.tables, max_layers, stats);
     };
     if (model.products.empty())

@@ -10,6 +10,7 @@
 #include "goldfeather/engine.h"
 #include "goldfeather/lists.h"
 #include "goldfeather/lists_cpu.h"
+#include "goldfeather/scs.h"
 #include "peel/layer_stack.h"
 #include "peel/layer_upload.h"
 
@@ -21,7 +22,8 @@ using goldfeather::WalkStats;
 
 /// A scene ready to be peeled from any view by one engine.
 struct PeelModel {
-    /// `products[i]` belongs to `scene.parts[i]`; only Goldfeather needs them. Scene and geometry must outlive this.
+    /// `products[i]` belongs to `scene.parts[i]`; only Goldfeather and SCS need them. Scene and geometry must outlive
+    /// this.
     PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg::solid::Geometry& geometry,
               std::vector<std::vector<goldfeather::Product>> products, EngineKind engine = EngineKind::Goldfeather);
 
@@ -37,9 +39,9 @@ struct PeelModel {
     csg::Box box;  ///< Of all leaves, world coordinates.
 };
 
-/// Peels scenes: part by part with the Goldfeather engine, merged by depth, or all at once with per-pixel lists. Where
-/// OpenGL cannot give the lists what they need, or computes them wrong, they come from the CPU, and the statistics say
-/// why.
+/// Peels scenes: part by part with Goldfeather or SCS, merged by depth, or all at once with per-pixel lists. Where
+/// OpenGL cannot give the lists what they need, or computes them wrong, or where SCS cannot draw what is asked, lists
+/// on the CPU draw, and the statistics say why.
 class Peeler {
   public:
     /// `gl` must outlive the peeler.
@@ -65,6 +67,7 @@ class Peeler {
     std::size_t memory_budget_;
     std::optional<goldfeather::Goldfeather> engine_;  ///< Made when first used: its programs take time to compile.
     std::optional<goldfeather::Lists> lists_;         ///< Likewise.
+    std::optional<goldfeather::Scs> scs_;             ///< Likewise.
     std::string lists_fault_;                         ///< Why there are no lists on this OpenGL.
     std::optional<gl::Program> merge_;                ///< Likewise.
     gl::VertexArray empty_array_;

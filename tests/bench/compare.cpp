@@ -102,7 +102,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     }
     const auto peel = [&](const std::string& name, goldfeather::EngineKind kind, int layers) {
         Compared& row = add(name);
-        const bool walk = kind == goldfeather::EngineKind::Goldfeather;
+        const bool walk = goldfeather::needs_products(kind);
         if (walk && too_much_for_passes(model)) {
             return;
         }
@@ -114,6 +114,9 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
             stack = peeler_.peel(view, peel_model, layers, stats);
             gl.Finish();
         });
+        if (!stats.fallback.empty()) {
+            return;  // Another engine has drawn.
+        }
         row.drawn = true;
         row.peak = peak_megabytes();
         const goldfeather::HostLayers host = goldfeather::read_back(gl, stack);
@@ -127,6 +130,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     peel("lists", goldfeather::EngineKind::Lists, 1);
     peel("lists all", goldfeather::EngineKind::Lists, peel::kAllLayers);
     peel("goldfeather", goldfeather::EngineKind::Goldfeather, 1);
+    peel("scs", goldfeather::EngineKind::Scs, 1);
     if (!opencsg::built()) {
         return rows;
     }

@@ -14,7 +14,8 @@ class OnOpenGl : public Engine {
         EXPECT_EQ(context_->functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
         return layers;
     }
-    bool needs_products() const override { return kind_ == peel::EngineKind::Goldfeather; }
+    int most_layers() const override { return kind_ == peel::EngineKind::Scs ? 1 : peel::kAllLayers; }
+    bool needs_products() const override { return goldfeather::needs_products(kind_); }
 
   private:
     std::unique_ptr<gl::Context> context_;
@@ -46,7 +47,9 @@ MaybeEngine make_engine(const std::string& name) {
     if (!made.context) {
         return {nullptr, made.reason};
     }
-    const auto kind = name.starts_with("lists") ? peel::EngineKind::Lists : peel::EngineKind::Goldfeather;
+    const auto kind = name.starts_with("lists") ? peel::EngineKind::Lists
+                      : name.starts_with("scs") ? peel::EngineKind::Scs
+                                                : peel::EngineKind::Goldfeather;
     return {std::make_unique<OnOpenGl>(std::move(made.context), kind), {}};
 }
 

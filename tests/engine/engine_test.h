@@ -16,12 +16,14 @@ class Engine {
     virtual ~Engine() = default;
     [[nodiscard]] virtual goldfeather::HostLayers peel(const Subject& subject, const gl::View& view,
                                                        int max_layers = peel::kAllLayers) = 0;
+    /// Layers that it finds; kAllLayers where it finds all.
+    [[nodiscard]] virtual int most_layers() const { return peel::kAllLayers; }
     /// A part over the budget of products is left out by engines that need them.
     [[nodiscard]] virtual bool needs_products() const = 0;
 };
 
-/// "goldfeather_egl", "goldfeather_osmesa", "lists_egl", "lists_osmesa" or "lists_cpu"; null and a reason where there
-/// is no OpenGL for it.
+/// "goldfeather_egl", "goldfeather_osmesa", "lists_egl", "lists_osmesa", "scs_egl" or "lists_cpu"; null and a reason
+/// where there is no OpenGL for it.
 struct MaybeEngine {
     std::unique_ptr<Engine> engine;
     std::string reason;

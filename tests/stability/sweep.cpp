@@ -58,13 +58,17 @@ class DepthErrors {
     std::size_t count_ = 0;
 };
 
-Errors compare(const Subject& subject, const Truth& truth, const HostLayers& stack) {
+/// `most_layers`: that the engine finds.
+Errors compare(const Subject& subject, const Truth& truth, const HostLayers& stack, int most_layers) {
     Errors errors;
     errors.drawn = true;
     DepthErrors depth(truth.diagonal);
     const auto& planes = subject.geometry.planes.planes();
     for (std::size_t i = 0; i < truth.rays.size(); ++i) {
-        const truth::Ray& ray = truth.rays[i];
+        truth::Ray ray = truth.rays[i];
+        if (most_layers != peel::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most_layers)) {
+            ray.surfaces.resize(static_cast<std::size_t>(most_layers));
+        }
         const int x = static_cast<int>(i) % stack.size.x, y = static_cast<int>(i) / stack.size.x;
         std::vector<goldfeather::Surface> actual;
         for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
@@ -128,7 +132,7 @@ Errors compare(const Truth& truth, const opencsg::Picture& picture) {
 
 Sweep::Sweep(const SweepOptions& options) : options_(options) {
     for (const auto& [name, made_as] : {std::pair("goldfeather", "goldfeather_egl"), std::pair("lists", "lists_egl"),
-                                        std::pair("lists-cpu", "lists_cpu")}) {
+                                        std::pair("lists-cpu", "lists_cpu"), std::pair("scs", "scs_egl")}) {
         auto made = comparison::make_engine(made_as);
         if (made.engine) {
             engines_.push_back({name, std::move(made.engine)});
@@ -174,9 +178,9 @@ void Sweep::measure(const Family& family, double level, std::vector<Measure>& me
             if (!e.engine->needs_products() || (subject.over_budget == 0 && leaves <= kMostLeavesOfTheWalk)) {
                 const double start = now_ms();
                 try {
-                    const HostLayers stack = e.engine->peel(subject, view);
+                    const HostLayers stack = e.engine->peel(subject, view, e.engine->most_layers());
                     const double spent = now_ms() - start;
-                    errors = compare(subject, truth, stack);
+                    errors = compare(subject, truth, stack, e.engine->most_layers());
                     errors.milliseconds = spent;
                 } catch (const comparison::OtherEngine&) {
                     errors = {};  // Not drawn by this one.

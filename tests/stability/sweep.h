@@ -35,7 +35,8 @@ struct SweepOptions {
     bool few_levels = false;            ///< The first, the middle and the last level only.
 };
 
-/// Draws families with every engine that can be had here: "goldfeather", "lists", "lists-cpu", and "OpenCSG" for comparison.
+/// Draws families with every engine that can be had here: "goldfeather", "lists", "lists-cpu", "scs" (the first layer,
+/// where it can draw the family), and "OpenCSG" for comparison.
 class Sweep {
   public:
     explicit Sweep(const SweepOptions& options);

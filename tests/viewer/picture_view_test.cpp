@@ -28,7 +28,7 @@ class PictureViewTest : public test_support::GlTest {
     }
 
     PictureView make(bool threaded) {
-        return {*context_, std::nullopt, threaded, [] {}};
+        return {*context_, {}, threaded, [] {}};
     }
     /// Waits for one result.
     template <typename Result>

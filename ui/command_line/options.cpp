@@ -139,7 +139,7 @@ gl::Camera camera_of_numbers(std::string_view text) {
 struct Raw {
     std::vector<std::string> inputs, outputs, settings, export_options;
     std::string export_format, camera, size, layers, samples, view, csg_limit, make, backend, render, preview, scheme;
-    std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit;
+    std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::vector<std::string> summary, features;
     bool version = false, help_export = false;
@@ -213,8 +213,9 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
 
     const char* const engine = "Engine";
-    text("--engine", raw.engine, "auto, goldfeather, lists or lists-cpu (auto)", "NAME", engine);
+    text("--engine", raw.engine, "auto, goldfeather, lists, lists-cpu or scs (auto)", "NAME", engine);
     text("--context", raw.context, "OpenGL from: auto, egl, osmesa or none (auto)", "NAME", engine);
+    text("--memory-budget", raw.memory_budget, "Per-pixel state of the engines on OpenGL at once (128)", "MIB", engine);
     text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
 
     const char* const other = "Other";
@@ -308,16 +309,22 @@ void interpret(Options& o, const Raw& raw) {
         o.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
     using goldfeather::EngineKind;
-    o.engine = read_name<std::optional<EngineKind>>("--engine", raw.engine,
-                                                    {{"auto", std::nullopt},
-                                                     {"goldfeather", EngineKind::Goldfeather},
-                                                     {"lists", EngineKind::Lists},
-                                                     {"lists-cpu", EngineKind::ListsCpu}});
+    o.engine.kind = read_name<std::optional<EngineKind>>("--engine", raw.engine,
+                                                         {{"auto", std::nullopt},
+                                                          {"goldfeather", EngineKind::Goldfeather},
+                                                          {"lists", EngineKind::Lists},
+                                                          {"lists-cpu", EngineKind::ListsCpu},
+                                                          {"scs", EngineKind::Scs}});
     o.context = read_name<std::optional<gl::ContextKind>>("--context", raw.context,
                                                           {{"auto", gl::ContextKind::Auto},
                                                            {"egl", gl::ContextKind::Egl},
                                                            {"osmesa", gl::ContextKind::Osmesa},
                                                            {"none", std::nullopt}});
+    if (!raw.memory_budget.empty()) {
+        constexpr int kMostMebibytes = 1 << 20;
+        o.engine.memory_budget =
+            static_cast<std::size_t>(read_integer("--memory-budget", raw.memory_budget, 1, kMostMebibytes)) << 20;
+    }
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);
     o.summary_file = given(raw.summary_file);

@@ -48,7 +48,7 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters.
     std::optional<int> layers;                                  ///< 0: all. Absent: what the style needs.
     int samples = 4;
-    std::optional<goldfeather::EngineKind> engine;                   ///< Absent: auto.
+    goldfeather::EngineOptions engine;
     std::optional<gl::ContextKind> context = gl::ContextKind::Auto;  ///< Absent: no OpenGL.
     std::optional<std::string> statistics;                           ///< File for JSON; "-": standard output.
     std::optional<std::string> summary_file;

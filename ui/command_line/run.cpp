@@ -133,7 +133,7 @@ class Run {
         const double context_ms = watch.lap();
         const gl::Image image = renderer.render(*model_, picture_request(camera_));
         if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
-            language_.messages().warn(fmt::format("lists-cpu has drawn instead of lists: {}", fallback));
+            language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }
         (void)watch.lap();
         const std::string png = gl::encode_png(image);

@@ -37,6 +37,10 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
                                   ++statistics_.walk.bands;
                                   statistics_.walk.fragments += stats.fragments;
                                   statistics_.walk.drawn_leaves += stats.drawn_leaves;
+                                  statistics_.walk.skipped_leaves += stats.skipped_leaves;
+                                  statistics_.walk.skipped_triangles += stats.skipped_triangles;
+                                  statistics_.walk.longest_list =
+                                      std::max(statistics_.walk.longest_list, stats.longest_list);
                                   statistics_.walk.layers = std::max(statistics_.walk.layers, stats.layers);
                                   return layers_;
                               });

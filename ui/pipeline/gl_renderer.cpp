@@ -4,15 +4,19 @@
 
 namespace ui {
 
-GlRenderer::GlRenderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine)
-    : gl_(context.functions()), software_(context.software()), wanted_(engine), peeler_(gl_), accumulator_(gl_) {}
+GlRenderer::GlRenderer(const gl::Context& context, const goldfeather::EngineOptions& engine)
+    : gl_(context.functions()),
+      software_(context.software()),
+      wanted_(engine.kind),
+      peeler_(gl_, engine.memory_budget),
+      accumulator_(gl_) {}
 
 void GlRenderer::hold(const Model& model) {
     if (model_ && generation_ == model.generation) {
         return;
     }
-    choice_ = goldfeather::choose_engine(wanted_, {software_, !model.over_budget.empty()});
-    if (choice_.engine == goldfeather::EngineKind::Goldfeather && !model.over_budget.empty()) {
+    choice_ = goldfeather::choose_engine(wanted_, engine_conditions(model, software_));
+    if (goldfeather::needs_products(choice_.engine) && !model.over_budget.empty()) {
         throw ModelError(model.over_budget);
     }
     model_.reset();  // Before the next is made: the two need not fit together.

@@ -26,8 +26,7 @@ namespace ui {
 /// for cannot draw the model.
 class GlRenderer {
   public:
-    /// `engine`: absent to let the renderer choose.
-    explicit GlRenderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine = {});
+    explicit GlRenderer(const gl::Context& context, const goldfeather::EngineOptions& engine = {});
 
     /// See Renderer.
     void draw_sample(const Model& model, const PictureRequest& request, int sample);

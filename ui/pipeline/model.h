@@ -9,6 +9,7 @@
 
 #include "csg/solid/placed.h"
 #include "csg/tree/scene.h"
+#include "goldfeather/choice.h"
 #include "goldfeather/products.h"
 #include "ui/pipeline/exact_operations.h"
 
@@ -41,6 +42,9 @@ struct Model {
 
     [[nodiscard]] bool empty() const { return box.empty(); }
 };
+
+/// What the choice of an engine goes by.
+[[nodiscard]] goldfeather::EngineConditions engine_conditions(const Model& model, bool software_renderer);
 
 /// Builds models; keeps the meshes of leaves from one to the next, so that an edit builds only what it changed.
 class ModelBuilder {

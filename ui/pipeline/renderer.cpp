@@ -8,11 +8,10 @@
 
 namespace ui {
 
-Renderer::Renderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine, Painter painter)
+Renderer::Renderer(const gl::Context& context, const goldfeather::EngineOptions& engine, Painter painter)
     : wanted_(engine), painter_(painter), context_(&context) {}
 
-Renderer::Renderer(std::optional<goldfeather::EngineKind> engine, Painter painter)
-    : wanted_(engine), painter_(painter) {}
+Renderer::Renderer(const goldfeather::EngineOptions& engine, Painter painter) : wanted_(engine), painter_(painter) {}
 
 GlRenderer& Renderer::with_opengl() {
     if (context_ == nullptr) {
@@ -27,7 +26,7 @@ GlRenderer& Renderer::with_opengl() {
 
 bool Renderer::choose_cpu(const Model& model, const npr::StyleInfo* style) {
     const bool software = context_ == nullptr || context_->software();
-    choice_ = goldfeather::choose_engine(wanted_, {software, !model.over_budget.empty()});
+    choice_ = goldfeather::choose_engine(wanted_.kind, engine_conditions(model, software));
     const bool possible =
         choice_.engine == goldfeather::EngineKind::ListsCpu && (style == nullptr || style->paint != nullptr);
     if (painter_ == Painter::Cpu && !possible) {

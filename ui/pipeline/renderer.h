@@ -23,12 +23,11 @@ enum class Painter {
 /// needs, and ModelError where the engine asked for cannot draw the model.
 class Renderer {
   public:
-    /// With a context, which must be current whenever the renderer is used, and outlive it. `engine`: absent to let the
-    /// renderer choose.
-    explicit Renderer(const gl::Context& context, std::optional<goldfeather::EngineKind> engine = {},
+    /// With a context, which must be current whenever the renderer is used, and outlive it.
+    explicit Renderer(const gl::Context& context, const goldfeather::EngineOptions& engine = {},
                       Painter painter = Painter::Auto);
     /// Without one: made when a picture is the first to need it, and current from then on in the calling thread.
-    explicit Renderer(std::optional<goldfeather::EngineKind> engine = {}, Painter painter = Painter::Auto);
+    explicit Renderer(const goldfeather::EngineOptions& engine = {}, Painter painter = Painter::Auto);
 
     /// The picture in main memory.
     [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request);
@@ -55,7 +54,7 @@ class Renderer {
     bool choose_cpu(const Model& model, const npr::StyleInfo* style);
     GlRenderer& with_opengl();
 
-    std::optional<goldfeather::EngineKind> wanted_;
+    goldfeather::EngineOptions wanted_;
     Painter painter_;
     std::unique_ptr<gl::Context> own_context_;
     const gl::Context* context_ = nullptr;

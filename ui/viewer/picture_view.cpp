@@ -9,7 +9,7 @@
 
 namespace ui {
 
-PictureView::PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine, bool threaded,
+PictureView::PictureView(const gl::Context& window, const goldfeather::EngineOptions& engine, bool threaded,
                          std::function<void()> wake)
     : gl_(window.functions()), wake_(std::move(wake)), target_(gl_) {
     if (threaded) {

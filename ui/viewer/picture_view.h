@@ -42,7 +42,7 @@ class PictureView {
   public:
     /// The window's context must be current whenever this is used, and outlive it. `threaded`: draw on a thread of its
     /// own, where that can have a context. `wake` is called from that thread when take() has something.
-    PictureView(const gl::Context& window, std::optional<goldfeather::EngineKind> engine, bool threaded,
+    PictureView(const gl::Context& window, const goldfeather::EngineOptions& engine, bool threaded,
                 std::function<void()> wake);
 
     // Each asks for something that take() gives later, maybe at once. While busy() nothing further is to be asked for.

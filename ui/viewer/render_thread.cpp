@@ -6,7 +6,7 @@
 
 namespace ui {
 
-RenderThread::RenderThread(std::optional<goldfeather::EngineKind> engine) {
+RenderThread::RenderThread(const goldfeather::EngineOptions& engine) {
     std::promise<void> ready;
     auto begun = ready.get_future();
     thread_ = std::jthread([this, engine, ready = std::move(ready)](const std::stop_token& end) mutable {

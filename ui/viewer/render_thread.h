@@ -20,7 +20,7 @@ class RenderThread {
     using Task = std::function<void(Renderer&)>;
 
     /// Waits until the thread has its context. Throws gl::Error where it can have none.
-    explicit RenderThread(std::optional<goldfeather::EngineKind> engine);
+    explicit RenderThread(const goldfeather::EngineOptions& engine);
     /// Drops the tasks that wait, and waits for the one that runs.
     ~RenderThread() = default;
     RenderThread(const RenderThread&) = delete;

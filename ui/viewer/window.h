@@ -14,8 +14,8 @@ struct WindowOptions {
     Source source;
     CameraRequest camera;
     PictureRequest picture;  ///< Style, scheme, layers and samples to begin with; camera and size are not used.
-    std::optional<goldfeather::EngineKind> engine;  ///< Absent: chosen for each model.
-    std::string frames_log;                         ///< File for one line of JSON per frame; empty: none.
+    goldfeather::EngineOptions engine;
+    std::string frames_log;  ///< File for one line of JSON per frame; empty: none.
 };
 
 /// Opens the window and returns when it is closed: the exit status 0. Throws std::runtime_error where there is no

@@ -1,0 +1,16 @@
+// What engines that need a sum of products draw.
+#pragma once
+
+#include <span>
+
+#include "goldfeather/products.h"
+
+namespace goldfeather {
+
+/// The products of a part, with the boxes of all leaves of the scene.
+struct PartProducts {
+    std::span<const Product> products;
+    std::span<const csg::Box> leaf_boxes;  ///< World boxes by LeafId.
+};
+
+}  // namespace goldfeather

@@ -1,0 +1,51 @@
+// Which engine is chosen, and why.
+#include "goldfeather/choice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using goldfeather::choose_engine;
+using goldfeather::EngineConditions;
+using goldfeather::EngineKind;
+
+TEST(Choice, TakesWhatIsAskedFor) {
+    for (const EngineKind kind : {EngineKind::Goldfeather, EngineKind::Lists, EngineKind::ListsCpu, EngineKind::Scs}) {
+        const auto choice = choose_engine(kind, {true, false, 3});
+        EXPECT_EQ(choice.engine, kind);
+        EXPECT_EQ(choice.reason, "as asked for");
+    }
+}
+
+TEST(Choice, IsTheCpuWhereThatComputesOpenGl) {
+    for (const double depth : {0.0, 1.0, 5.0, 50.0, 500.0}) {
+        for (const bool over_budget : {false, true}) {
+            EXPECT_EQ(choose_engine({}, {true, over_budget, depth}).engine, EngineKind::ListsCpu) << depth;
+        }
+    }
+}
+
+TEST(Choice, IsOnTheGpuWhereThereIsOne) {
+    EXPECT_EQ(choose_engine({}, {false, false, 0.1}).engine, EngineKind::Goldfeather);  // Hardly anything to peel.
+    EXPECT_EQ(choose_engine({}, {false, true, 0.1}).engine, EngineKind::Lists);
+    EXPECT_EQ(choose_engine({}, {false, false, 20}).engine, EngineKind::Lists);
+}
+
+TEST(Choice, GivesTheEstimates) {
+    const auto choice = choose_engine({}, {false, true, 5});
+    EXPECT_NE(choice.reason.find("GPU"), std::string::npos) << choice.reason;
+    EXPECT_NE(choice.reason.find("lists 15.0"), std::string::npos) << choice.reason;
+    EXPECT_NE(choice.reason.find("goldfeather: too many products"), std::string::npos) << choice.reason;
+    EXPECT_TRUE(std::isinf(goldfeather::estimated_cost(EngineKind::Goldfeather, {false, true, 5})));
+}
+
+TEST(Choice, DepthIsCountedByBoxes) {
+    const csg::Box scene{glm::dvec3(0.0), glm::dvec3(4.0)}, half{glm::dvec3(0.0), glm::dvec3(2.0)};
+    EXPECT_DOUBLE_EQ(goldfeather::estimated_depth(std::vector{scene}, scene), 2);
+    EXPECT_DOUBLE_EQ(goldfeather::estimated_depth(std::vector{scene, half, half, csg::Box{}}, scene), 3);
+    EXPECT_DOUBLE_EQ(goldfeather::estimated_depth({}, csg::Box{}), 0);
+}
+
+}  // namespace
