@@ -32,8 +32,8 @@ inline constexpr int kMaxNesting = 1000;
 
 /// A run of one of Program's arrays; which one, the user's comment says.
 struct Run {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
+    std::uint32_t first;
+    std::uint32_t count;
 };
 
 /// What the fields of Expr hold for each kind; fields not named hold nothing.
@@ -57,7 +57,7 @@ enum class ExprKind : std::uint8_t {
     Function,     ///< arguments: the parameters; operands: body
     // Elements of a Vector (and bodies of each other):
     ListFor,   ///< arguments: variables with their values; operands: body
-    ListForC,  ///< for (init; condition; update) body. arguments: init; update; operands: body, condition
+    ListForC,  ///< for (init; condition; update) body. arguments: init, update (update_of); operands: body, condition
     ListIf,    ///< operands: condition, then, else (or kNone)
     ListLet,   ///< arguments; operands: body (always an element kind)
     ListEach,  ///< operands: body
@@ -106,24 +106,26 @@ struct Expr {
     Operator op = Operator::None;
     Symbol name = kNoSymbol;
     std::array<ExprId, 3> operands{kNone, kNone, kNone};
-    Run list;    ///< Of Program::arguments; for Vector, of Program::elements.
-    Run update;  ///< Of Program::arguments.
-    double number = 0;
+    union {  // Hundreds of thousands of these are what a large library takes: no expression needs both.
+        double number = 0;
+        Run list;  ///< Of Program::arguments; for Vector, of Program::elements.
+    };
     SourceRange where;
 
+    Expr() {}
     [[nodiscard]] ExprId operand(std::size_t i) const { return operands[i]; }
 };
 
 struct FunctionDefinition {
     Symbol name = kNoSymbol;
-    Run parameters;  ///< Of Program::arguments.
+    Run parameters{};  ///< Of Program::arguments.
     ExprId body = kNone;
     SourceRange where;  ///< From `function` to the semicolon.
 };
 
 struct ModuleDefinition {
     Symbol name = kNoSymbol;
-    Run parameters;  ///< Of Program::arguments.
+    Run parameters{};  ///< Of Program::arguments.
     BlockId body = kNone;
     SourceRange where;
 };
@@ -142,7 +144,7 @@ struct Instantiation {
     Symbol name = kNoSymbol;
     bool is_if = false;
     Modifiers modifiers;
-    Run arguments;              ///< Of Program::arguments.
+    Run arguments{};              ///< Of Program::arguments.
     BlockId children = kNone;   ///< Never kNone after parsing; empty for `name();`.
     BlockId otherwise = kNone;  ///< Of an `if` with `else`; `else if` is a block with one instantiation.
     SourceRange where;          ///< From the name to the closing parenthesis.
@@ -152,10 +154,10 @@ struct Instantiation {
 /// first assignment, with the value and location of the last. Of functions (modules) of one name the last counts.
 /// Braces that only group (`{ a = 1; cube(); }` as a statement) open no scope and leave no trace.
 struct Block {
-    Run assignments;     ///< Of Program::assignments.
-    Run functions;       ///< Of Program::functions.
-    Run modules;         ///< Of Program::modules.
-    Run instantiations;  ///< Of Program::instantiations.
+    Run assignments{};     ///< Of Program::assignments.
+    Run functions{};       ///< Of Program::functions.
+    Run modules{};         ///< Of Program::modules.
+    Run instantiations{};  ///< Of Program::instantiations.
 };
 
 /// `use <path>`: functions and modules of another file.
@@ -180,6 +182,7 @@ struct Program {
     FlatArray<ExprId> elements;
     FlatArray<Argument> arguments;
     FlatArray<Argument> assignments;
+    std::unordered_map<ExprId, Run> updates;  ///< Of ListForC: a run of arguments.
     std::unordered_map<std::uint32_t, SourceRange> first_places;  ///< By index of assignments written more than once.
     FlatArray<FunctionDefinition> functions;
     FlatArray<ModuleDefinition> modules;
@@ -200,7 +203,8 @@ struct Program {
     [[nodiscard]] std::span<const ExprId> elements_of(const Expr& vector) const { return run(elements, vector.list); }
     [[nodiscard]] std::span<const Argument> arguments_of(const Expr& e) const { return run(arguments, e.list); }
     [[nodiscard]] std::span<const Argument> update_of(const Expr& list_for) const {
-        return run(arguments, list_for.update);
+        const auto found = updates.find(static_cast<ExprId>(&list_for - expressions.data()));
+        return found == updates.end() ? std::span<const Argument>() : run(arguments, found->second);
     }
     [[nodiscard]] std::span<const Argument> arguments_of(const Instantiation& i) const {
         return run(arguments, i.arguments);

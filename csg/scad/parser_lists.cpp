@@ -48,6 +48,7 @@ ExprId Parser::vector(const Token& open, ExprId first) {
 ExprId Parser::list_for() {
     const Token word = take();
     const Token open = expect(TokenKind::ParenOpen, "after 'for'");
+    Run update{};
     Expr e;
     e.kind = ExprKind::ListFor;
     e.list = arguments(open, true);
@@ -55,12 +56,16 @@ ExprId Parser::list_for() {
         e.kind = ExprKind::ListForC;
         e.operands[1] = expression();
         expect(TokenKind::Semicolon, "after the condition of this 'for'");
-        e.update = arguments(open);
+        update = arguments(open);
     }
     close(TokenKind::ParenClose, open, "',' or ");
     e.operands[0] = expression(Position::Element);
     e.where = from(word.where);
-    return add(e);
+    const ExprId id = add(e);
+    if (e.kind == ExprKind::ListForC) {
+        program_.updates.emplace(id, update);
+    }
+    return id;
 }
 
 ExprId Parser::list_if() {
