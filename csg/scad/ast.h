@@ -104,6 +104,7 @@ struct Argument {
 struct Expr {
     ExprKind kind = ExprKind::Undef;
     Operator op = Operator::None;
+    std::uint8_t links = 0;  ///< Of a chain (Binary, Index, Member) with what is left of it; 255 for more.
     Symbol name = kNoSymbol;
     std::array<ExprId, 3> operands{kNone, kNone, kNone};
     union {  // Hundreds of thousands of these are what a large library takes: no expression needs both.

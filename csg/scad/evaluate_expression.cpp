@@ -250,12 +250,8 @@ static bool is_link(ExprKind kind) {
 
 /// Chains (`a + b + c`, `a[0][1].x`) grow to the left without brackets. A long one is worked out in a loop.
 Value Evaluator::evaluate_chain(const Expr& e, Scope& scope) {
-    constexpr std::size_t kLong = 64;
-    std::size_t length = 0;
-    for (const Expr* x = &e; is_link(x->kind) && length < kLong; x = &p_[x->operand(0)]) {
-        ++length;
-    }
-    if (length < kLong) {
+    constexpr std::uint8_t kLong = 64;
+    if (e.links < kLong) {
         Value temporary;
         return apply(e, operand(e.operand(0), scope, temporary), scope);
     }

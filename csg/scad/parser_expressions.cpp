@@ -55,6 +55,10 @@ BinaryOperator binary_operator(TokenKind kind) {
 }  // namespace
 
 ExprId Parser::add(Expr e) {
+    if (e.kind == ExprKind::Binary || e.kind == ExprKind::Index || e.kind == ExprKind::Member) {
+        const std::uint8_t left = program_[e.operand(0)].links;
+        e.links = left < 255 ? static_cast<std::uint8_t>(left + 1) : left;
+    }
     program_.expressions.push_back(e);
     return static_cast<ExprId>(program_.expressions.size() - 1);
 }

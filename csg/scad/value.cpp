@@ -3,6 +3,7 @@
 #include "csg/scad/object.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -34,21 +35,69 @@ struct StringObject : ValueObject {
     const std::size_t length;
 };
 
+/// Rooms for short lists, which programs make and drop by the million: some are kept for the next ones, by number of
+/// elements. Not all: what a large list leaves behind lies scattered, and would scatter the next one.
+class ShortLists {
+  public:
+    static constexpr std::size_t kLongest = 4;
+    ShortLists() = default;
+    ~ShortLists() {
+        for (Room*& first : free_) {
+            while (first != nullptr) {
+                ::operator delete(std::exchange(first, first->next));
+            }
+        }
+        ended_ = true;
+    }
+    ShortLists(const ShortLists&) = delete;
+    ShortLists& operator=(const ShortLists&) = delete;
+
+    [[nodiscard]] void* take(std::size_t elements, std::size_t bytes) {
+        Room*& first = free_[elements];
+        if (first == nullptr) {
+            return ::operator new(bytes);
+        }
+        --kept_[elements];
+        return std::exchange(first, first->next);
+    }
+    void give(void* room, std::size_t elements) {
+        if (ended_ || kept_[elements] == kMost) {
+            ::operator delete(room);
+        } else {
+            ++kept_[elements];
+            free_[elements] = new (room) Room{free_[elements]};
+        }
+    }
+
+  private:
+    struct Room {
+        Room* next;
+    };
+    static constexpr std::size_t kMost = 128;
+    std::array<Room*, kLongest + 1> free_{};
+    std::array<std::size_t, kLongest + 1> kept_{};
+    bool ended_ = false;  // At the end of the thread.
+};
+
+thread_local ShortLists g_short_lists;
+
 /// The elements lie in a vector, or right behind the object.
-struct VectorObject : ValueObject {
-    explicit VectorObject(std::vector<Value> e) : ValueObject(ValueType::Vector), counted(e.size()), own(std::move(e)) {
+struct VectorObject : ListObject {
+    explicit VectorObject(std::vector<Value> e) : counted(e.size()), own(std::move(e)) {
         count_in(counted);
-        elements = own;
+        refer_to_own();
     }
     /// Room for the elements must be behind it: see `create`.
-    explicit VectorObject(std::span<Value> moved) : ValueObject(ValueType::Vector), counted(moved.size()) {
+    explicit VectorObject(std::span<Value> moved) : counted(moved.size()), behind(moved.size()) {
         count_in(counted);
-        auto* const room = reinterpret_cast<Value*>(this + 1);
-        std::uninitialized_move(moved.begin(), moved.end(), room);
-        elements = {room, moved.size()};
+        data = reinterpret_cast<Value*>(this + 1);
+        std::uninitialized_move(moved.begin(), moved.end(), data);
+        size = moved.size();
     }
     static VectorObject* create(std::span<Value> moved) {
-        void* const room = ::operator new(sizeof(VectorObject) + moved.size_bytes());
+        const std::size_t bytes = sizeof(VectorObject) + moved.size_bytes();
+        void* const room =
+            moved.size() <= ShortLists::kLongest ? g_short_lists.take(moved.size(), bytes) : ::operator new(bytes);
         try {
             return new (room) VectorObject(moved);
         } catch (...) {
@@ -57,32 +106,42 @@ struct VectorObject : ValueObject {
         }
     }
     static void remove(VectorObject* vector) {
+        const std::size_t room = vector->behind;
         vector->~VectorObject();
-        ::operator delete(vector);
+        if (room <= ShortLists::kLongest) {
+            g_short_lists.give(vector, room);
+        } else {
+            ::operator delete(vector);
+        }
     }
     void append(Value element) {
         count_in(1);
         ++counted;
         if (!owns()) {
-            own.reserve(2 * elements.size() + 1);
-            own.assign(std::make_move_iterator(elements.begin()), std::make_move_iterator(elements.end()));
-            std::destroy(elements.begin(), elements.end());
+            own.reserve(2 * size + 1);
+            own.assign(std::make_move_iterator(data), std::make_move_iterator(data + size));
+            std::destroy(data, data + size);
         }
         own.push_back(std::move(element));
-        elements = own;
+        refer_to_own();
     }
-    std::span<Value> elements;
+    [[nodiscard]] std::span<Value> elements() const { return {data, size}; }
     std::size_t counted;  // What live_elements() knows of.
 
   private:
     ~VectorObject() {
         g_live_elements -= counted;
         if (!owns()) {
-            std::destroy(elements.begin(), elements.end());
+            std::destroy(data, data + size);
         }
     }
-    [[nodiscard]] bool owns() const { return elements.data() == own.data(); }
+    [[nodiscard]] bool owns() const { return data == own.data(); }
+    void refer_to_own() {
+        data = own.data();
+        size = own.size();
+    }
     std::vector<Value> own;
+    std::size_t behind = 0;  // How many elements there is room for behind the object.
 };
 static_assert(sizeof(VectorObject) % alignof(Value) == 0);
 
@@ -170,9 +229,6 @@ Value::Value(ObjectEntries entries) : type_(ValueType::Object), object_(new Entr
 const std::string& Value::string() const {
     return static_cast<StringObject*>(object_)->text;
 }
-std::span<const Value> Value::elements() const {
-    return static_cast<VectorObject*>(object_)->elements;
-}
 const Range& Value::range() const {
     return static_cast<RangeObject*>(object_)->range;
 }
@@ -226,7 +282,7 @@ void Value::destroy(ValueType type, ValueObject* object) {
     }
     if (type == ValueType::Vector) {
         auto* const vector = static_cast<VectorObject*>(object);
-        if (std::none_of(vector->elements.begin(), vector->elements.end(),
+        if (std::none_of(vector->data, vector->data + vector->size,
                          [](const Value& e) { return e.type_ >= ValueType::Vector; })) {
             VectorObject::remove(vector);
             return;
@@ -248,7 +304,7 @@ void Value::destroy(ValueType type, ValueObject* object) {
             return;
         }
         auto* vector = static_cast<VectorObject*>(o);
-        for (Value& element : vector->elements) {
+        for (Value& element : vector->elements()) {
             if (element.type_ >= ValueType::Vector) {
                 pending.push_back(std::move(element));
             }

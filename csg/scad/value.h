@@ -35,6 +35,16 @@ struct ValueObject {
     ~ValueObject() = default;
 };
 
+/// The shared part of lists: where the elements lie. value.cpp knows the rest of it.
+struct ListObject : ValueObject {
+    ListObject() : ValueObject(ValueType::Vector) {}
+    Value* data = nullptr;
+    std::size_t size = 0;
+
+  protected:
+    ~ListObject() = default;
+};
+
 /// begin, begin + step, … up to and including end.
 struct Range {
     double begin = 0;
@@ -149,6 +159,11 @@ class Value {
     };
 };
 static_assert(sizeof(Value) == 16);
+
+inline std::span<const Value> Value::elements() const {
+    const auto* const list = static_cast<const ListObject*>(object_);
+    return {list->data, list->size};
+}
 
 /// == of the language: different types are never equal; undef equals undef. Throws ValueLimit where shared parts make
 /// the lists too large to compare.
