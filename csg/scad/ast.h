@@ -36,7 +36,7 @@ struct Run {
     std::uint32_t count;
 };
 
-/// What the fields of Expr hold for each kind; fields not named hold nothing.
+/// What the fields of Expr hold for each kind; fields not named mean nothing.
 enum class ExprKind : std::uint8_t {
     Undef,
     Boolean,      ///< number: 0 or 1

@@ -18,6 +18,35 @@ const Frame* Evaluator::outward(const Frame* frame, std::uint32_t hops) const {
     return frame;
 }
 
+/// The value of `id` where it lies, if it lies somewhere; else in `temporary`. What is seen by an expression does not
+/// change while it is worked out, so the reference holds until its end.
+/// Inline by force: it is small, called everywhere, and compilers think it large.
+[[gnu::always_inline]] inline const Value& Evaluator::operand(ExprId id, Scope& scope, Value& temporary) {
+    const Expr& e = p_[id];
+    if (e.kind == ExprKind::Number) {
+        temporary = e.number;
+        return temporary;
+    }
+    if (e.kind == ExprKind::Identifier) {
+        const VariableRef& ref = r_.variables[r_.of_expression[id]];
+        const Value* found = nullptr;
+        if (ref.place == Place::Local) {
+            found = &scope.locals[ref.slot];
+        } else if (ref.place == Place::Capture) {
+            found = &scope.closure->captures[ref.slot];
+        } else if (ref.place == Place::Block) {
+            found = &outward(scope.frame, ref.hops)->slots[ref.slot];
+        }
+        if (found != nullptr && !found->is_unset()) {
+            return *found;
+        }
+    } else if (e.kind == ExprKind::String) {
+        return text_constant(e.name);
+    }
+    temporary = evaluate(id, scope);
+    return temporary;
+}
+
 Value Evaluator::variable(const VariableRef& ref, const Scope& scope) const {
     switch (ref.place) {
         case Place::Children:
@@ -177,34 +206,6 @@ bool Evaluator::is_true(ExprId id, Scope& scope) {
     Value temporary;
     const Value& value = operand(id, scope, temporary);
     return value.is_bool() ? value.boolean() : static_cast<bool>(value);
-}
-
-/// The value of `id` where it lies, if it lies somewhere; else in `temporary`. What is seen by an expression does not
-/// change while it is worked out, so the reference holds until its end.
-const Value& Evaluator::operand(ExprId id, Scope& scope, Value& temporary) {
-    const Expr& e = p_[id];
-    if (e.kind == ExprKind::Number) {
-        temporary = e.number;
-        return temporary;
-    }
-    if (e.kind == ExprKind::Identifier) {
-        const VariableRef& ref = r_.variables[r_.of_expression[id]];
-        const Value* found = nullptr;
-        if (ref.place == Place::Local) {
-            found = &scope.locals[ref.slot];
-        } else if (ref.place == Place::Capture) {
-            found = &scope.closure->captures[ref.slot];
-        } else if (ref.place == Place::Block) {
-            found = &outward(scope.frame, ref.hops)->slots[ref.slot];
-        }
-        if (found != nullptr && !found->is_unset()) {
-            return *found;
-        }
-    } else if (e.kind == ExprKind::String) {
-        return text_constant(e.name);
-    }
-    temporary = evaluate(id, scope);
-    return temporary;
 }
 
 /// `v.x`, `v.zy`, `v.rgb`, …: up to four of one set of letters; undef else, and where an element is missing.

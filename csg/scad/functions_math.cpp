@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "csg/scad/builtin_functions.h"
+#include "csg/scad/seeded_random.h"
 #include "csg/scad/sine.h"
 
 namespace csg::scad {
@@ -189,7 +190,7 @@ Value rands(std::string_view name, std::span<const Value> a, FunctionHost& host)
         host.warn(fmt::format("rands() cannot create more than {} results", host.max_elements));
         return {};
     }
-    std::mt19937 seeded;
+    SeededRandom seeded;
     if (a.size() == 4) {
         const double seed = std::isfinite(a[3].number()) ? std::fmod(std::trunc(a[3].number()), 4294967296.0) : 0;
         seeded.seed(static_cast<std::uint32_t>(static_cast<std::int64_t>(seed)));
@@ -197,7 +198,7 @@ Value rands(std::string_view name, std::span<const Value> a, FunctionHost& host)
     std::uniform_real_distribution<double> distribution(bound[0], bound[1]);
     std::vector<Value> result(static_cast<std::size_t>(std::max(count, 0.0)));
     for (Value& value : result) {
-        value = bound[0] == bound[1] ? bound[0] : distribution(a.size() == 4 ? seeded : host.random);
+        value = bound[0] == bound[1] ? bound[0] : a.size() == 4 ? distribution(seeded) : distribution(host.random);
     }
     return result;
 }

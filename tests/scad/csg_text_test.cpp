@@ -1,4 +1,4 @@
-// The .csg text: numbers as streams print them, and text in pieces.
+// The .csg text: numbers as streams print them, and text in pieces; random numbers.
 #include "csg/scad/csg_text.h"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include <random>
 
 #include "csg/scad/number_text.h"
+#include "csg/scad/seeded_random.h"
 #include "tests/scad/evaluate_text.h"
 
 namespace {
@@ -64,6 +65,17 @@ TEST(CsgText, ComesInPiecesOfBoundedSize) {
     EXPECT_EQ(text, run.csg);
     EXPECT_NE(text.find("multmatrix([[1, 0, 0, 9999], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {\n\t\tcube("),
               std::string::npos);
+}
+
+TEST(SeededRandom, HasTheSequenceOfTheStandard) {
+    for (const std::uint32_t seed : {0U, 1U, 5489U, 4294967295U, 123456U}) {
+        std::mt19937 expected(seed);
+        csg::scad::SeededRandom random;
+        random.seed(seed);
+        for (int i = 0; i < 2000; ++i) {
+            ASSERT_EQ(random(), expected()) << seed << " at " << i;
+        }
+    }
 }
 
 }  // namespace

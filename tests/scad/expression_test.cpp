@@ -172,6 +172,9 @@ TEST(Expressions, ChildrenComeBeforeParents) {
             }
             continue;
         }
+        if (e.kind == csg::scad::ExprKind::Number || e.kind == csg::scad::ExprKind::Boolean) {
+            continue;  // What these hold lies where others have their arguments.
+        }
         for (const auto& arguments : {p.arguments_of(e), p.update_of(e)}) {
             for (const csg::scad::Argument& a : arguments) {
                 EXPECT_TRUE(a.value == csg::scad::kNone || a.value < id);
