@@ -134,6 +134,30 @@ TEST_F(Cli, StatisticsAreComplete) {
     }
 }
 
+TEST_F(Cli, StatisticsSayWhatWasLeftOut) {
+    folder_.write("far.scad", "cube(1); translate([1000, 0, 0]) cube(1); translate([0, 0, 1000]) cube(1e-6);");
+    for (const std::string engine : {"lists-cpu", "lists"}) {
+        ASSERT_EQ(
+            run("far.scad -o f.png --imgsize 32,32 --samples 1 --camera=0,0,0,20,30,0,20 --stats s.json --engine " +
+                engine)
+                .status,
+            0);
+        const auto json = nlohmann::json::parse(folder_.read("s.json"));
+        EXPECT_EQ(json.at("engine"), engine);
+        EXPECT_EQ(json.at("drawn_leaves"), 1);
+        EXPECT_EQ(json.at("skipped_leaves"), 2);
+    }
+}
+
+TEST_F(Cli, AnEngineThatCannotDrawIsReplacedAndItIsTold) {
+    const Result result = run("m.scad -o m.png --imgsize 32,32 --engine scs --layers all --stats s.json");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("scs finds one layer only"), std::string::npos) << result.err;
+    const auto json = nlohmann::json::parse(folder_.read("s.json"));
+    EXPECT_EQ(json.at("engine"), "lists-cpu");
+    EXPECT_EQ(json.at("engine_reason"), "scs finds one layer only");
+}
+
 TEST_F(Cli, SummaryAndDependencies) {
     folder_.write("part.scad", "cube([1,2,3]);\n");
     folder_.write("main.scad", "include <part.scad>\n");

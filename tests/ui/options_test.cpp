@@ -86,6 +86,19 @@ TEST(Options, LayersAndSettings) {
     EXPECT_EQ(o.settings[1], std::pair(std::string("width"), std::string("1.5")));
 }
 
+TEST(Options, EnginesByName) {
+    using goldfeather::EngineKind;
+    EXPECT_FALSE(read({"m.scad"}).engine.kind);
+    EXPECT_FALSE(read({"m.scad", "--engine", "auto"}).engine.kind);
+    for (const EngineKind kind : {EngineKind::Goldfeather, EngineKind::Lists, EngineKind::ListsCpu, EngineKind::Scs}) {
+        EXPECT_EQ(read({"m.scad", "--engine", std::string(goldfeather::name(kind))}).engine.kind, kind);
+    }
+    EXPECT_EQ(read({"m.scad"}).engine.memory_budget, std::size_t{128} << 20);
+    EXPECT_EQ(read({"m.scad", "--memory-budget", "3"}).engine.memory_budget, std::size_t{3} << 20);
+    EXPECT_NE(error({"m.scad", "--memory-budget", "0"}).find("--memory-budget"), std::string::npos);
+    EXPECT_NE(error({"m.scad", "--engine", "raytracer"}).find("--engine"), std::string::npos);
+}
+
 TEST(Options, HelpNamesEveryGroup) {
     const std::string help = read_command_line({"--help"}).text.value_or("");
     for (const char* word : {"Input and output", "Picture", "Camera", "Engine", "--style", "--imgsize", "--stats"}) {
