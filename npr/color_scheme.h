@@ -14,6 +14,8 @@ struct ColorScheme {
     glm::vec3 background_stop{1.0F};  ///< Lower end of the background's gradient; equal where it has none.
     glm::vec3 face{1.0F};             ///< opencsg-face-front: faces of added leaves.
     glm::vec3 cut{1.0F};              ///< opencsg-face-back: faces of subtracted leaves.
+    glm::vec3 face_2d{1.0F};          ///< cgal-face-2d: results in the plane, …
+    glm::vec3 edge_2d{1.0F};          ///< cgal-edge-2d: … and their outlines.
     glm::vec4 highlight{1.0F};        ///< `#`; the same in all schemes.
     glm::vec4 ghost{1.0F};            ///< `%`; the same in all schemes.
 };

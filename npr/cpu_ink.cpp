@@ -34,7 +34,9 @@ void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {
     for (int y = lo.y; y < hi.y; ++y) {
         float* row = &ink_[at(edge.layer, {0, y - box_.lo.y})];
         for (int x = lo.x; x < hi.x; ++x) {
-            const float coverage = rules.piece(glm::vec2(x, y) - edge.at, edge.across, width);
+            const glm::vec2 from_point = glm::vec2(x, y) - edge.at;
+            const float coverage = lines_.hard ? rules.hard_piece(from_point, edge.across, width)
+                                               : rules.piece(from_point, edge.across, width);
             if (coverage > 0) {
                 const int in_tile = x - box_.lo.x;
                 row[in_tile] = std::max(row[in_tile], strength * coverage);

@@ -15,6 +15,7 @@ struct LineSettings {
     float width = 1;         ///< Pixels, of the first layer's lines.
     float hidden_width = 1;  ///< Of the others'.
     float profile_strength = 1, inner_strength = 1;
+    bool hard = false;  ///< Without smoothing.
 };
 
 /// How much ink the lines of each layer leave in the pixels of one tile: what npr/lines.glsl gathers pixel by pixel is

@@ -10,7 +10,7 @@
 namespace npr {
 namespace {
 
-enum : int { kWidth, kCrease, kParts, kInner, kColor, kShade };
+enum : int { kWidth, kCrease, kParts, kInner, kColor, kShade, kLight, kSmooth };
 
 std::span<const Parameter> parameters() {
     static const std::array list{
@@ -20,6 +20,8 @@ std::span<const Parameter> parameters() {
         Parameter::number("inner", "Strength of inner edges", 0.85F, 0, 1),
         Parameter::color("edge-color", "Color of edges", {0.12F, 0.11F, 0.10F}),
         Parameter::number("shade", "Strength of surface colors", 1, 0, 1),
+        Parameter::number("light", "Strength of light on surfaces", 1, 0, 1),
+        Parameter::toggle("smooth", "Smooth lines", true),
     };
     return list;
 }
@@ -30,6 +32,8 @@ struct Settings {
     float inner_strength{};
     glm::vec3 edge_color{};
     float shade{};
+    float light_strength{};
+    bool smooth_lines{};
 };
 
 Settings settings_of(const Parameters& p) {
@@ -38,6 +42,8 @@ Settings settings_of(const Parameters& p) {
     s.inner_strength = p.number(kInner);
     s.edge_color = p.color(kColor);
     s.shade = p.number(kShade);
+    s.light_strength = p.number(kLight);
+    s.smooth_lines = p.toggle(kSmooth);
     return s;
 }
 
@@ -66,6 +72,8 @@ class Edges : public Style {
         program.set("inner_strength", s.inner_strength);
         program.set("edge_color", s.edge_color);
         program.set("shade", s.shade);
+        program.set("light_strength", s.light_strength);
+        program.set("smooth_lines", s.smooth_lines);
         pass_.draw(frame);
     }
 
@@ -78,7 +86,7 @@ using namespace glm;  // As shader files do.
 
 struct EdgesPixels : LinedFrame, Settings {
     EdgesPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, {s.width, s.width, 1, s.inner_strength}), Settings(s) {}
+        : LinedFrame(frame, edges, {s.width, s.width, 1, s.inner_strength, !s.smooth_lines}), Settings(s) {}
 #include "npr/edges.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {

@@ -6,7 +6,9 @@
 uniform float width;
 uniform float inner_strength;
 uniform vec3 edge_color;
-uniform float shade;  // 0: paper, 1: surface colors
+uniform float shade;           // 0: paper, 1: surface colors
+uniform float light_strength;  // 0: as they are, 1: lit
+uniform bool smooth_lines;
 out vec4 result;
 
 // Of the pixel: layers with edges so near that their lines may cover it.
@@ -17,7 +19,7 @@ bool line_near(int layer) {
 }
 
 float line_ink(int layer) {
-    Edge edge = edge_at(floor(gl_FragCoord.xy), layer, width);
+    Edge edge = edge_at(floor(gl_FragCoord.xy), layer, width, !smooth_lines);
     return max(edge.profile, inner_strength * edge.inner);
 }
 

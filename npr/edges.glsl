@@ -8,7 +8,7 @@ vec4 edges(ivec2 pixel) {
     for (int i = 0; i < layer_count && through > 0.0f && hit; ++i) {
         Surface s = layer_surface(pixel, i, ray);
         hit = s.hit;
-        vec4 c = hit ? surface_color(s) : vec4(0.0f);
+        vec4 c = hit ? mix(seen_color(s), surface_color(s), light_strength) : vec4(0.0f);
         c = vec4(mix(vec3(1.0f), vec3(c), shade), c.a);
         if (line_near(i) && !(hit && c.a == 0.0f))
             c = with_line(c, edge_color, line_ink(i));

@@ -7,6 +7,13 @@ float piece(vec2 from_point, vec2 across, float width) {
     return clamp(0.5f * width + 0.5f - length(vec2(beside, beyond)), 0.0f, 1.0f);
 }
 
+// The same without smoothing, 1 or 0, as OpenGL draws lines: `width` is counted along rows or columns, whichever cross
+// the line more nearly.
+float hard_piece(vec2 from_point, vec2 across, float width) {
+    bool beside = abs(dot(from_point, across)) < 0.5f * width * max(abs(across.x), abs(across.y));
+    return beside && abs(dot(from_point, vec2(-across.y, across.x))) <= 0.75f ? 1.0f : 0.0f;
+}
+
 // A color with a line over it, of which there is so much ink (0 to 1). Straight alpha.
 vec4 with_line(vec4 c, vec3 line_color, float ink) {
     float alpha = mix(c.a, 1.0f, ink);

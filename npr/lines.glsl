@@ -31,17 +31,19 @@ uint layers_near(vec2 at, float width) {
     return (marks | marks >> kEdgeLayers) & 0xffffu;
 }
 
-void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, float width) {
+void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, float width, bool hard) {
     EdgePoint e = unpack_edge(bits);
-    float coverage = e.strength * piece(at - vec2(lower) - e.at * along, e.across, width);
+    vec2 from_point = at - vec2(lower) - e.at * along;
+    float coverage = hard ? step(0.5, e.strength) * hard_piece(from_point, e.across, width)
+                          : e.strength * piece(from_point, e.across, width);
     if (e.kind == kProfileEdge)
         edge.profile = max(edge.profile, coverage);
     else
         edge.inner = max(edge.inner, coverage);
 }
 
-// Lines of one layer, `width` pixels wide, about its edges.
-Edge edge_at(vec2 at, int layer, float width) {
+// Lines of one layer, `width` pixels wide, about its edges; smooth ones, or `hard` ones.
+Edge edge_at(vec2 at, int layer, float width, bool hard) {
     ivec4 links = links_near(at, width);
     uint right = edge_mark(layer, 0), up = edge_mark(layer, 1);
     Edge edge = Edge(0.0, 0.0);
@@ -51,10 +53,10 @@ Edge edge_at(vec2 at, int layer, float width) {
             uint marks = texelFetch(edge_marks, p, 0).x;
             if ((marks & right) != 0u)
                 add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 0)), 0).x, at, p, vec2(1.0, 0.0),
-                          width);
+                          width, hard);
             if ((marks & up) != 0u)
                 add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 1)), 0).x, at, p, vec2(0.0, 1.0),
-                          width);
+                          width, hard);
         }
     return edge;
 }
@@ -102,7 +104,7 @@ Edge overshoot_at(vec2 at, float width) {
             for (int axis = 0; axis < 2; ++axis) {
                 uint bits = texelFetch(overshoot_points, ivec3(x, y, axis), 0).x;
                 if (bits != 0u)
-                    add_piece(edge, bits, at, ivec2(x, y), vec2(1 - axis, axis), width);
+                    add_piece(edge, bits, at, ivec2(x, y), vec2(1 - axis, axis), width, false);
             }
     return edge;
 }

@@ -119,14 +119,15 @@ Axes about(const glm::dvec3& axis, double degrees) {
     return axes;
 }
 
-/// Angles about x, then y, then z. False where something is no finite number, or there are more than three.
+/// Angles about x, then y, then z. False where something is no finite number, or there are more than three. Numbers
+/// that are not finite give a matrix that is not, which leaves the object out, as in OpenSCAD.
 bool rotate_about_axes(std::span<const Value> angles, Axes& axes) {
     bool good = angles.size() <= 3;
     std::array<double, 3> degrees{};
     for (std::size_t i = 0; i < std::min<std::size_t>(angles.size(), 3); ++i) {
         const bool usable = angles[i].is_number() && std::isfinite(angles[i].number());
         good = good && usable;
-        degrees[i] = usable ? angles[i].number() : 0;
+        degrees[i] = angles[i].is_number() ? angles[i].number() : 0;
     }
     turn(axes[0], axes[1], degrees[2]);
     turn(axes[2], axes[0], degrees[1]);

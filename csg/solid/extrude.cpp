@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csg/solid/mesh_checks.h"
+#include "csg/solid/segments.h"
 #include "csg/solid/slices.h"
 #include "csg/solid/triangulate_region.h"
 #include "csg/tree/degrees.h"
@@ -23,13 +24,15 @@ void add_ring(Solid& solid, const Outline& outline, const glm::dvec3& offset, do
 }
 
 /// The quadrilateral a, b (below), c, d (above), split along its shorter diagonal; where they are equal, along the one
-/// that the twist asks for, as in OpenSCAD.
-void add_quad(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, bool turns_right) {
+/// that the twist asks for; the other way around where the top is flattened (`flat_top`), which would give folds
+/// without thickness: all as in OpenSCAD.
+void add_quad(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, bool turns_right,
+              bool flat_top) {
     constexpr double kEqual = 1e-5;
     const double ac = glm::length(solid.points[c] - solid.points[a]);
     const double bd = glm::length(solid.points[d] - solid.points[b]);
     const bool equal = 2 * std::abs(ac - bd) <= kEqual * (ac + bd);
-    if (equal ? turns_right : ac < bd) {
+    if ((equal ? turns_right : ac < bd) != flat_top) {
         solid.triangles.emplace_back(a, b, c);
         solid.triangles.emplace_back(a, c, d);
     } else {
@@ -48,12 +51,13 @@ void finish(Solid& solid) {
         check_mesh(solid);
 }
 
-std::shared_ptr<Solid> linear_extrude(const Outline& outline, const LinearExtrude& how) {
+std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude& how) {
     auto solid = std::make_shared<Solid>();
-    const std::size_t corners = outline.corners();
-    if (corners == 0 || !(how.height > 0) || !std::isfinite(how.height))
+    if (given.empty() || !(how.height > 0) || !std::isfinite(how.height))
         return solid;
-    std::size_t slices = slice_count(outline, how);
+    std::size_t slices = slice_count(given, how);
+    const Outline outline = divide_edges(given, how, slices);
+    const std::size_t corners = outline.corners();
     if (slices > kMostTriangles / corners / 2) {
         slices = std::max<std::size_t>(1, kMostTriangles / corners / 2);
         solid->warnings.push_back("linear_extrude() has too many slices; there are fewer");
@@ -74,12 +78,13 @@ std::shared_ptr<Solid> linear_extrude(const Outline& outline, const LinearExtrud
     }
     for (std::uint32_t i = 0; i < slices; ++i) {
         std::uint32_t first = i * n;
+        const bool flat_top = i + 1 == slices && (how.scale.x == 0 || how.scale.y == 0);
         for (const Loop& loop : outline.loops) {
             const auto size = static_cast<std::uint32_t>(loop.size());
             const bool right = (how.twist.value_or(0) > 0) == (area2(loop) > 0);
             for (std::uint32_t j = 0; j < size; ++j) {
                 const std::uint32_t a = first + j, b = first + (j + 1) % size;
-                add_quad(*solid, a, b, b + n, a + n, right);
+                add_quad(*solid, a, b, b + n, a + n, right, flat_top);
             }
             first += size;
         }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -285,61 +286,100 @@ class Joints {
     std::vector<glm::dvec2> points_;
 };
 
-/// Closed lines as they are; others end to end, in either direction. Where no line goes on, the loop is closed
-/// straight, as in OpenSCAD.
-std::vector<Loop> join(std::vector<Line> lines) {
-    Joints joints;
-    std::vector<std::uint32_t> first(lines.size()), last(lines.size());
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        first[i] = joints.at(lines[i].front());
-        last[i] = joints.at(lines[i].back());
-    }
-    std::vector<std::vector<std::size_t>> meeting(joints.size());  // The first line last.
-    for (std::size_t i = lines.size(); i-- > 0;) {
-        if (first[i] != last[i]) {
-            meeting[first[i]].push_back(i);
-            meeting[last[i]].push_back(i);
+/// Joins lines end to end, in either direction, and closes each chain straight, as OpenSCAD does: first those with an
+/// end that meets no other line, then the rest, in the order of the file. A chain goes on through its beginning as long
+/// as there are lines.
+class Joining {
+  public:
+    explicit Joining(std::vector<Line> lines) : lines_(std::move(lines)), used_(lines_.size(), 0) {
+        Joints joints;
+        for (const Line& line : lines_) {
+            const std::uint32_t first = joints.at(line.front());
+            ends_.push_back({first, joints.at(line.back())});
+        }
+        meeting_.resize(joints.size());
+        open_.resize(joints.size(), 0);
+        for (std::size_t i = lines_.size(); i-- > 0;) {
+            if (ends_[i][0] == ends_[i][1])
+                continue;
+            for (const std::uint32_t end : ends_[i]) {
+                meeting_[end].push_back(i);
+                ++open_[end];
+            }
         }
     }
-    std::vector<Loop> loops;
-    std::vector<char> used(lines.size(), 0);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (used[i] != 0)
-            continue;
-        used[i] = 1;
-        Loop loop = std::move(lines[i]);
-        std::uint32_t begin = first[i], end = last[i];
-        bool reversed = false;
-        while (begin != end) {
-            std::vector<std::size_t>& next = meeting[end];
-            while (!next.empty() && used[next.back()] != 0)
+
+    std::vector<Loop> join() {
+        constexpr int kMostRounds = 64;  // Each goes through all lines.
+        bool again = true;
+        for (int round = 0; again && round < kMostRounds; ++round) {
+            again = false;
+            for (std::size_t i = 0; i < lines_.size(); ++i) {
+                if (used_[i] != 0 || ends_[i][0] == ends_[i][1])
+                    continue;
+                if (open_[ends_[i][0]] == 1) {
+                    follow(i);
+                    again = true;
+                } else if (open_[ends_[i][1]] == 1) {
+                    reverse(i);
+                    follow(i);
+                    again = true;
+                }
+            }
+        }
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            if (used_[i] == 0)
+                follow(i);
+        }
+        return std::move(loops_);
+    }
+
+  private:
+    void reverse(std::size_t i) {
+        std::reverse(lines_[i].begin(), lines_[i].end());
+        std::swap(ends_[i][0], ends_[i][1]);
+    }
+
+    void use(std::size_t i) {
+        used_[i] = 1;
+        if (ends_[i][0] != ends_[i][1]) {
+            --open_[ends_[i][0]];
+            --open_[ends_[i][1]];
+        }
+    }
+
+    void follow(std::size_t i) {
+        use(i);
+        Loop loop = std::move(lines_[i]);
+        const std::uint32_t begin = ends_[i][0];
+        std::uint32_t end = ends_[i][1];
+        for (bool on = begin != end; on;) {
+            std::vector<std::size_t>& next = meeting_[end];  // The first line last.
+            while (!next.empty() && used_[next.back()] != 0)
                 next.pop_back();
-            if (next.empty()) {
-                if (reversed)
-                    break;
-                reversed = true;  // On from where it began.
-                std::reverse(loop.begin(), loop.end());
-                std::swap(begin, end);
-                continue;
+            on = !next.empty();
+            if (on) {
+                const std::size_t taken = next.back();
+                if (ends_[taken][0] != end)
+                    reverse(taken);
+                use(taken);
+                loop.insert(loop.end(), lines_[taken].begin() + 1, lines_[taken].end());
+                end = ends_[taken][1];
             }
-            const std::size_t taken = next.back();
-            used[taken] = 1;
-            Line& line = lines[taken];
-            if (first[taken] != end) {
-                std::reverse(line.begin(), line.end());
-                end = first[taken];
-            } else {
-                end = last[taken];
-            }
-            loop.insert(loop.end(), line.begin() + 1, line.end());
         }
         if (begin == end)
             loop.pop_back();
         if (loop.size() > 2)
-            loops.push_back(std::move(loop));
+            loops_.push_back(std::move(loop));
     }
-    return loops;
-}
+
+    std::vector<Line> lines_;
+    std::vector<char> used_;
+    std::vector<std::array<std::uint32_t, 2>> ends_;  ///< Joints at the beginning and at the end of each line.
+    std::vector<std::vector<std::size_t>> meeting_;   ///< By joint: lines that are no loops by themselves.
+    std::vector<std::size_t> open_;                   ///< By joint: how many of these are not used.
+    std::vector<Loop> loops_;
+};
 
 }  // namespace
 
@@ -354,7 +394,7 @@ void add_arc(Loop& loop, const glm::dvec2& centre, const glm::dvec2& first_axis,
 
 std::vector<Loop> read_dxf(std::string_view text, const Import& import, std::vector<std::string>& warnings) {
     const File file = read(text);
-    std::vector<Loop> loops = join(Drawing(file, import, warnings).draw());
+    std::vector<Loop> loops = Joining(Drawing(file, import, warnings).draw()).join();
     for (Loop& loop : loops) {
         for (glm::dvec2& p : loop)
             p = (p - import.origin) * import.scale;

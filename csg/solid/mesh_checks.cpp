@@ -88,6 +88,37 @@ std::vector<std::uint32_t> first_of_equals(std::span<const glm::dvec3> points) {
     return first;
 }
 
+std::vector<std::uint32_t> first_of_near(std::span<const glm::dvec3> points, double distance) {
+    std::vector<std::uint32_t> order(points.size()), first(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::iota(first.begin(), first.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tuple(points[a].x, a) < std::tuple(points[b].x, b);
+    });
+    const auto root = [&](std::uint32_t i) {
+        while (first[i] != i)
+            i = first[i] = first[first[i]];
+        return i;
+    };
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const glm::dvec3& p = points[order[i]];
+        // Points with the same x may be many; who has so many near each other has no gaps worth closing.
+        constexpr std::size_t kMostNeighbours = 256;
+        for (std::size_t j = i; j > 0 && i - j < kMostNeighbours; --j) {
+            const glm::dvec3 way = glm::abs(points[order[j - 1]] - p);
+            if (way.x > distance)
+                break;
+            if (way.y <= distance && way.z <= distance) {
+                const std::uint32_t a = root(order[j - 1]), b = root(order[i]);
+                first[std::max(a, b)] = std::min(a, b);
+            }
+        }
+    }
+    for (std::uint32_t i = 0; i < first.size(); ++i)
+        first[i] = root(i);
+    return first;
+}
+
 void weld(std::vector<std::uint32_t>& face, std::span<const std::uint32_t> first) {
     for (std::uint32_t& index : face)
         index = first[index];

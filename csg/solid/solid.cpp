@@ -108,6 +108,23 @@ void build(const Cylinder& cylinder, Solid& solid) {
     }
 }
 
+/// Fills points and triangles; `first` tells which points are one. False where a face has an index out of bounds.
+bool add_faces(const Polyhedron& polyhedron, std::span<const std::uint32_t> first, Solid& solid) {
+    solid.points = polyhedron.points;
+    solid.triangles.clear();
+    std::vector<std::uint32_t> face;
+    bool good = true;
+    for (const auto& loop : polyhedron.faces) {
+        face.clear();
+        std::copy_if(loop.rbegin(), loop.rend(), std::back_inserter(face),
+                     [&](std::uint32_t index) { return index < polyhedron.points.size(); });
+        good = good && face.size() == loop.size();
+        weld(face, first);
+        triangulate(polyhedron.points, face, solid.triangles);
+    }
+    return good;
+}
+
 void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
     if (!polyhedron)
         return;
@@ -118,8 +135,6 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
             return;
         }
     }
-    // Faces that meet in equal points meet: indices of the first of equals stand for all.
-    const std::vector<std::uint32_t> first = first_of_equals(points);
     std::size_t triangles = 0;
     for (const auto& loop : polyhedron->faces)
         triangles += loop.size() < 3 ? 0 : loop.size() - 2;
@@ -127,19 +142,25 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
         solid.warnings.emplace_back("polyhedron has more than 16777216 triangles; it is left out");
         return;
     }
-    solid.points = points;
-    std::vector<std::uint32_t> face;
-    bool out_of_bounds = false;
-    for (const auto& loop : polyhedron->faces) {
-        face.clear();
-        std::copy_if(loop.rbegin(), loop.rend(), std::back_inserter(face),
-                     [&](std::uint32_t index) { return index < points.size(); });
-        out_of_bounds |= face.size() < loop.size();
-        weld(face, first);
-        triangulate(points, face, solid.triangles);
-    }
-    if (out_of_bounds)
+    // Faces that meet in equal points meet: indices of the first of equals stand for all.
+    if (!add_faces(*polyhedron, first_of_equals(points), solid))
         solid.warnings.emplace_back("polyhedron has a face with a point index that is out of bounds; it is ignored");
+}
+
+/// Where a polyhedron is open, gaps that no picture shows are closed, if that is all that was missing.
+void close_gaps(const Polyhedron& polyhedron, Solid& solid, MeshFaults& faults) {
+    constexpr double kGap = 1e-11;  // Of the diagonal.
+    Solid closed;
+    (void)add_faces(polyhedron, first_of_near(polyhedron.points, kGap * solid.box.diagonal()), closed);
+    closed.box = solid.box;
+    if (closed.triangles.empty())
+        return;
+    const MeshFaults left = check_mesh(closed);
+    if (!left.open) {
+        closed.warnings = std::move(solid.warnings);
+        solid = std::move(closed);
+        faults = left;
+    }
 }
 
 void warn_of(const MeshFaults& faults, std::vector<std::string>& warnings) {
@@ -177,8 +198,12 @@ std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
         solid->convex = solid->closed;
         return solid;
     }
-    if (!solid->triangles.empty())
-        warn_of(check_mesh(*solid), solid->warnings);
+    if (!solid->triangles.empty()) {
+        MeshFaults faults = check_mesh(*solid);
+        if (faults.open)
+            close_gaps(*std::get<std::shared_ptr<const Polyhedron>>(shape), *solid, faults);
+        warn_of(faults, solid->warnings);
+    }
     return solid;
 }
 

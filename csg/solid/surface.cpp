@@ -91,10 +91,11 @@ Heights read_picture(const std::string& text, bool invert, std::vector<std::stri
     return heights;
 }
 
-/// Each cell is four triangles about its middle; the bottom lies 1 below the lowest value.
+/// Each cell is four triangles about its middle; the bottom lies 1 below the lowest value, or below 0 where all are
+/// above it, as in OpenSCAD.
 void build(const Heights& heights, bool center, Solid& solid) {
     const std::size_t columns = heights.columns, rows = heights.rows;
-    double least = heights.values[0];
+    double least = 0;
     for (const double v : heights.values)
         least = std::min(least, v);
     const double bottom = least - 1;

@@ -4,6 +4,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
+#include FT_TRUETYPE_TABLES_H
 #include <fmt/format.h>
 #include <hb.h>
 
@@ -96,6 +97,21 @@ struct Glyph {
     std::uint32_t index;
 };
 
+/// In a font that has no metrics for vertical text every letter takes the height of a line, as FreeType has it and
+/// so OpenSCAD; HarfBuzz by itself sets each in the middle of a wider space.
+void set_below_each_other(const Font& font, std::vector<Glyph>& glyphs) {
+    const auto* os2 = static_cast<const TT_OS2*>(FT_Get_Sfnt_Table(font.face, FT_SFNT_OS2));
+    if (FT_HAS_VERTICAL(font.face) || os2 == nullptr || os2->version == 0xFFFF)
+        return;
+    const int ascent = os2->sTypoAscender, line = ascent - os2->sTypoDescender;
+    for (Glyph& glyph : glyphs) {
+        hb_position_t x = 0, y = 0;
+        hb_font_get_glyph_v_origin(font.shaper.get(), glyph.index, &x, &y);
+        glyph.offset.y += y - ascent;
+        glyph.advance.y -= line + hb_font_get_glyph_v_advance(font.shaper.get(), glyph.index);
+    }
+}
+
 std::vector<Glyph> shape(const Text& text, const Font& font) {
     const HbBuffer buffer(hb_buffer_create());
     hb_buffer_add_utf8(buffer.get(), text.text.data(), static_cast<int>(text.text.size()), 0, -1);
@@ -127,6 +143,8 @@ std::vector<Glyph> shape(const Text& text, const Font& font) {
                           {positions[i].x_advance, positions[i].y_advance},
                           infos[i].codepoint});
     }
+    if (HB_DIRECTION_IS_VERTICAL(hb_buffer_get_direction(buffer.get())))
+        set_below_each_other(font, glyphs);
     return glyphs;
 }
 

@@ -28,7 +28,8 @@ struct Frame {
 
 class SceneMaker {
   public:
-    explicit SceneMaker(const Tree& tree) : tree_(tree), dimensions_(dimensions(tree)), marked_(marked_below(tree)) {}
+    SceneMaker(const Tree& tree, Showing showing)
+        : tree_(tree), showing_(showing), dimensions_(dimensions(tree)), marked_(marked_below(tree)) {}
 
     Scene make() {
         if (tree_.root() == kNoNode)
@@ -92,8 +93,10 @@ class SceneMaker {
     }
 
     /// Drawn as one: a shape, what makes a mesh of its children, and differences and intersections in the plane where
-    /// nothing below has a colour or a modifier.
+    /// nothing below has a colour or a modifier. A result in the plane is but one leaf.
     [[nodiscard]] bool is_leaf(NodeId id) const {
+        if (showing_ == Showing::Result && id == tree_.root() && dimensions_[id] == Dimension::Flat)
+            return true;
         const Operation op = tree_.node(id).operation;
         if (op == Operation::Mesh)
             return !std::holds_alternative<Render>(tree_.mesh(id));
@@ -109,6 +112,8 @@ class SceneMaker {
 
     Frame enter(NodeId id, const glm::dmat4& to_world, const Rgba& color, bool top_level) const {
         Frame frame{id, to_world, color, top_level, 0, {}};
+        if (is_leaf(id))
+            return frame;
         const Operation op = tree_.node(id).operation;
         if (op == Operation::Transform)
             frame.to_world = to_world * tree_.matrix(id);
@@ -120,12 +125,15 @@ class SceneMaker {
     /// True where `child` is not part of the expression being built, but of a part of its own.
     bool set_aside(NodeId child, const Frame& parent, PartKind kind) {
         const Node& node = tree_.node(child);
+        if (showing_ == Showing::Result && (node.modifiers.background || dimensions_[child] == Dimension::Flat))
+            return true;
         if (node.modifiers.background) {
             if (kind != PartKind::Highlight)  // there it was queued when the solid was built
                 waiting_.push_back({PartKind::Background, child, parent.to_world, parent.color});
             return true;
         }
-        if (node.modifiers.highlight && kind != PartKind::Highlight && kind != PartKind::Background)
+        if (node.modifiers.highlight && showing_ == Showing::Preview && kind != PartKind::Highlight &&
+            kind != PartKind::Background)
             waiting_.push_back({PartKind::Highlight, child, parent.to_world, parent.color});
         if (kind == PartKind::Solid && node.operation == Operation::Color && !parent.color.given() &&
             tree_.color(child).a < 1 && parent.top_level && is_union(parent.node)) {
@@ -158,6 +166,7 @@ class SceneMaker {
     }
 
     const Tree& tree_;
+    const Showing showing_;
     const std::vector<Dimension> dimensions_;
     const std::vector<char> marked_;
     Scene scene_;
@@ -201,8 +210,12 @@ Box bounds(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes
     return expression_boxes(scene, part, leaf_boxes).back();
 }
 
-Scene make_scene(const Tree& tree) {
-    return SceneMaker(tree).make();
+Scene make_scene(const Tree& tree, Showing showing) {
+    return SceneMaker(tree, showing).make();
+}
+
+bool is_flat(const Tree& tree) {
+    return tree.root() != kNoNode && dimensions(tree)[tree.root()] == Dimension::Flat;
 }
 
 }  // namespace csg

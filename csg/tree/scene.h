@@ -16,7 +16,8 @@ using LeafId = std::uint32_t;  ///< Index of a leaf occurrence, in document orde
 using PartId = std::uint32_t;
 
 /// One occurrence of a leaf of the tree: of a shape, of an operation that makes a mesh (render() makes none), or of a
-/// difference or an intersection in the plane, which is drawn as one flat leaf. Leaves are numbered in document order.
+/// difference or an intersection in the plane, which is drawn as one flat leaf (of a whole tree in the plane where the
+/// result is shown). Leaves are numbered in document order.
 struct LeafInstance {
     NodeId node = kNoNode;     ///< The leaf in the tree: a shape, or a node that is one mesh.
     glm::dmat4 to_world{1.0};  ///< Leaf coordinates to world coordinates.
@@ -62,11 +63,20 @@ struct Scene {
     }
 };
 
+/// What a scene is to show.
+enum class Showing : std::uint8_t {
+    Preview,  ///< All that is written: `%` and `#` as parts, every outline as a leaf of its own.
+    Result,   ///< What an export would hold: neither `%` nor `#` parts; in the plane one leaf, in space no outlines.
+};
+
 /// Flattens `tree`: transforms are multiplied through, colours inherited (the outermost wins, as in OpenSCAD), shared
 /// subtrees become occurrences, `%` subtrees parts of their own, `#` subtrees are repeated as highlight parts,
 /// translucent subtrees of the top-level union parts of their own. Groups that hold one child are that child.
 /// The first part, if any, is the Solid one. A tree without geometry gives no parts.
-[[nodiscard]] Scene make_scene(const Tree& tree);
+[[nodiscard]] Scene make_scene(const Tree& tree, Showing showing = Showing::Preview);
+
+/// Whether what the tree makes is an outline in the plane.
+[[nodiscard]] bool is_flat(const Tree& tree);
 
 /// Boxes that enclose the part's expressions, by index from its first: boxes of leaves (by LeafId) united and
 /// intersected, a difference's that of its first operand.

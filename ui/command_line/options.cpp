@@ -201,9 +201,12 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     text("--colorscheme", raw.scheme, "OpenSCAD's colour scheme (Cornfield)", "NAME", picture);
     text("--layers", raw.layers, "The first N surfaces behind each pixel, or all (what the style needs)", "N|all",
          picture);
-    text("--samples", raw.samples, "Samples per pixel: 1, 4, 8 or 16 (4)", "N", picture);
+    text("--samples", raw.samples,
+         "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
     app.add_flag("--transparent-background", o.transparent_background, "No background")->group(picture);
-    app.add_flag("--render", raw.render, "Evaluate with $preview false")->group(picture);
+    app.add_flag("--render", raw.render,
+                 "Draw the result: $preview false, neither % nor # parts, outlines flat, framed exactly")
+        ->group(picture);
     app.add_flag("--preview", raw.preview, "Evaluate with $preview true (default)")->group(picture);
 
     const char* const camera = "Camera";
@@ -333,6 +336,9 @@ void interpret(Options& o, const Raw& raw) {
     o.summary_parts = read_summary_parts(raw.summary);
     o.exports = read_export_options(raw.export_options);
     o.preview = raw.render.empty() || !raw.preview.empty();
+    if (raw.samples.empty() && !o.preview && o.style == "shaded") {
+        o.samples = 1;  // As OpenSCAD's.
+    }
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "ui/command_line/options.h"
 #include "ui/command_line/summary.h"
 #include "ui/pipeline/camera.h"
+#include "ui/pipeline/exact_bounds.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
@@ -91,7 +92,7 @@ class Run {
     void build() {
         language_.progress().say("Building the model…");
         if (!options_.preview) {
-            builder_.set_flat_thickness(0x1p-10);  // --render: outlines are flat.
+            builder_.show(csg::Showing::Result);
         }
         model_ = builder_.build(language_.evaluation().tree);
         for (const std::string& warning : model_->warnings) {
@@ -100,8 +101,12 @@ class Run {
         if (options_.hard_warnings && !model_->warnings.empty()) {
             throw ModelError("stopped at a warning");
         }
-        camera_ = choose_camera({options_.camera, options_.projection, options_.view_all, options_.autocenter},
-                                language_.evaluation().view, model_->box);
+        const CameraRequest request{options_.camera, options_.projection, options_.view_all, options_.autocenter};
+        const bool framed =
+            needs_box(request, language_.evaluation().view) || options_.summary || options_.summary_file;
+        // As OpenSCAD: previews go by the boxes of products, results by what is left.
+        box_ = framed && !options_.preview ? exact_bounds(*model_) : model_->box;
+        camera_ = choose_camera(request, language_.evaluation().view, box_);
     }
 
     [[nodiscard]] PictureRequest picture_request(const gl::Camera& camera) const {
@@ -189,7 +194,7 @@ class Run {
     [[nodiscard]] Json summary() const {
         SummaryFigures figures;
         figures.camera = camera_;
-        figures.box = model_->box;
+        figures.box = box_;
         figures.cache = builder_.cache_size();
         figures.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
         figures.geometry = geometry_.figures();
@@ -203,6 +208,7 @@ class Run {
     ModelBuilder builder_;
     std::shared_ptr<const Model> model_;
     Geometry geometry_;  ///< Once it was needed.
+    csg::Box box_;       ///< Of what is shown.
     gl::Camera camera_;
     Json picture_json_;
 };

@@ -4,12 +4,24 @@
 
 namespace ui {
 
+namespace {
+
+bool given(const csg::scad::ViewSettings& file) {
+    return file.translation || file.rotation || file.distance || file.fov;
+}
+
+}  // namespace
+
+bool needs_box(const CameraRequest& request, const csg::scad::ViewSettings& file) {
+    return request.view_all || request.autocenter || !(request.camera || given(file));
+}
+
 gl::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSettings& file, const csg::Box& box) {
     gl::Camera camera = request.camera.value_or(gl::Camera{});
     bool view_all = request.view_all;
     bool autocenter = request.autocenter;
     if (!request.camera) {
-        const bool by_file = file.translation || file.rotation || file.distance || file.fov;
+        const bool by_file = given(file);
         view_all |= !by_file;
         autocenter |= !by_file;
         if (file.translation) {

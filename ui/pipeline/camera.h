@@ -16,6 +16,9 @@ struct CameraRequest {
     bool autocenter = false;
 };
 
+/// Whether the choice depends on the box.
+[[nodiscard]] bool needs_box(const CameraRequest& request, const csg::scad::ViewSettings& file);
+
 /// OpenSCAD's rules: a camera that is given stays as it is; else the file's $vpt, $vpr, $vpd and $vpf count, and where
 /// there is none of these, all of `box` is brought into view. `view_all` and `autocenter` apply in any case.
 [[nodiscard]] gl::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSettings& file,

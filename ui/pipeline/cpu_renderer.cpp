@@ -18,7 +18,7 @@ void CpuRenderer::hold(const Model& model) {
 }
 
 void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
-    const CheckedRequest checked(request);
+    const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
         statistics_ = {};
     }

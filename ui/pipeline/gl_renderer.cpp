@@ -34,7 +34,7 @@ npr::Style& GlRenderer::style(const npr::StyleInfo& info) {
 }
 
 void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
-    const CheckedRequest checked(request);
+    const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
         statistics_ = {};
     }

@@ -10,6 +10,8 @@ namespace ui {
 
 namespace {
 
+constexpr double kPreviewThickness = 1, kFlat = 0x1p-10;  // Of outlines by themselves, in world units.
+
 std::string place_of(const csg::Tree& tree, const csg::SourceLocation& where) {
     if (!where.known() || where.file >= tree.files().size()) {
         return "";
@@ -53,8 +55,10 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     model->generation = next_generation();
     Stopwatch watch;
     ModelStatistics& statistics = model->statistics;
-    model->scene = csg::make_scene(*model->tree);
-    model->geometry = csg::solid::place(*model->tree, model->scene, solids_, flat_thickness_);
+    const bool result = showing_ == csg::Showing::Result;
+    model->flat = result && csg::is_flat(*model->tree);
+    model->scene = csg::make_scene(*model->tree, showing_);
+    model->geometry = csg::solid::place(*model->tree, model->scene, solids_, result ? kFlat : kPreviewThickness);
     solids_.trim();
     statistics.place_ms = watch.lap();
 

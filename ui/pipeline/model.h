@@ -36,6 +36,7 @@ struct Model {
     std::vector<std::vector<goldfeather::Product>> products;  ///< By part; an empty part has none.
     std::string over_budget;                                  ///< Why a part has no products; empty where all have.
     csg::Box box;                       ///< Encloses the solid; empty where nothing is to be seen.
+    bool flat = false;                  ///< An outline in the plane, and nothing else (Showing::Result only).
     std::vector<std::string> warnings;  ///< With file:line:column where known.
     ModelStatistics statistics;
     std::uint64_t generation = 0;  ///< Counts the models of the process: which one a renderer holds.
@@ -51,8 +52,8 @@ class ModelBuilder {
   public:
     explicit ModelBuilder(goldfeather::Budget budget = {}) : budget_(budget) {}
 
-    /// Outlines by themselves are slabs of this thickness: 1 is OpenSCAD's preview.
-    void set_flat_thickness(double thickness) { flat_thickness_ = thickness; }
+    /// In previews outlines by themselves are slabs of thickness 1, as in OpenSCAD's; in results they are next to flat.
+    void show(csg::Showing showing) { showing_ = showing; }
 
     /// A part with more products than the budget allows is left to the engines that need none. Gives null where `stop`
     /// ended it.
@@ -67,7 +68,7 @@ class ModelBuilder {
 
   private:
     goldfeather::Budget budget_;
-    double flat_thickness_ = 1;
+    csg::Showing showing_ = csg::Showing::Preview;
     csg::solid::SolidCache solids_{exact_operations()};
 };
 

@@ -21,6 +21,12 @@ template <typename Named>
         "no {} \"{}\".{}", what, name, suggestion(name, names, fmt::format(" There are {}.", fmt::join(names, ", ")))));
 }
 
+constexpr std::string_view kFlatStyle = "edges";
+
+bool drawn_flat(const PictureRequest& request, bool flat) {
+    return flat && request.style == "shaded";
+}
+
 const npr::StyleInfo& style_of(const PictureRequest& request) {
     const npr::StyleInfo* info = npr::find_style(request.style);
     if (info == nullptr) {
@@ -49,6 +55,20 @@ npr::Parameters parameters_of(const PictureRequest& request) {
     return parameters;
 }
 
+npr::Parameters flat_parameters(const npr::ColorScheme& scheme) {
+    constexpr float kLineWidth = 2;
+    npr::Parameters parameters(npr::find_style(kFlatStyle)->parameters());
+    const auto set = [&](std::string_view name, const npr::Value& value) {
+        parameters.set(parameters.find(name), value);
+    };
+    set("width", kLineWidth);
+    set("edge-color", scheme.edge_2d);
+    set("light", 0.0F);
+    set("inner", 0.0F);
+    set("smooth", false);
+    return parameters;
+}
+
 }  // namespace
 
 bool translucent(const csg::Scene& scene) {
@@ -62,8 +82,14 @@ void check_picture(const PictureRequest& request) {
     (void)CheckedRequest(request);
 }
 
-CheckedRequest::CheckedRequest(const PictureRequest& request)
-    : style(style_of(request)), scheme(scheme_of(request)), parameters(parameters_of(request)) {}
+CheckedRequest::CheckedRequest(const PictureRequest& request, bool flat)
+    : style(drawn_flat(request, flat) ? *npr::find_style(kFlatStyle) : style_of(request)),
+      scheme(scheme_of(request)),
+      parameters(drawn_flat(request, flat) ? flat_parameters(scheme) : parameters_of(request)) {
+    if (drawn_flat(request, flat)) {
+        scheme.face = scheme.face_2d;
+    }
+}
 
 npr::Picture CheckedRequest::picture(const Model& model, const PictureRequest& request) const {
     return {request.camera, request.size, model.geometry.box.lo,          model.geometry.box.hi,

@@ -27,13 +27,15 @@ struct PictureRequest {
 /// Throws std::runtime_error where there is no such style, parameter, value or scheme; names the nearest one.
 void check_picture(const PictureRequest& request);
 
-/// The same for the folders below. `style` and `scheme` are valid for ever. Throws as check_picture.
+/// The same for the folders below. `style` is valid for ever. Throws as check_picture.
 struct CheckedRequest {
     const npr::StyleInfo& style;
-    const npr::ColorScheme& scheme;
+    npr::ColorScheme scheme;
     npr::Parameters parameters;
 
-    explicit CheckedRequest(const PictureRequest& request);
+    /// Where the model is `flat` and the style shaded, it is drawn as OpenSCAD's render does: faces without light
+    /// between lines of two pixels.
+    explicit CheckedRequest(const PictureRequest& request, bool flat = false);
     /// Refers to this and to both arguments.
     [[nodiscard]] npr::Picture picture(const Model& model, const PictureRequest& request) const;
 };

@@ -1,0 +1,155 @@
+#include "ui/pipeline/exact_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "goldfeather/lists_cpu.h"
+#include "ui/pipeline/solid_scene.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kFirstSide = 512, kNextSide = 32;  // Pixels along the longer side of the first picture and of the others.
+constexpr int kMostPictures = 12;
+constexpr double kClose = 0x1p-20;  // Of the diagonal.
+
+/// A direction along an axis to look from, and what is right and up in that picture.
+struct Side {
+    glm::dvec3 rotation;  ///< Of the camera.
+    int axis;
+    double sign;  ///< 1: looked at from above, along the axis downwards.
+    int right, up;
+    double right_sign;
+};
+constexpr Side kSides[]{
+    {{90, 0, 90}, 0, 1, 1, 2, 1}, {{90, 0, 270}, 0, -1, 1, 2, -1}, {{90, 0, 180}, 1, 1, 0, 2, -1},
+    {{90, 0, 0}, 1, -1, 0, 2, 1}, {{0, 0, 0}, 2, 1, 0, 1, 1},      {{180, 0, 0}, 2, -1, 0, 1, 1},
+};
+
+/// A rectangle across the direction of view, in the coordinates of the picture (right, up).
+struct Window {
+    glm::dvec2 centre, size;
+};
+
+struct Sighting {
+    glm::dvec2 at;  ///< In the window's coordinates.
+    double height;  ///< Along the direction that is looked from.
+};
+
+class Lookout {
+  public:
+    Lookout(const SolidScene& solid, const csg::Box& box)
+        : solid_(solid), lists_(solid.scene, solid.geometry), box_(box) {}
+
+    /// The largest sign * coordinate of the result along the side's axis.
+    [[nodiscard]] std::optional<double> height(const Side& side) {
+        const double up_sign = side.rotation.x == 180 ? -1 : 1;
+        const glm::dvec3 size = box_.size(), centre = box_.centre();
+        Window window{{side.right_sign * centre[side.right], up_sign * centre[side.up]},
+                      {size[side.right], size[side.up]}};
+        const double close = kClose * glm::length(size);
+        std::optional<double> best;
+        int side_pixels = kFirstSide;
+        for (int picture = 0; picture < kMostPictures; ++picture) {
+            const auto seen = look(side, up_sign, window, side_pixels);
+            const bool higher = seen && (!best || seen->height > *best + close);
+            if (seen && (!best || seen->height > *best)) {
+                best = seen->height;
+                window.centre = seen->at;
+            }
+            if (!best || (picture > 1 && !higher)) {
+                break;
+            }
+            // Two pixels either way hold the highest point about the sample.
+            window.size = glm::dvec2(4 * pixel_);
+            side_pixels = kNextSide;
+        }
+        return best ? std::optional(snapped(side, *best, close)) : std::nullopt;
+    }
+
+  private:
+    /// The highest sample of a picture.
+    [[nodiscard]] std::optional<Sighting> look(const Side& side, double up_sign, const Window& window, int pixels) {
+        const double longer = std::max({window.size.x, window.size.y, 1e-300});
+        pixel_ = longer / pixels;
+        const glm::ivec2 count =
+            glm::clamp(glm::ivec2(glm::ceil(window.size / pixel_)), glm::ivec2(1), glm::ivec2(pixels));
+        gl::Camera camera;
+        camera.projection = gl::Projection::Orthographic;
+        camera.rotation = side.rotation;
+        camera.target = box_.centre();
+        camera.target[side.right] = side.right_sign * window.centre.x;
+        camera.target[side.up] = up_sign * window.centre.y;
+        camera.distance = 0.5 * count.y * pixel_ / std::tan(camera.fov * std::acos(-1.0) / 360);
+        const gl::View view(camera, count, box_.lo, box_.hi);
+        goldfeather::CpuLayers layers;
+        goldfeather::ListsStats ignored;
+        goldfeather::peel_lists(lists_, view, 1, 0, layers, ignored);
+
+        // Reversed depth: the largest is the nearest. Ties go to the first pixel.
+        const std::vector<float>& depth = layers.planes[0].depth;
+        const auto nearest = std::max_element(depth.begin(), depth.end());
+        if (!(*nearest > 0)) {
+            return std::nullopt;
+        }
+        const auto index = static_cast<int>(nearest - depth.begin());
+        const glm::dvec2 pixel(index % count.x, index / count.x);
+        return Sighting{window.centre + (pixel + 0.5 - 0.5 * glm::dvec2(count)) * pixel_,
+                        side.sign * camera.eye()[side.axis] - view.distance(*nearest)};
+    }
+
+    /// The coordinate of the leaves' corner that is meant, where one is as near as can be told.
+    [[nodiscard]] double snapped(const Side& side, double height, double close) const {
+        double nearest = height, least = close;
+        for (const csg::solid::PlacedLeaf& leaf : solid_.geometry.leaves) {
+            for (const glm::dvec3& point : leaf.points) {
+                const double corner = side.sign * point[side.axis];
+                if (std::abs(corner - height) < least) {
+                    nearest = corner;
+                    least = std::abs(corner - height);
+                }
+            }
+        }
+        return nearest;
+    }
+
+    const SolidScene& solid_;
+    goldfeather::ListsModel lists_;
+    csg::Box box_;
+    double pixel_ = 0;  ///< Side of a pixel in the last picture, world units.
+};
+
+}  // namespace
+
+csg::Box exact_bounds(const Model& model) {
+    const SolidScene solid = solid_scene(model.scene, model.geometry);
+    csg::Box box;
+    for (const csg::Part& part : solid.scene.parts) {
+        std::vector<csg::Box> leaves;
+        for (const auto& leaf : solid.geometry.leaves) {
+            leaves.push_back(leaf.box);
+        }
+        box = csg::bounds(solid.scene, part, leaves);
+    }
+    if (box.empty()) {
+        return {};
+    }
+    if (model.flat) {
+        box.lo.z = box.hi.z = 0;  // Outlines have no thickness of their own.
+        return box;
+    }
+    Lookout lookout(solid, box);
+    csg::Box exact = box;
+    for (const Side& side : kSides) {
+        const auto height = lookout.height(side);
+        if (!height) {
+            return {};
+        }
+        (side.sign > 0 ? exact.hi : exact.lo)[side.axis] = side.sign * *height;
+    }
+    return exact;
+}
+
+}  // namespace ui
