@@ -155,11 +155,16 @@ class Drawing {
             else if (e.kind == "INSERT")
                 insert(e, placed);
             else
-                draw(e, placed);
+                draw(e, placed, depth);
         }
     }
 
-    void draw(const Entity& e, const glm::dmat4& placed) {
+    /// For a whole turn. Outside of blocks it is the radius after import()'s scale that counts, as in OpenSCAD.
+    [[nodiscard]] int segments(double radius, int depth) const {
+        return circle_segments(depth == 0 ? radius * std::abs(import_.scale) : radius, import_.fineness);
+    }
+
+    void draw(const Entity& e, const glm::dmat4& placed, int depth) {
         Line line;
         if (e.kind == "LINE") {
             add({e.point(10), e.point(11)}, false, placed);
@@ -170,7 +175,7 @@ class Drawing {
             const double to = whole ? 360 : from + sweep(from, e.number(51));
             const glm::dvec2 centre = e.point(10);
             line.push_back(centre + r * glm::dvec2(cos_degrees(from), sin_degrees(from)));
-            add_arc(line, centre, {r, 0}, {0, r}, from, to, circle_segments(r, import_.fineness));
+            add_arc(line, centre, {r, 0}, {0, r}, from, to, segments(r, depth));
             add(line, whole, placed);
         } else if (e.kind == "ELLIPSE") {
             const glm::dvec2 axis = e.point(11), other = glm::dvec2(-axis.y, axis.x) * e.number(40, 1);
@@ -178,7 +183,7 @@ class Drawing {
             const double from = e.number(41) * kDegrees;
             const double to = from + sweep(from, e.number(42, 360 / kDegrees) * kDegrees);
             line.push_back(e.point(10) + axis * cos_degrees(from) + other * sin_degrees(from));
-            add_arc(line, e.point(10), axis, other, from, to, circle_segments(glm::length(axis), import_.fineness));
+            add_arc(line, e.point(10), axis, other, from, to, segments(glm::length(axis), depth));
             add(line, std::abs(to - from - 360) < 1e-6, placed);
         } else if (e.kind == "LWPOLYLINE") {
             light_polyline(e, placed);

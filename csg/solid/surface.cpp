@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "csg/solid/extrude.h"
 #include "csg/solid/file_text.h"
@@ -19,6 +20,7 @@ constexpr std::size_t kMostSamples = std::size_t{1} << 21;
 struct Heights {
     std::size_t columns = 0, rows = 0;
     std::vector<double> values;
+    double least = 0;  ///< Of the values that the file has.
 
     [[nodiscard]] double at(std::size_t x, std::size_t y) const { return values[y * columns + x]; }
 };
@@ -28,6 +30,7 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
     std::vector<std::vector<double>> lines;
     std::size_t columns = 0;
     std::size_t samples = 0;
+    double least = std::numeric_limits<double>::infinity();
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::string_view line = text.substr(0, end);
@@ -42,6 +45,7 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
                 return {};
             }
             numbers.push_back(*number);
+            least = std::min(least, *number);
         }
         if (numbers.empty())
             continue;
@@ -53,7 +57,7 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
             return {};
         }
     }
-    Heights heights{columns, lines.size(), std::vector<double>(columns * lines.size(), 0.0)};
+    Heights heights{columns, lines.size(), std::vector<double>(columns * lines.size(), 0.0), least};
     for (std::size_t i = 0; i < lines.size(); ++i)
         std::copy(lines[i].begin(), lines[i].end(), heights.values.begin() + static_cast<std::ptrdiff_t>(i * columns));
     return heights;
@@ -79,7 +83,7 @@ Heights read_picture(const std::string& text, bool invert, std::vector<std::stri
         warnings.push_back(fmt::format("Can't read surface picture: {}", image.message));
         return {};
     }
-    Heights heights{image.width, image.height, {}};
+    Heights heights{image.width, image.height, {}, 0};
     heights.values.resize(heights.columns * heights.rows);
     for (std::size_t y = 0; y < heights.rows; ++y) {
         for (std::size_t x = 0; x < heights.columns; ++x) {
@@ -88,17 +92,15 @@ Heights read_picture(const std::string& text, bool invert, std::vector<std::stri
             heights.values[(heights.rows - 1 - y) * heights.columns + x] = 100 * (invert ? 1 - light : light);
         }
     }
+    heights.least = *std::min_element(heights.values.begin(), heights.values.end());
     return heights;
 }
 
-/// Each cell is four triangles about its middle; the bottom lies 1 below the lowest value, or below 0 where all are
-/// above it, as in OpenSCAD.
+/// Each cell is four triangles about its middle; the bottom lies 1 below the lowest value, but not above 0, as in
+/// OpenSCAD.
 void build(const Heights& heights, bool center, Solid& solid) {
     const std::size_t columns = heights.columns, rows = heights.rows;
-    double least = 0;
-    for (const double v : heights.values)
-        least = std::min(least, v);
-    const double bottom = least - 1;
+    const double bottom = std::min(heights.least - 1, 0.0);
     const double ox = center ? -static_cast<double>(columns - 1) / 2 : 0;
     const double oy = center ? -static_cast<double>(rows - 1) / 2 : 0;
     const auto index = [](std::size_t i) { return static_cast<std::uint32_t>(i); };

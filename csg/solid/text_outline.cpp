@@ -97,17 +97,19 @@ struct Glyph {
     std::uint32_t index;
 };
 
-/// In a font that has no metrics for vertical text every letter takes the height of a line, as FreeType has it and
-/// so OpenSCAD; HarfBuzz by itself sets each in the middle of a wider space.
+/// In a font that has no metrics for vertical text every letter stands in the middle of a line's height, which is
+/// FreeType's (and so OpenSCAD's) and not HarfBuzz's.
 void set_below_each_other(const Font& font, std::vector<Glyph>& glyphs) {
     const auto* os2 = static_cast<const TT_OS2*>(FT_Get_Sfnt_Table(font.face, FT_SFNT_OS2));
     if (FT_HAS_VERTICAL(font.face) || os2 == nullptr || os2->version == 0xFFFF)
         return;
-    const int ascent = os2->sTypoAscender, line = ascent - os2->sTypoDescender;
+    const int line = os2->sTypoAscender - os2->sTypoDescender;
     for (Glyph& glyph : glyphs) {
         hb_position_t x = 0, y = 0;
         hb_font_get_glyph_v_origin(font.shaper.get(), glyph.index, &x, &y);
-        glyph.offset.y += y - ascent;
+        hb_glyph_extents_t box{};
+        hb_font_get_glyph_extents(font.shaper.get(), glyph.index, &box);
+        glyph.offset.y += y - (box.y_bearing + (line + box.height) / 2);
         glyph.advance.y -= line + hb_font_get_glyph_v_advance(font.shaper.get(), glyph.index);
     }
 }

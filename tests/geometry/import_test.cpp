@@ -3,13 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <random>
 
+#include "csg/solid/files.h"
 #include "csg/solid/import_mesh.h"
 #include "csg/solid/import_outline.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -287,6 +290,58 @@ TEST(Import, OutlinesThatWouldTakeHoursAreAnError) {
         loops[i] = {shift, shift + glm::dvec2(1, 0), shift + glm::dvec2(1, 1)};
     }
     EXPECT_NEAR(clean(loops, FillRule::NonZero).area(), 50'000, 1e-3);
+}
+
+/// Circles have as many corners as they ask for after import()'s scale, but those in blocks.
+TEST(Import, DxfCirclesAreAsFineAsTheyGetLarge) {
+    const auto corners = [](const std::string& text, double scale) {
+        std::vector<std::string> warnings;
+        csg::Import import;
+        import.scale = scale;
+        const auto loops = read_dxf(text, import, warnings);
+        return loops.size() == 1 ? loops[0].size() : 0;
+    };
+    const std::string circle = "0\nCIRCLE\n10\n0\n20\n0\n40\n2\n";
+    const std::string entities = "0\nSECTION\n2\nENTITIES\n" + circle + "0\nENDSEC\n";
+    const std::string blocks = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n" + circle +
+                               "0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\na\n0\nENDSEC\n";
+    EXPECT_EQ(corners(entities, 1), 7u);
+    EXPECT_EQ(corners(entities, 4), 26u);
+    EXPECT_EQ(corners(blocks, 4), 7u);
+}
+
+/// Two triangles that meet in a corner are one chain; a chain with a free end begins there.
+TEST(Import, DxfChainsGoOnThroughTheirBeginning) {
+    const auto loops_of = [](const std::vector<std::array<int, 4>>& lines) {
+        std::string text = "0\nSECTION\n2\nENTITIES\n";
+        for (const auto& [x0, y0, x1, y1] : lines)
+            text += fmt::format("0\nLINE\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", x0, y0, x1, y1);
+        std::vector<std::string> warnings;
+        return read_dxf(text + "0\nENDSEC\n", {}, warnings);
+    };
+    const auto bow =
+        loops_of({{0, 0, 2, 1}, {2, 1, 2, -1}, {2, -1, 0, 0}, {0, 0, -2, 1}, {-2, 1, -2, -1}, {-2, -1, 0, 0}});
+    ASSERT_EQ(bow.size(), 1u);
+    EXPECT_EQ(bow[0].size(), 6u);
+    const auto open = loops_of({{2, 0, 2, 2}, {2, 2, 0, 2}, {0, 0, 2, 0}});
+    ASSERT_EQ(open.size(), 1u);
+    EXPECT_EQ(open[0].front(), glm::dvec2(0, 2));
+    EXPECT_EQ(open[0].back(), glm::dvec2(0, 0));
+}
+
+/// As in OpenSCAD the bottom lies 1 below the lowest value that the file has, but not above 0; missing values are 0.
+TEST(Import, TheBottomOfASurface) {
+    const test_support::TemporaryFolder folder;
+    const auto box_of = [&](const std::string& table) {
+        csg::Surface surface;
+        surface.file.path = folder.write("a.dat", table);
+        return surface_solid(surface)->box;
+    };
+    EXPECT_EQ(box_of("5 6\n7 8\n").lo.z, 0);
+    EXPECT_EQ(box_of("0 6\n7 8\n").lo.z, -1);
+    EXPECT_EQ(box_of("-3 6\n7 8\n").lo.z, -4);
+    EXPECT_EQ(box_of("2 6\n7\n").lo.z, 0);
+    EXPECT_EQ(box_of("2 6\n7\n").hi.z, 7);
 }
 
 double svg_area(const std::string& body, const std::string& head = "width='100mm' height='50mm' viewBox='0 0 100 50'") {

@@ -43,6 +43,34 @@ TEST(SceneOfNodes, ColoursOfAFlatDifferenceStay) {
     EXPECT_FLOAT_EQ(scene.leaves[0].color.r, 1);
 }
 
+TEST(SceneOfNodes, AResultIsTheSolidAlone) {
+    const struct {
+        const char* model;
+        std::size_t parts, leaves;
+    } table[]{{"cube(1); %cube(9);", 1, 1},
+              {"difference() { cube(3); #cube(1); }", 1, 2},
+              {"%sphere(1);", 0, 0},
+              {"cube(1); square(3);", 1, 1},
+              {"square(3); translate([1, 1]) circle(1); color(\"red\") text(\"A\");", 1, 1},
+              {"translate([5, 0]) square(3);", 1, 1}};
+    for (const auto& row : table) {
+        const test::Run run = test::run(row.model);
+        const csg::Scene scene = csg::make_scene(*run.evaluation.tree, csg::Showing::Result);
+        EXPECT_EQ(scene.parts.size(), row.parts) << row.model;
+        EXPECT_EQ(scene.leaves.size(), row.leaves) << row.model;
+    }
+}
+
+TEST(SceneOfNodes, AFlatResultStandsWhereItIs) {
+    const test::Run run = test::run("translate([5, 0]) square(3);");
+    csg::solid::SolidCache cache;
+    const auto geometry =
+        csg::solid::place(*run.evaluation.tree, csg::make_scene(*run.evaluation.tree, csg::Showing::Result), cache);
+    ASSERT_EQ(geometry.leaves.size(), 1u);
+    EXPECT_EQ(geometry.box.lo.x, 5);
+    EXPECT_EQ(geometry.box.hi.x, 8);
+}
+
 TEST(SceneOfNodes, WhatCannotBeMadeIsToldWithItsPlace) {
     const test::Run run = test::run("cube(1);\n\nlinear_extrude(2)\n  cube(1);\nhull() { cube(1); sphere(1); }");
     csg::solid::SolidCache cache;  // Without exact operations.

@@ -49,6 +49,22 @@ TEST(Text, AlignsByItsExtent) {
     EXPECT_NEAR(box_of(text).lo.y, -box_of(text).hi.y, 1e-9);
 }
 
+/// Without vertical metrics in the font a letter takes the font's height of a line, 1922 of 2048 of an em.
+TEST(Text, DownwardsEachLetterHasALine) {
+    csg::Text text = text_of("H");
+    text.direction = std::string("ttb");
+    const csg::Box one = box_of(text);
+    if (one.empty())
+        GTEST_SKIP() << "no font";
+    text.text = "HHH";
+    const csg::Box three = box_of(text);
+    const double line = 1922.0 / 2048 * 10 * 100 / 72;
+    EXPECT_NEAR(three.hi.y, one.hi.y, 1e-9);
+    EXPECT_NEAR(one.lo.y - three.lo.y, 2 * line, 1e-3);
+    EXPECT_NEAR(one.hi.y + one.lo.y, -line, 0.01) << "in the middle of it";
+    EXPECT_NEAR(one.lo.x, -one.hi.x, 0.1) << "below the origin";
+}
+
 TEST(Text, SizeAndSpacingScale) {
     csg::Text text = text_of("HH");
     const csg::Box one = box_of(text);

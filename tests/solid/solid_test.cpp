@@ -183,6 +183,18 @@ TEST(Solid, PolyhedraAreCheckedNotBelieved) {
     EXPECT_FALSE(solid_of(wild).warnings.empty());
 }
 
+TEST(Solid, GapsThatNoPictureShowsAreClosed) {
+    csg::Polyhedron apart = tetrahedron();
+    // The first face has a corner of its own, a little off.
+    apart.points.push_back(apart.points[apart.faces[0][0]] + glm::dvec3(1e-13, 0, -1e-13));
+    apart.faces[0][0] = static_cast<std::uint32_t>(apart.points.size() - 1);
+    EXPECT_TRUE(solid_of(apart).closed);
+    EXPECT_TRUE(solid_of(apart).warnings.empty());
+    apart.points.back().x += 1e-6;
+    EXPECT_FALSE(solid_of(apart).closed);
+    EXPECT_EQ(solid_of(apart).warnings.size(), 1u);
+}
+
 /// Random placed polyhedra keep orientation, closedness and volume up to the determinant, mirrored or not.
 TEST(Placed, TransformsKeepOrientation) {
     std::mt19937_64 random(11);

@@ -81,6 +81,54 @@ TEST_F(Cli, OptionsOfThePictureChangeIt) {
     EXPECT_EQ(clear.pixel(24, 24)[3], 255);
 }
 
+/// As OpenSCAD: flat, unlit, between red lines of two pixels, framed by the outline itself.
+TEST_F(Cli, RenderDrawsOutlinesFlat) {
+    folder_.write("flat.scad", "square(10); translate([2, 2]) color(\"blue\") square(3); %square(40);\n");
+    const std::string arguments =
+        "flat.scad --imgsize=101,101 --camera=0,0,100,0,0,0,9 --viewall --autocenter "
+        "--projection=o -o ";
+    ASSERT_EQ(run(arguments + "r.png --render").status, 0);
+    ASSERT_EQ(run(arguments + "p.png").status, 0);
+    const gl::Image image = gl::read_png(folder_.path("r.png"));
+    const auto color = [&](int x, int y) {
+        const std::uint8_t* p = image.pixel(x, y);
+        return p[0] << 16 | p[1] << 8 | p[2];
+    };
+    std::map<int, int> counts;
+    for (int y = 0; y < 101; ++y) {
+        for (int x = 0; x < 101; ++x)
+            ++counts[color(x, y)];
+    }
+    EXPECT_EQ(counts.size(), 3U) << "background, face and line, without shades between";
+    EXPECT_EQ(color(50, 50), 0x00bf99);
+    // The circle about the square fills the picture: its side is 101 / sqrt(2) pixels.
+    EXPECT_NEAR(counts[0x00bf99], 69.4 * 69.4, 80);
+    EXPECT_NEAR(counts[0xff0000], 4 * 2 * 71.4, 80);
+    EXPECT_NE(folder_.read("r.png"), folder_.read("p.png"));
+}
+
+TEST_F(Cli, RenderShowsTheResultAlone) {
+    folder_.write("parts.scad", "difference() { cube(10); #translate([5, -1, -1]) cube(12); } %sphere(20);\n");
+    folder_.write("alone.scad", "cube([5, 10, 10]);\n");
+    for (const std::string name : {"parts", "alone"})
+        ASSERT_EQ(run(name + ".scad --render -o " + name + ".png --summary-file " + name + ".json").status, 0);
+    const auto box = nlohmann::json::parse(folder_.read("parts.json"))["bounding_box"];
+    EXPECT_EQ(box["max"], nlohmann::json({5.0, 10.0, 10.0}));
+    EXPECT_EQ(box["min"], nlohmann::json({0.0, 0.0, 0.0}));
+    const gl::Image a = gl::read_png(folder_.path("parts.png")), b = gl::read_png(folder_.path("alone.png"));
+    const auto covered = [](const gl::Image& image) {
+        int count = 0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+            count += std::equal(image.rgba.begin() + static_cast<std::ptrdiff_t>(i),
+                                image.rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3, image.rgba.begin())
+                         ? 0
+                         : 1;
+        return count;
+    };
+    EXPECT_GT(covered(a), 10000);
+    EXPECT_EQ(covered(a), covered(b));
+}
+
 TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
     const Result result = run("- -o - --export-format png --imgsize 32,32", "cat m.scad |");
     ASSERT_EQ(result.status, 0) << result.err;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "goldfeather/lists_cpu.h"
 #include "ui/pipeline/solid_scene.h"
@@ -11,9 +12,10 @@ namespace ui {
 
 namespace {
 
-constexpr int kFirstSide = 512, kNextSide = 32;  // Pixels along the longer side of the first picture and of the others.
-constexpr int kMostPictures = 12;
+/// Pixels along the longer side of the first picture, and of the others: odd, so that a sample lies in the middle.
+constexpr int kFirstSide = 513, kNextSide = 33;
 constexpr double kClose = 0x1p-20;  // Of the diagonal.
+constexpr double kSteep = 128;      // Slopes beside a corner that are recognised.
 
 /// A direction along an axis to look from, and what is right and up in that picture.
 struct Side {
@@ -50,23 +52,20 @@ class Lookout {
         Window window{{side.right_sign * centre[side.right], up_sign * centre[side.up]},
                       {size[side.right], size[side.up]}};
         const double close = kClose * glm::length(size);
+        const double highest = side.sign * (side.sign > 0 ? box_.hi : box_.lo)[side.axis];
         std::optional<double> best;
-        int side_pixels = kFirstSide;
-        for (int picture = 0; picture < kMostPictures; ++picture) {
-            const auto seen = look(side, up_sign, window, side_pixels);
-            const bool higher = seen && (!best || seen->height > *best + close);
+        for (int pixels = kFirstSide;; pixels = kNextSide) {
+            const auto seen = look(side, up_sign, window, pixels);
             if (seen && (!best || seen->height > *best)) {
                 best = seen->height;
                 window.centre = seen->at;
             }
-            if (!best || (picture > 1 && !higher)) {
+            if (!best || *best > highest - close || pixel_ < close) {
                 break;
             }
-            // Two pixels either way hold the highest point about the sample.
-            window.size = glm::dvec2(4 * pixel_);
-            side_pixels = kNextSide;
+            window.size = glm::dvec2(4 * pixel_);  // Two pixels either way: the highest point about the sample.
         }
-        return best ? std::optional(snapped(side, *best, close)) : std::nullopt;
+        return best ? std::optional(sharp_tip(side, up_sign, *best, close)) : std::nullopt;
     }
 
   private:
@@ -82,7 +81,8 @@ class Lookout {
         camera.target = box_.centre();
         camera.target[side.right] = side.right_sign * window.centre.x;
         camera.target[side.up] = up_sign * window.centre.y;
-        camera.distance = 0.5 * count.y * pixel_ / std::tan(camera.fov * std::acos(-1.0) / 360);
+        camera.distance = box_.diagonal();  // Before the box, however little of it is seen.
+        camera.fov = std::atan(0.5 * count.y * pixel_ / camera.distance) * 360 / std::acos(-1.0);
         const gl::View view(camera, count, box_.lo, box_.hi);
         goldfeather::CpuLayers layers;
         goldfeather::ListsStats ignored;
@@ -98,6 +98,36 @@ class Lookout {
         const glm::dvec2 pixel(index % count.x, index / count.x);
         return Sighting{window.centre + (pixel + 0.5 - 0.5 * glm::dvec2(count)) * pixel_,
                         side.sign * camera.eye()[side.axis] - view.distance(*nearest)};
+    }
+
+    /// Samples pass by tips that are sharp: the highest corner of a leaf above `height` that is on the result, or
+    /// `height`, as exact as can be told.
+    [[nodiscard]] double sharp_tip(const Side& side, double up_sign, double height, double close) {
+        constexpr std::size_t kMostCorners = 32;
+        std::vector<glm::dvec3> corners;  // Mirrored, so that the highest come first in the order of their coordinates.
+        const double bound = side.sign * (side.sign > 0 ? box_.hi : box_.lo)[side.axis] + close;
+        for (const csg::solid::PlacedLeaf& leaf : solid_.geometry.leaves) {
+            for (const glm::dvec3& point : leaf.points) {
+                const double corner = side.sign * point[side.axis];
+                if (corner > height + close && corner < bound) {
+                    corners.emplace_back(-corner, side.right_sign * point[side.right], up_sign * point[side.up]);
+                }
+            }
+        }
+        const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
+            return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+        };
+        std::sort(corners.begin(), corners.end(), before);
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        corners.resize(std::min(corners.size(), kMostCorners));
+        constexpr int kSide = 9;
+        for (const glm::dvec3& corner : corners) {
+            const auto seen = look(side, up_sign, {{corner.y, corner.z}, glm::dvec2(4 * close)}, kSide);
+            if (seen && seen->height > -corner.x - kSteep * close) {
+                return -corner.x;
+            }
+        }
+        return snapped(side, height, close);
     }
 
     /// The coordinate of the leaves' corner that is meant, where one is as near as can be told.
