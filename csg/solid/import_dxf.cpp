@@ -7,10 +7,12 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "csg/solid/file_text.h"
 #include "csg/solid/import_outline.h"
 #include "csg/solid/solid.h"
+#include "csg/solid/spline.h"
 #include "csg/tree/degrees.h"
 
 namespace csg::solid {
@@ -24,7 +26,7 @@ using Line = Loop;  ///< Open, of at least two points; or closed, with the first
 struct Entity {
     std::string kind, layer;
     std::map<int, double> numbers;               ///< The last of each code.
-    std::vector<std::pair<int, double>> series;  ///< 10, 20 and 42 in their order.
+    std::vector<std::pair<int, double>> series;  ///< Those that may come several times, in their order.
     std::string block;                           ///< INSERT: the name.
 
     [[nodiscard]] double number(int code, double otherwise = 0) const {
@@ -90,7 +92,7 @@ File read(std::string_view text) {
             entity.layer = value;
         } else if (const auto number = to_number(value)) {
             entity.numbers[code] = *number;
-            if (code == 10 || code == 20 || code == 42)
+            if (code == 10 || code == 20 || code == 11 || code == 21 || (code >= 40 && code <= 42))
                 entity.series.emplace_back(code, *number);
         }
     }
@@ -155,16 +157,16 @@ class Drawing {
             else if (e.kind == "INSERT")
                 insert(e, placed);
             else
-                draw(e, placed, depth);
+                draw(e, placed);
         }
     }
 
     /// For a whole turn. Outside of blocks it is the radius after import()'s scale that counts, as in OpenSCAD.
-    [[nodiscard]] int segments(double radius, int depth) const {
-        return circle_segments(depth == 0 ? radius * std::abs(import_.scale) : radius, import_.fineness);
+    [[nodiscard]] int segments(double radius) const {
+        return circle_segments(drawn_.empty() ? radius * std::abs(import_.scale) : radius, import_.fineness);
     }
 
-    void draw(const Entity& e, const glm::dmat4& placed, int depth) {
+    void draw(const Entity& e, const glm::dmat4& placed) {
         Line line;
         if (e.kind == "LINE") {
             add({e.point(10), e.point(11)}, false, placed);
@@ -175,7 +177,7 @@ class Drawing {
             const double to = whole ? 360 : from + sweep(from, e.number(51));
             const glm::dvec2 centre = e.point(10);
             line.push_back(centre + r * glm::dvec2(cos_degrees(from), sin_degrees(from)));
-            add_arc(line, centre, {r, 0}, {0, r}, from, to, segments(r, depth));
+            add_arc(line, centre, {r, 0}, {0, r}, from, to, segments(r));
             add(line, whole, placed);
         } else if (e.kind == "ELLIPSE") {
             const glm::dvec2 axis = e.point(11), other = glm::dvec2(-axis.y, axis.x) * e.number(40, 1);
@@ -183,13 +185,49 @@ class Drawing {
             const double from = e.number(41) * kDegrees;
             const double to = from + sweep(from, e.number(42, 360 / kDegrees) * kDegrees);
             line.push_back(e.point(10) + axis * cos_degrees(from) + other * sin_degrees(from));
-            add_arc(line, e.point(10), axis, other, from, to, segments(glm::length(axis), depth));
+            add_arc(line, e.point(10), axis, other, from, to, segments(glm::length(axis)));
             add(line, std::abs(to - from - 360) < 1e-6, placed);
         } else if (e.kind == "LWPOLYLINE") {
             light_polyline(e, placed);
+        } else if (e.kind == "SPLINE") {
+            spline(e, placed);
         } else if (e.kind != "DIMENSION" && e.kind != "VIEWPORT" && e.kind != "POINT") {
             warn_once(fmt::format("Unsupported DXF Entity '{}' in \"{}\"", e.kind, import_.file.shown));
         }
+    }
+
+    /// By its control points; one that has only points to go through goes through them straight.
+    void spline(const Entity& e, const glm::dmat4& placed) {
+        Spline curve;
+        curve.degree = static_cast<int>(std::clamp(e.number(71, 3), -1.0, 99.0));
+        Loop through;
+        for (const auto& [code, number] : e.series) {
+            if (code == 40)
+                curve.knots.push_back(number);
+            else if (code == 41)
+                curve.weights.push_back(number);
+            else if (code == 10)
+                curve.points.emplace_back(number, 0);
+            else if (code == 20 && !curve.points.empty())
+                curve.points.back().y = number;
+            else if (code == 11)
+                through.emplace_back(number, 0);
+            else if (code == 21 && !through.empty())
+                through.back().y = number;
+        }
+        const bool closed = (static_cast<int>(e.number(70)) & 1) != 0;
+        if (curve.points.empty() && through.size() > 1) {
+            add(std::move(through), closed, placed);
+            return;
+        }
+        const double radius = glm::length(glm::dvec2(bounds_of(std::span(&curve.points, 1)).size())) / 2;
+        constexpr int kSpansOfATurn = 4;
+        auto points = points_along(curve, std::max(2, (segments(radius) + kSpansOfATurn - 1) / kSpansOfATurn));
+        if (points)
+            add(std::move(*points), closed, placed);
+        else
+            warn_once(fmt::format("DXF SPLINE in \"{}\" has knots, points or weights that do not fit together",
+                                  import_.file.shown));
     }
 
     void light_polyline(const Entity& e, const glm::dmat4& placed) {
@@ -201,7 +239,7 @@ class Drawing {
         for (const auto& [code, number] : e.series) {
             if (code == 10)
                 corners.push_back({{number, 0}, 0});
-            else if (!corners.empty())
+            else if (!corners.empty() && (code == 20 || code == 42))
                 (code == 20 ? corners.back().at.y : corners.back().bulge) = number;
         }
         if (corners.empty())
@@ -232,7 +270,17 @@ class Drawing {
         m[1] = {-s * y, c * y, 0, 0};
         m[3] = {e.number(10), e.number(20), 0, 1};
         drawn_.push_back(&*block);
-        draw(block->second, placed * m);
+        // Columns and rows, apart along the block's turned axes.
+        const auto count = [&](int code) { return static_cast<int>(std::clamp(e.number(code, 1), 1.0, 1000.0)); };
+        for (int row = 0; row < count(71); ++row) {
+            for (int column = 0; column < count(70) && inserted_ <= kMostInserted; ++column) {
+                inserted_ += row + column > 0 ? 1 : 0;
+                const double across = column * e.number(44), up = row * e.number(45);
+                glm::dmat4 copy = m;
+                copy[3] += glm::dvec4(c * across - s * up, s * across + c * up, 0, 0);
+                draw(block->second, placed * copy);
+            }
+        }
         drawn_.pop_back();
     }
 
