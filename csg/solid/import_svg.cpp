@@ -1,147 +1,206 @@
-// SVG: basic shapes and paths with their transforms; every shape counts as filled, as in OpenSCAD.
+// SVG: shapes and paths with their transforms. As in OpenSCAD closed shapes count as filled, whatever fills them, and
+// open lines are as wide as their strokes.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <set>
 
-#include "csg/solid/file_text.h"
-#include "csg/solid/files.h"
 #include "csg/solid/import_outline.h"
 #include "csg/solid/solid.h"
+#include "csg/solid/stroke.h"
+#include "csg/solid/svg_document.h"
 #include "csg/solid/svg_path.h"
-#include "csg/solid/xml.h"
+#include "csg/solid/svg_viewport.h"
 
 namespace csg::solid {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-constexpr std::size_t kMostLoops = std::size_t{1} << 20;
+constexpr std::size_t kMostShapes = std::size_t{1} << 20;
+constexpr int kDeepest = 512;  ///< Elements within each other, uses unfolded.
+constexpr int kMostUses = 16;  ///< Within each other.
 
-/// Millimetres in one of the units; 0 for a percentage, the pixel's size for none.
-double unit(std::string_view name, double pixel) {
-    if (name == "mm")
-        return 1;
-    if (name == "cm")
-        return 10;
-    if (name == "in")
-        return 25.4;
-    if (name == "pt")
-        return 25.4 / 72;
-    if (name == "pc")
-        return 25.4 / 6;
-    return name == "%" ? 0 : pixel;
-}
-
-struct Length {
-    double number = 0;
-    std::string_view unit;
+/// What an element has from those about it.
+struct State {
+    glm::dmat4 matrix{1.0};
+    bool shown = true;  ///< Of the layer or id that is asked for.
+    bool even_odd = false;
+    Stroke stroke;
+    int depth = 0, uses = 0;
 };
 
-Length length(std::string_view text) {
-    const std::size_t end = text.find_first_not_of("0123456789.+-eE");
-    std::string_view digits = text.substr(0, end), name = end == std::string_view::npos ? "" : text.substr(end);
-    // The e of "em" belongs to no number.
-    while (!digits.empty() && (digits.back() == 'e' || digits.back() == 'E'))
-        digits.remove_suffix(1);
-    return {to_number(digits).value_or(0), name};
+bool never_drawn(const std::string& name) {
+    return name == "defs" || name == "clipPath" || name == "mask" || name == "symbol" || name == "pattern" ||
+           name == "marker" || name == "linearGradient" || name == "radialGradient" || name == "filter" ||
+           name == "style" || name == "metadata";
 }
 
 class Svg {
   public:
-    explicit Svg(const Import& import) : import_(import) { stack_.push_back({glm::dmat4(1.0), wanted("", "")}); }
+    Svg(const SvgDocument& document, const Import& import, std::vector<std::string>& warnings)
+        : document_(document), import_(import), warnings_(warnings) {}
 
-    void open(const std::string& name, const Attributes& a) {
-        State state = stack_.back();
-        state.matrix *= read_svg_transform(attribute(a, "transform"));
-        state.shown = state.shown || (is_filtered() && wanted(attribute(a, "id"), attribute(a, "label")));
-        state.hidden = state.hidden || name == "defs" || name == "clipPath" || name == "mask" || name == "symbol" ||
-                       name == "pattern" || name == "marker" || attribute(a, "display") == "none";
-        if (name == "svg" && stack_.size() == 1)
-            page(a, state);
-        stack_.push_back(state);
-        if (!state.hidden && state.shown && shapes_.size() < kMostLoops)
-            draw(name, a, state.matrix);
+    std::vector<std::shared_ptr<const Outline>> draw() {
+        if (document_.empty())
+            return {};
+        State state;
+        state.shown = !is_filtered();
+        const SvgElement& root = document_.element(0);
+        if (root.name == "svg")
+            state.matrix = svg_page(root, import_.dpi);
+        draw(root, state, root.name == "svg");
+        if (is_filtered() && !found_)
+            warn_once(fmt::format("nothing in the SVG file has the id or the layer that import() names"));
+        return std::move(shapes_);
     }
-    void close() {
-        if (stack_.size() > 1)
-            stack_.pop_back();
-    }
-    std::vector<std::shared_ptr<const Outline>> take() { return std::move(shapes_); }
 
   private:
-    struct State {
-        glm::dmat4 matrix;
-        bool shown;  ///< Of the layer or id that is asked for.
-        bool hidden = false;
-    };
-
     [[nodiscard]] bool is_filtered() const { return !import_.id.empty() || !import_.layer.empty(); }
     [[nodiscard]] bool wanted(std::string_view id, std::string_view layer) const {
         return (import_.id.empty() || id == import_.id) && (import_.layer.empty() || layer == import_.layer);
     }
-
-    /// To millimetres, y up from the page's lower edge.
-    void page(const Attributes& a, State& state) const {
-        const double pixel = 25.4 / import_.dpi;
-        const Length w = length(attribute(a, "width")), h = length(attribute(a, "height"));
-        std::vector<double> box = read_svg_numbers(attribute(a, "viewBox"));
-        if (box.size() != 4 || !(box[2] > 0) || !(box[3] > 0))
-            box.clear();
-        const double wide = w.number * unit(w.unit, pixel), high = h.number * unit(h.unit, pixel);
-        glm::dvec2 scale(pixel);
-        double height = high;
-        if (!box.empty()) {
-            scale = {wide > 0 ? wide / box[2] : pixel, high > 0 ? high / box[3] : pixel};
-            const double both = std::min(scale.x, scale.y);
-            scale = glm::dvec2(both);
-            height = high > 0 ? high : box[3] * both;
-        }
-        glm::dmat4 m(1.0);
-        m[0][0] = scale.x;
-        m[1][1] = -scale.y;
-        m[3] = {box.empty() ? 0 : -box[0] * scale.x, height + (box.empty() ? 0 : box[1] * scale.y), 0, 1};
-        state.matrix = m * state.matrix;
+    void warn_once(std::string text) {
+        if (told_.insert(text).second)
+            warnings_.push_back(std::move(text));
+    }
+    [[nodiscard]] double length(const SvgElement& e, std::string_view name) const {
+        return svg_length(attribute(e.attributes, name), import_.dpi);
     }
 
-    void draw(const std::string& name, const Attributes& a, const glm::dmat4& matrix) {
-        const auto number = [&](std::string_view key) { return length(attribute(a, key)).number; };
-        std::vector<Loop> loops;
-        const double size = std::sqrt(std::abs(matrix[0][0] * matrix[1][1] - matrix[1][0] * matrix[0][1]));
+    /// `used`: the element is drawn in its own right although such elements are not by themselves.
+    void draw(const SvgElement& e, State state, bool used = false) {
+        if ((never_drawn(e.name) && !used) || document_.property(e, "display") == "none")
+            return;
+        if (++state.depth > kDeepest || shapes_.size() >= kMostShapes || ++visited_ > kMostShapes) {
+            warn_once("SVG file draws too much; the rest is left out");
+            return;
+        }
+        state.matrix *= read_svg_transform(attribute(e.attributes, "transform"));
+        if (is_filtered() && wanted(attribute(e.attributes, "id"), attribute(e.attributes, "label")))
+            state.shown = found_ = true;
+        inherit(e, state);
+        if (e.name == "svg" && !used)
+            state.matrix *= viewport(e, e);
+        if (e.name == "use") {
+            use(e, state);
+        } else if (e.name == "text") {
+            warn_once("text in an SVG file is not drawn; make it a path");
+            return;
+        } else if (state.shown) {
+            shape(e, state);
+        }
+        for (const std::size_t child : e.children)
+            draw(document_.element(child), state);
+    }
+
+    void inherit(const SvgElement& e, State& state) const {
+        Stroke& stroke = state.stroke;
+        if (const auto rule = document_.property(e, "fill-rule"); !rule.empty())
+            state.even_odd = rule == "evenodd";
+        if (const auto width = document_.property(e, "stroke-width"); !width.empty()) {
+            constexpr double kThinnest = 0.01;  // OpenSCAD's: thinner lines are 1 wide.
+            stroke.width = svg_length(width, import_.dpi);
+            if (!(stroke.width >= kThinnest))
+                stroke.width = 1;
+        }
+        if (const auto cap = document_.property(e, "stroke-linecap"); !cap.empty())
+            stroke.cap = cap == "butt" ? Stroke::Cap::Butt : cap == "round" ? Stroke::Cap::Round : Stroke::Cap::Square;
+        if (const auto join = document_.property(e, "stroke-linejoin"); !join.empty())
+            stroke.join = join == "round"   ? Stroke::Join::Round
+                          : join == "bevel" ? Stroke::Join::Bevel
+                                            : Stroke::Join::Miter;
+        if (const auto limit = document_.property(e, "stroke-miterlimit"); !limit.empty())
+            stroke.miter_limit = svg_length(limit, import_.dpi);
+    }
+
+    /// Of an svg or a symbol within the page; `sized` has the width and the height, if any has.
+    [[nodiscard]] glm::dmat4 viewport(const SvgElement& e, const SvgElement& sized) const {
+        glm::dmat4 m(1.0);
+        const glm::dvec2 view = svg_view_size(e);
+        if (e.name == "svg")
+            m[3] = {length(e, "x"), length(e, "y"), 0, 1};
+        const auto side = [&](std::string_view name, double whole) {
+            const std::string_view text = attribute(sized.attributes, name);
+            return text.empty() ? whole : svg_length(text, import_.dpi, whole);
+        };
+        return m * svg_fit(e, {side("width", view.x), side("height", view.y)});
+    }
+
+    void use(const SvgElement& e, State state) {
+        const std::string_view link = attribute(e.attributes, "href");
+        const SvgElement* meant = link.starts_with('#') ? document_.find(link.substr(1)) : nullptr;
+        if (meant == nullptr) {
+            warn_once(fmt::format("SVG use of '{:.40}', which is not in the file", link));
+            return;
+        }
+        if (++state.uses > kMostUses) {
+            warn_once(fmt::format("SVG element '{:.40}' uses itself", link.substr(1)));
+            return;
+        }
+        glm::dmat4 moved(1.0);
+        moved[3] = {length(e, "x"), length(e, "y"), 0, 1};
+        state.matrix *= moved;
+        const bool box = meant->name == "symbol" || meant->name == "svg";
+        if (box)
+            state.matrix *= viewport(*meant, attribute(e.attributes, "width").empty() ? *meant : e);
+        draw(*meant, state, box);
+    }
+
+    void shape(const SvgElement& e, const State& state) {
+        const glm::dmat4& m = state.matrix;
+        const double size = std::sqrt(std::abs(m[0][0] * m[1][1] - m[1][0] * m[0][1]));
         const auto around = [&](double radius) { return circle_segments(radius * size, import_.fineness); };
+        std::vector<SvgSubpath> lines;
         const auto ellipse = [&](double rx, double ry) {
             if (rx > 0 && ry > 0)
-                add_arc(loops.emplace_back(), {number("cx"), number("cy")}, {rx, 0}, {0, ry}, 0, 360,
-                        around(std::max(rx, ry)));
+                add_arc(lines.emplace_back(SvgSubpath{{}, true}).points, {length(e, "cx"), length(e, "cy")}, {rx, 0},
+                        {0, ry}, 0, 360, around(std::max(rx, ry)));
         };
-        if (name == "path") {
-            loops = read_svg_path(attribute(a, "d"), around(10 / std::max(size, 1e-9)));
-        } else if (name == "rect") {
-            rectangle(a, loops, around(std::max(number("rx"), number("ry"))));
-        } else if (name == "circle") {
-            ellipse(number("r"), number("r"));
-        } else if (name == "ellipse") {
-            ellipse(number("rx"), number("ry"));
-        } else if (name == "polygon" || name == "polyline") {
-            const std::vector<double> n = read_svg_numbers(attribute(a, "points"));
-            Loop& loop = loops.emplace_back();
+        if (e.name == "path") {
+            lines = read_svg_path(attribute(e.attributes, "d"), around(10 / std::max(size, 1e-9)));
+        } else if (e.name == "rect") {
+            rectangle(e, lines, around(std::max(length(e, "rx"), length(e, "ry"))));
+        } else if (e.name == "circle") {
+            ellipse(length(e, "r"), length(e, "r"));
+        } else if (e.name == "ellipse") {
+            ellipse(length(e, "rx"), length(e, "ry"));
+        } else if (e.name == "line") {
+            lines.push_back({{{length(e, "x1"), length(e, "y1")}, {length(e, "x2"), length(e, "y2")}}, false});
+        } else if (e.name == "polygon" || e.name == "polyline") {
+            const std::vector<double> n = read_svg_numbers(attribute(e.attributes, "points"));
+            SvgSubpath& line = lines.emplace_back();
             for (std::size_t i = 0; i + 1 < n.size(); i += 2)
-                loop.emplace_back(n[i], n[i + 1]);
+                line.points.emplace_back(n[i], n[i + 1]);
+            line.closed = e.name == "polygon" || is_closed(line.points);
         }
-        if (loops.empty())
-            return;
-        const bool even_odd = attribute(a, "fill-rule") == "evenodd" ||
-                              attribute(a, "style").find("fill-rule:evenodd") != std::string_view::npos;
-        shapes_.push_back(std::make_shared<Outline>(
-            transform(clean(loops, even_odd ? FillRule::EvenOdd : FillRule::NonZero), matrix)));
+        fill_and_stroke(lines, state, around(state.stroke.width / 2));
     }
 
-    static void rectangle(const Attributes& a, std::vector<Loop>& loops, int around) {
-        const auto number = [&](std::string_view key) { return length(attribute(a, key)).number; };
-        const double x = number("x"), y = number("y"), w = number("width"), h = number("height");
+    void fill_and_stroke(const std::vector<SvgSubpath>& lines, const State& state, int around) {
+        std::vector<Loop> loops;
+        for (const SvgSubpath& line : lines) {
+            if (line.closed)
+                loops.push_back(line.points);
+            else
+                add(stroke(line.points, state.stroke, around), state.matrix);
+        }
+        if (!loops.empty())
+            add(clean(loops, state.even_odd ? FillRule::EvenOdd : FillRule::NonZero), state.matrix);
+    }
+
+    void add(const Outline& outline, const glm::dmat4& matrix) {
+        if (!outline.empty())
+            shapes_.push_back(std::make_shared<Outline>(transform(outline, matrix)));
+    }
+
+    void rectangle(const SvgElement& e, std::vector<SvgSubpath>& lines, int around) const {
+        const double x = length(e, "x"), y = length(e, "y"), w = length(e, "width"), h = length(e, "height");
         if (!(w > 0) || !(h > 0))
             return;
-        double rx = number("rx"), ry = number("ry");
-        rx = std::min(attribute(a, "rx").empty() ? ry : rx, w / 2);
-        ry = std::min(attribute(a, "ry").empty() ? rx : ry, h / 2);
-        Loop& loop = loops.emplace_back();
+        double rx = length(e, "rx"), ry = length(e, "ry");
+        rx = std::min(attribute(e.attributes, "rx").empty() ? ry : rx, w / 2);
+        ry = std::min(attribute(e.attributes, "ry").empty() ? rx : ry, h / 2);
+        Loop& loop = lines.emplace_back(SvgSubpath{{}, true}).points;
         if (!(rx > 0) || !(ry > 0)) {
             loop = {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
             return;
@@ -155,40 +214,20 @@ class Svg {
         }
     }
 
+    const SvgDocument& document_;
     const Import& import_;
-    std::vector<State> stack_;
+    std::vector<std::string>& warnings_;
     std::vector<std::shared_ptr<const Outline>> shapes_;
+    std::set<std::string> told_;
+    std::size_t visited_ = 0;
+    bool found_ = false;  ///< Something of the id and layer that are asked for.
 };
-
-void centre(Outline& outline) {
-    const glm::dvec2 middle(bounds_of(outline.loops).centre());
-    for (Loop& loop : outline.loops) {
-        for (glm::dvec2& p : loop)
-            p -= middle;
-    }
-}
 
 }  // namespace
 
 Outline read_svg(std::string_view text, const Import& import, std::vector<std::string>& warnings) {
-    Svg svg(import);
-    XmlEvents events;
-    events.open = [&](const std::string& name, const Attributes& attributes) { svg.open(name, attributes); };
-    events.close = [&](const std::string&, const std::string&) { svg.close(); };
-    read_xml(text, events, warnings);
-    return combine(BooleanKind::Union, svg.take());
-}
-
-Outline import_outline(const Import& import, std::vector<std::string>& warnings) {
-    const auto text = read_file(import.file.path, kMostBytes, warnings);
-    if (!text)
-        return {};
-    Outline outline = file_suffix(import.file.path) == "svg"
-                          ? read_svg(*text, import, warnings)
-                          : clean(read_dxf(*text, import, warnings), FillRule::EvenOdd);
-    if (import.center)
-        centre(outline);
-    return outline;
+    const SvgDocument document(text, warnings);
+    return combine(BooleanKind::Union, Svg(document, import, warnings).draw());
 }
 
 }  // namespace csg::solid

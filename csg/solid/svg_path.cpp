@@ -80,7 +80,7 @@ class PathReader {
   public:
     PathReader(std::string_view text, int around) : scanner_(text), around_(std::max(around, 8)) {}
 
-    std::vector<Loop> run() {
+    std::vector<SvgSubpath> run() {
         char command = 0;
         while (!scanner_.at_end() && points_ < kMostPoints) {
             if (const char next = scanner_.command(); next != 0)
@@ -92,8 +92,8 @@ class PathReader {
             if (!step(command))
                 break;
         }
-        close();
-        return std::move(loops_);
+        finish(false);
+        return std::move(lines_);
     }
 
   private:
@@ -105,13 +105,13 @@ class PathReader {
         glm::dvec2 a, b, c;
         switch (kind) {
             case 'Z':
-                close();
+                finish(true);
                 at_ = start_;
                 return true;
             case 'M':
                 if (!point(base, a))
                     return false;
-                close();
+                finish(false);
                 start_ = at_ = a;
                 loop_ = {a};
                 return true;
@@ -213,15 +213,16 @@ class PathReader {
         loop_.back() = at_ = to;
         return true;
     }
-    void close() {
-        if (loop_.size() > 2)
-            loops_.push_back(std::move(loop_));
+    void finish(bool closed) {
+        closed = closed || is_closed(loop_);
+        if (loop_.size() > (closed ? 2U : 1U))
+            lines_.push_back({std::move(loop_), closed});
         loop_.clear();
     }
 
     Scanner scanner_;
     const int around_;
-    std::vector<Loop> loops_;
+    std::vector<SvgSubpath> lines_;
     Loop loop_;
     glm::dvec2 at_{0.0}, start_{0.0}, control_{0.0};
     char last_ = 0;
@@ -238,7 +239,12 @@ glm::dmat4 affine(double a, double b, double c, double d, double e, double f) {
 
 }  // namespace
 
-std::vector<Loop> read_svg_path(std::string_view text, int around) {
+bool is_closed(const Loop& points) {
+    constexpr double kNear = 0.1;
+    return points.size() > 2 && glm::length(points.front() - points.back()) <= kNear;
+}
+
+std::vector<SvgSubpath> read_svg_path(std::string_view text, int around) {
     return PathReader(text, around).run();
 }
 

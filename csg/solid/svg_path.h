@@ -8,9 +8,17 @@
 
 namespace csg::solid {
 
-/// Loops in the path's own units; curves become lines, `around` for a whole turn of an arc. What follows a mistake is
-/// left out, as SVG asks.
-[[nodiscard]] std::vector<Loop> read_svg_path(std::string_view text, int around);
+struct SvgSubpath {
+    Loop points;
+    bool closed = false;
+};
+
+/// Do the ends meet, as far as OpenSCAD looks?
+[[nodiscard]] bool is_closed(const Loop& points);
+
+/// In the path's own units; curves become lines, `around` for a whole turn of an arc. What follows a mistake is left
+/// out, as SVG asks.
+[[nodiscard]] std::vector<SvgSubpath> read_svg_path(std::string_view text, int around);
 
 /// The product of the transforms in the list.
 [[nodiscard]] glm::dmat4 read_svg_transform(std::string_view text);

@@ -1,0 +1,33 @@
+#include "csg/solid/import_outline.h"
+
+#include "csg/solid/file_text.h"
+#include "csg/solid/files.h"
+
+namespace csg::solid {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+
+void centre(Outline& outline) {
+    const glm::dvec2 middle(bounds_of(outline.loops).centre());
+    for (Loop& loop : outline.loops) {
+        for (glm::dvec2& p : loop)
+            p -= middle;
+    }
+}
+
+}  // namespace
+
+Outline import_outline(const Import& import, std::vector<std::string>& warnings) {
+    const auto text = read_file(import.file.path, kMostBytes, warnings);
+    if (!text)
+        return {};
+    Outline outline = file_suffix(import.file.path) == "svg"
+                          ? read_svg(*text, import, warnings)
+                          : clean(read_dxf(*text, import, warnings), FillRule::EvenOdd);
+    if (import.center)
+        centre(outline);
+    return outline;
+}
+
+}  // namespace csg::solid
