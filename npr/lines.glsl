@@ -61,6 +61,10 @@ Edge edge_at(vec2 at, int layer, float width, bool hard) {
     return edge;
 }
 
+Edge edge_at(vec2 at, int layer, float width) {
+    return edge_at(at, layer, width, false);
+}
+
 // Lines of all layers in one search: the ink of each, by the strengths of its edges. `hidden_width` is that of all
 // layers but the first, and not above `width`.
 void all_edges_at(vec2 at, float width, float hidden_width, float profile_strength, float inner_strength,

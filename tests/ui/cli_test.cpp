@@ -107,6 +107,23 @@ TEST_F(Cli, RenderDrawsOutlinesFlat) {
     EXPECT_NE(folder_.read("r.png"), folder_.read("p.png"));
 }
 
+/// Links that lead nowhere, and a folder that is within itself, so that a file has names without end.
+TEST_F(Cli, LoopsOfLinksEnd) {
+    fs::create_symlink("b.scad", folder_.path("a.scad"));
+    fs::create_symlink("a.scad", folder_.path("b.scad"));
+    fs::create_directory_symlink(".", folder_.path("self"));
+    folder_.write("links.scad", "include <a.scad>\ncube(1);\n");
+    folder_.write("include.scad", "include <self/include.scad>\ncube(1);\n");
+    folder_.write("use.scad", "use <self/use.scad>\ncube(1);\n");
+    for (const std::string name : {"links", "include", "use"}) {
+        const Result result = run(name + ".scad -o " + name + ".csg");
+        EXPECT_EQ(result.status, 0) << name << result.err;
+        EXPECT_NE(result.err.find("Too many levels of symbolic links"), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find(name + ".scad, line 1"), std::string::npos) << result.err;
+        EXPECT_NE(folder_.read(name + ".csg").find("cube("), std::string::npos);
+    }
+}
+
 TEST_F(Cli, RenderShowsTheResultAlone) {
     folder_.write("parts.scad", "difference() { cube(10); #translate([5, -1, -1]) cube(12); } %sphere(20);\n");
     folder_.write("alone.scad", "cube([5, 10, 10]);\n");
