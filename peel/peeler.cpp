@@ -51,8 +51,9 @@ LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, 
     }
     if (model.engine == EngineKind::Scs) {
         for (const auto& products : model.products) {
-            stats.fallback = goldfeather::Scs::obstacle(view, model.lists.geometry, products, max_layers);
-            if (!stats.fallback.empty()) {
+            const std::string obstacle = goldfeather::Scs::obstacle(view, model.lists.geometry, products, max_layers);
+            if (!obstacle.empty()) {
+                stats.fallback = obstacle;
                 return peel_lists_cpu(view, model, max_layers, stats);
             }
         }
@@ -61,19 +62,24 @@ LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, 
 }
 
 std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
-    if (lists_fault_.empty()) {
+    if (!lists_ && lists_fault_.empty()) {
         try {
-            if (!lists_) {
-                lists_.emplace(gl_, memory_budget_);
-            }
+            lists_.emplace(gl_, memory_budget_);
+        } catch (const gl::Error& error) {
+            lists_fault_ = error.what();  // Nor will it be better the next time.
+        }
+    }
+    if (lists_) {
+        try {
             return lists_->peel(view, model.lists.geometry, *model.leaves, *model.lists_scene, model.tables, max_layers,
                                 stats);
         } catch (const gl::Error& error) {
-            lists_fault_ = error.what();
-            lists_.reset();
+            stats.fallback = error.what();  // Of this picture.
         }
     }
-    stats.fallback = lists_fault_;
+    if (!lists_) {
+        stats.fallback = lists_fault_;
+    }
     return std::nullopt;
 }
 
