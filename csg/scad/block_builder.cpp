@@ -10,10 +10,9 @@ std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
     }
     const std::size_t index = at->second;
     Argument& known = assignments_[index];
-    const SourceRange before = known.where;
-    overwritten_.try_emplace(index, before);
+    const SourceRange first = overwritten_.try_emplace(index, known.where).first->second;
     known = assignment;
-    return before;
+    return first;
 }
 
 BlockId BlockBuilder::finish(Program& program) {

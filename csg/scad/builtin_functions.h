@@ -3,12 +3,12 @@
 
 #include <functional>
 #include <map>
-#include <random>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "csg/scad/seeded_random.h"
 #include "csg/scad/source.h"
 #include "csg/scad/value.h"
 #include "csg/tree/leaf_shape.h"
@@ -30,7 +30,7 @@ struct FunctionHost {
     Measures* measures = nullptr;                ///< Null where nobody answers.
     std::vector<std::string> font_files;         ///< Of `use <font.ttf>`.
     std::vector<std::string_view> module_names;  ///< Of the user modules that run, the outermost first.
-    std::mt19937 random;                         ///< For rands() without a seed: the same in every run.
+    SeededRandom random;                         ///< For rands(): the same in every run until it is given a seed.
     std::size_t max_elements = 0;                ///< Of a list that a function makes.
 };
 

@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::size_t kShownColumns = 120;  // Longer lines are cut around the caret.
 
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+bool continues(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
 
 /// A run of bytes as blanks of the same width: a tab stays a tab, a code point becomes one space.
 std::string blanks(std::string_view text) {
@@ -51,12 +53,18 @@ std::string excerpt(std::string_view line, std::size_t begin, std::size_t end) {
 
 std::string_view openscad_name(Severity severity) {
     switch (severity) {
-        case Severity::Error: return "ERROR: ";
-        case Severity::Warning: return "WARNING: ";
-        case Severity::Echo: return "ECHO: ";
-        case Severity::Deprecated: return "DEPRECATED: ";
-        case Severity::Trace: return "TRACE: ";
-        case Severity::Info: return "";
+        case Severity::Error:
+            return "ERROR: ";
+        case Severity::Warning:
+            return "WARNING: ";
+        case Severity::Echo:
+            return "ECHO: ";
+        case Severity::Deprecated:
+            return "DEPRECATED: ";
+        case Severity::Trace:
+            return "TRACE: ";
+        case Severity::Info:
+            return "";
     }
     return "";
 }
@@ -65,12 +73,18 @@ std::string_view openscad_name(Severity severity) {
 
 std::string_view severity_name(Severity severity) {
     switch (severity) {
-        case Severity::Error: return "error";
-        case Severity::Warning: return "warning";
-        case Severity::Echo: return "echo";
-        case Severity::Deprecated: return "deprecated";
-        case Severity::Trace: return "trace";
-        case Severity::Info: return "info";
+        case Severity::Error:
+            return "error";
+        case Severity::Warning:
+            return "warning";
+        case Severity::Echo:
+            return "echo";
+        case Severity::Deprecated:
+            return "deprecated";
+        case Severity::Trace:
+            return "trace";
+        case Severity::Info:
+            return "info";
     }
     return "";
 }
@@ -85,10 +99,10 @@ std::string render(const Message& message, const SourceSet& sources) {
     const std::string_view line = file.line(where.line);
     const std::size_t begin = std::min<std::size_t>(where.column > 0 ? where.column - 1 : 0, line.size());
     const std::size_t end = where.end_line == where.line && where.end_column > 0 ? where.end_column - 1
-                            : where.end_line > where.line                       ? line.size()
-                                                                                : begin + 1;
-    return fmt::format("{}:{}:{}: {}: {}\n{}", file.name(), where.line, code_points(line.substr(0, begin)) + 1, severity,
-                       message.text, excerpt(line, begin, end));
+                            : where.end_line > where.line                        ? line.size()
+                                                                                 : begin + 1;
+    return fmt::format("{}:{}:{}: {}: {}\n{}", file.name(), where.line, code_points(line.substr(0, begin)) + 1,
+                       severity, message.text, excerpt(line, begin, end));
 }
 
 std::string render_openscad(const Message& message, const SourceSet& sources, std::string_view base_directory) {
@@ -104,11 +118,9 @@ std::string render_openscad(const Message& message, const SourceSet& sources, st
         const std::string from_here = std::filesystem::proximate(name, error).string();
         return fmt::format("{} in file {}, line {}", text, error ? name : from_here, message.where.line);
     }
-    if (!base_directory.empty() && name.starts_with(base_directory)) {
-        name.remove_prefix(base_directory.size());
-        while (name.starts_with('/')) {
-            name.remove_prefix(1);
-        }
+    if (!base_directory.empty() && !name.starts_with('<')) {  // Not a made-up name.
+        const std::string from_base = std::filesystem::path(name).lexically_proximate(base_directory).generic_string();
+        return fmt::format("{} in file {}, line {}", text, from_base, message.where.line);
     }
     return fmt::format("{} in file {}, line {}", text, name, message.where.line);
 }

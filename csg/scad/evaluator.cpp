@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "csg/scad/data_file.h"
 
@@ -45,6 +46,7 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
     host_.read = request.reader;
     host_.measures = request.measures.get();
     host_.font_files = program.fonts();
+    host_.random.seed(std::mt19937::default_seed);
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
     strings_.assign(p_.symbols.size(), Value::unset());

@@ -104,11 +104,9 @@ Value ord(std::string_view name, std::span<const Value> a, FunctionHost& host) {
         return {};
     }
     const std::string& text = a[0].string();
-    for (std::size_t at = 0; at < text.size(); at += code_point_bytes(text, at)) {
-        if (code_point_bytes(text, at) == 1 && static_cast<unsigned char>(text[at]) >= 0x80) {
-            host.warn(fmt::format("ord() argument '{}' is not a valid utf8 string", text));
-            return {};
-        }
+    if (!is_valid_utf8(text)) {
+        host.warn(fmt::format("ord() argument '{}' is not a valid utf8 string", text));
+        return {};
     }
     return static_cast<double>(decode_code_point(a[0].string(), 0));
 }

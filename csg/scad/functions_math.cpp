@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "csg/scad/builtin_functions.h"
@@ -160,6 +161,26 @@ Value cross(std::string_view name, std::span<const Value> a, FunctionHost& host)
     return std::vector<Value>{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
+/// The seed of a generator: a number modulo 2^31 - 1, which is what OpenSCAD (with Python's hash of floating-point
+/// numbers) takes; fractions count by the inverse of 2 there.
+std::uint32_t seed_of(double number) {
+    constexpr std::uint64_t kModulus = (std::uint64_t{1} << 31) - 1;
+    constexpr int kBits = 31;  // 2^31 is 1 to this modulus: exponents count modulo 31.
+    constexpr std::uint32_t kInfinity = 314159;
+    if (std::isnan(number)) {
+        return 0;
+    }
+    const auto with_sign = [&](std::uint32_t rest) { return std::signbit(number) ? ~rest + 1 : rest; };
+    if (std::isinf(number)) {
+        return with_sign(kInfinity);
+    }
+    int exponent = 0;
+    const double fraction = std::frexp(std::abs(number), &exponent);
+    const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, std::numeric_limits<double>::digits));
+    const int shift = ((exponent - std::numeric_limits<double>::digits) % kBits + kBits) % kBits;
+    return with_sign(static_cast<std::uint32_t>((mantissa % kModulus << shift) % kModulus));
+}
+
 Value rands(std::string_view name, std::span<const Value> a, FunctionHost& host) {
     if (!check_count(name, a, 3, 4, "3 or 4", host)) {
         return {};
@@ -180,7 +201,7 @@ Value rands(std::string_view name, std::span<const Value> a, FunctionHost& host)
     if (bound[1] < bound[0]) {
         std::swap(bound[0], bound[1]);
     }
-    double count = a[2].number();
+    double count = std::abs(a[2].number());
     if (!std::isfinite(count)) {
         host.warn("rands() cannot create an infinite number of results");
         host.warn_without_place("resetting number of results to 1");
@@ -190,15 +211,13 @@ Value rands(std::string_view name, std::span<const Value> a, FunctionHost& host)
         host.warn(fmt::format("rands() cannot create more than {} results", host.max_elements));
         return {};
     }
-    SeededRandom seeded;
     if (a.size() == 4) {
-        const double seed = std::isfinite(a[3].number()) ? std::fmod(std::trunc(a[3].number()), 4294967296.0) : 0;
-        seeded.seed(static_cast<std::uint32_t>(static_cast<std::int64_t>(seed)));
+        host.random.seed(seed_of(a[3].number()));  // Calls without a seed go on from here.
     }
     std::uniform_real_distribution<double> distribution(bound[0], bound[1]);
-    std::vector<Value> result(static_cast<std::size_t>(std::max(count, 0.0)));
+    std::vector<Value> result(static_cast<std::size_t>(count));
     for (Value& value : result) {
-        value = bound[0] == bound[1] ? bound[0] : a.size() == 4 ? distribution(seeded) : distribution(host.random);
+        value = bound[0] == bound[1] ? bound[0] : distribution(host.random);
     }
     return result;
 }

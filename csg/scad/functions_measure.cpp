@@ -96,12 +96,8 @@ std::optional<DrawingQuery> drawing(std::string_view name, std::span<const Value
     static constexpr std::array<Names, 5> kParameters{"file", "layer", "origin", "scale", "name"};
     const NamedArguments arguments(a, kParameters, host);
     DrawingQuery query;
-    const std::string file = arguments.text("file");
-    query.import.file = host.data_file(file);
-    if (std::error_code error; !std::filesystem::exists(query.import.file.path, error)) {
-        host.warn(fmt::format("Can't open DXF file '{}'!", file));
-        return std::nullopt;
-    }
+    query.file = arguments.text("file");
+    query.import.file = host.data_file(query.file);
     if (const Value& origin = arguments["origin"]; !origin.is_undef()) {
         const auto xy = origin.is_vector() ? origin.elements() : std::span<const Value>();
         const auto good = [](const Value& v) { return v.is_number() && std::isfinite(v.number()); };
@@ -110,6 +106,10 @@ std::optional<DrawingQuery> drawing(std::string_view name, std::span<const Value
         } else {
             host.warn(fmt::format("{}(..., origin={}) could not be converted", name, origin.echo_text()));
         }
+    }
+    if (std::error_code error; !std::filesystem::exists(query.import.file.path, error)) {
+        host.warn(fmt::format("Can't open DXF file '{}'!", query.file));
+        return std::nullopt;
     }
     query.import.layer = arguments.text("layer");
     query.import.scale = arguments.number("scale", 1);

@@ -15,6 +15,7 @@ namespace csg::scad {
 /// Of what a drawing is asked: `import` names its file, layer, origin and scale.
 struct DrawingQuery {
     Import import;
+    std::string file;       ///< As the program names the file, for messages.
     std::string dimension;  ///< Name of a dimension; empty for the first.
 };
 

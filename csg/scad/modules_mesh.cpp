@@ -138,9 +138,13 @@ void run_offset(const ModuleContext& c, Nodes& out) {
     const ModuleArguments arguments(c, kParameters, kNamed);
     Offset offset;
     offset.fineness = c.evaluator.fineness(c.where());
+    const auto delta = arguments.number("delta");
     if (const auto r = arguments.number("r")) {
+        if (delta) {
+            c.warn("Ignoring \"delta\" argument as \"r\" is defined too.");
+        }
         offset.distance = *r;
-    } else if (const auto delta = arguments.number("delta")) {
+    } else if (delta) {
         offset.distance = *delta;
         offset.corner = is_true(arguments["chamfer"]) ? Offset::Corner::Chamfer : Offset::Corner::Miter;
     }

@@ -94,12 +94,16 @@ void run_mirror(const ModuleContext& c, Nodes& out) {
     add_transform(c, axes, glm::dvec3(0.0), out);
 }
 
-/// Turns the plane of two axes: `a` towards `b`.
-void turn(glm::dvec3& a, glm::dvec3& b, double degrees) {
-    const double s = sine(degrees), c = cosine(degrees);
-    const glm::dvec3 from = a;
-    a = c * a + s * b;
-    b = c * b - s * from;
+/// A zero loses its sign unless all of its column has one: what is left when OpenSCAD multiplies the identity by such a
+/// matrix, and shows in .csg texts.
+Axes with_settled_zeros(Axes axes) {
+    for (glm::dvec3& column : axes) {
+        const bool all_signed = std::signbit(column.x) && std::signbit(column.y) && std::signbit(column.z);
+        if (!all_signed) {
+            column += 0.0;
+        }
+    }
+    return axes;
 }
 
 /// By `degrees` about an axis of any length but 0 (Rodrigues). Products come before the division, so that axes of whole
@@ -110,13 +114,9 @@ Axes about(const glm::dvec3& axis, double degrees) {
     const glm::dvec3 s = sine(degrees) * axis / std::sqrt(square);
     const auto part = [&](double a, double b) { return (1 - c) * a * b / square; };
     const auto [x, y, z] = std::array{axis.x, axis.y, axis.z};
-    Axes axes{glm::dvec3(part(x, x) + c, part(x, y) + s.z, part(x, z) - s.y),
-              glm::dvec3(part(x, y) - s.z, part(y, y) + c, part(y, z) + s.x),
-              glm::dvec3(part(x, z) + s.y, part(y, z) - s.x, part(z, z) + c)};
-    for (glm::dvec3& column : axes) {
-        column += 0.0;  // No zero with a sign.
-    }
-    return axes;
+    return with_settled_zeros({glm::dvec3(part(x, x) + c, part(x, y) + s.z, part(x, z) - s.y),
+                               glm::dvec3(part(x, y) - s.z, part(y, y) + c, part(y, z) + s.x),
+                               glm::dvec3(part(x, z) + s.y, part(y, z) - s.x, part(z, z) + c)});
 }
 
 /// Angles about x, then y, then z. False where something is no finite number, or there are more than three. Numbers
@@ -129,9 +129,11 @@ bool rotate_about_axes(std::span<const Value> angles, Axes& axes) {
         good = good && usable;
         degrees[i] = angles[i].is_number() ? angles[i].number() : 0;
     }
-    turn(axes[0], axes[1], degrees[2]);
-    turn(axes[2], axes[0], degrees[1]);
-    turn(axes[1], axes[2], degrees[0]);
+    const auto [sx, sy, sz] = std::array{sine(degrees[0]), sine(degrees[1]), sine(degrees[2])};
+    const auto [cx, cy, cz] = std::array{cosine(degrees[0]), cosine(degrees[1]), cosine(degrees[2])};
+    axes = with_settled_zeros({glm::dvec3(cy * cz, cy * sz, -sy),
+                               glm::dvec3(cz * sx * sy - cx * sz, cx * cz + sx * sy * sz, cy * sx),
+                               glm::dvec3(cx * cz * sy + sx * sz, -cz * sx + cx * sy * sz, cx * cy)});
     return good;
 }
 

@@ -117,11 +117,14 @@ void Parser::assignment(BlockBuilder& block) {
     }
 }
 
-/// What the main file sets may be meant to replace what it includes; everything else is worth a word.
+/// Worth a word within one file, and where an included file takes away what the main file says. What the main file
+/// sets may be meant to replace what it includes; and two included files know nothing of each other.
 void Parser::warn_overwritten(const Argument& assignment, const SourceRange& before) const {
     const std::uint32_t main = 0;
     const bool by_main = assignment.where.file == main;
-    if (by_main && before.file != main) {
+    const bool one_file = assignment.where.file == before.file;
+    if (one_file ? !by_main && assignment.where.line == before.line  // A file that is included again.
+                 : by_main || before.file != main) {
         return;
     }
     const std::string file = by_main ? "" : fmt::format(" of \"{}\"", files_.name_in_messages(before.file));

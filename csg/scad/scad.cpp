@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <set>
+#include <string>
+#include <tuple>
 
 #include "csg/scad/evaluator.h"
 #include "csg/scad/parser.h"
@@ -22,7 +25,8 @@ constexpr std::size_t kLargestStack = std::size_t{64} << 30;
 #endif
 constexpr std::size_t kStackReserve = std::size_t{4} << 20;  // For what runs without asking: built-ins, messages.
 
-/// Passes messages on and counts them; of a run of equal ones only the first few, as OpenSCAD does.
+/// Passes messages on and counts them; of a run of equal ones only the first few, of equal deprecations only the first,
+/// as OpenSCAD does.
 class MessageGate {
   public:
     MessageGate(const EvaluationSink& sink, const SourceSet& sources, Evaluation& evaluation)
@@ -32,6 +36,10 @@ class MessageGate {
         const bool counts = message.severity != Severity::Echo && message.severity != Severity::Info;
         evaluation_.errors += message.severity == Severity::Error;
         evaluation_.warnings += message.severity == Severity::Warning || message.severity == Severity::Deprecated;
+        if (message.severity == Severity::Deprecated &&
+            !deprecations_.emplace(message.where.file, message.where.line, message.text).second) {
+            return;
+        }
         if (counts) {
             const bool same = message.text == last_.text && message.severity == last_.severity &&
                               message.where.file == last_.where.file && message.where.line == last_.where.line;
@@ -53,6 +61,7 @@ class MessageGate {
     Evaluation& evaluation_;
     Message last_;
     unsigned repeated_ = 0;
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> deprecations_;
 };
 
 /// The work of `evaluate`; may throw.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <limits>
 #include <new>
@@ -320,79 +319,6 @@ void Value::destroy(ValueType type, ValueObject* object) {
             dismantle(t, value.object_);
         }
     }
-}
-
-std::size_t code_point_bytes(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(at);
-    const std::size_t want = lead < 0x80   ? 1
-                             : lead < 0xc2 ? 1
-                             : lead < 0xe0 ? 2
-                             : lead < 0xf0 ? 3
-                             : lead < 0xf5 ? 4
-                                           : 1;
-    if (at + want > text.size()) {
-        return 1;
-    }
-    for (std::size_t i = 1; i < want; ++i) {
-        if ((byte(at + i) & 0xc0) != 0x80) {
-            return 1;
-        }
-    }
-    return want;
-}
-
-std::size_t code_point_count(std::string_view text) {
-    // Eight bytes of ASCII at a time: strings that grow are counted again and again.
-    constexpr std::uint64_t kHighBits = 0x8080808080808080U;
-    std::size_t count = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        std::uint64_t word = kHighBits;
-        if (text.size() - at >= sizeof word) {
-            std::memcpy(&word, text.data() + at, sizeof word);
-        }
-        if ((word & kHighBits) == 0) {
-            at += sizeof word;
-            count += sizeof word;
-        } else {
-            at += code_point_bytes(text, at);
-            ++count;
-        }
-    }
-    return count;
-}
-
-char32_t decode_code_point(std::string_view text, std::size_t at) {
-    const std::size_t bytes = code_point_bytes(text, at);
-    const auto lead = static_cast<unsigned char>(text[at]);
-    if (bytes == 1) {
-        return lead < 0x80 ? lead : U'\uFFFD';
-    }
-    char32_t result = lead & (0x7fU >> bytes);
-    for (std::size_t i = 1; i < bytes; ++i) {
-        result = result << 6 | (static_cast<unsigned char>(text[at + i]) & 0x3fU);
-    }
-    return result;
-}
-
-void append_utf8(std::string& text, char32_t c) {
-    const auto put = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
-    if (c < 0x80) {
-        put(c);
-        return;
-    }
-    if (c < 0x800) {
-        put(0xc0 | c >> 6);
-    } else {
-        if (c < 0x10000) {
-            put(0xe0 | c >> 12);
-        } else {
-            put(0xf0 | c >> 18);
-            put(0x80 | (c >> 12 & 0x3f));
-        }
-        put(0x80 | (c >> 6 & 0x3f));
-    }
-    put(0x80 | (c & 0x3f));
 }
 
 }  // namespace csg::scad

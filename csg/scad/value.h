@@ -184,9 +184,11 @@ class ValueLimit : public std::runtime_error {
 /// How many may be alive on this thread: making one more list or string throws ValueLimit.
 void limit_elements(std::size_t most);
 
-// UTF-8. Bytes that are no valid sequence count as one code point each.
+// UTF-8. The first byte of a code point tells how long it is, as in OpenSCAD (GLib), even where what follows does not
+// fit: whoever needs to know asks `is_valid_utf8`.
 [[nodiscard]] std::size_t code_point_bytes(std::string_view text, std::size_t at);
 [[nodiscard]] std::size_t code_point_count(std::string_view text);
+[[nodiscard]] bool is_valid_utf8(std::string_view text);
 /// U+FFFD where the bytes are invalid.
 [[nodiscard]] char32_t decode_code_point(std::string_view text, std::size_t at);
 void append_utf8(std::string& text, char32_t code_point);

@@ -1,4 +1,4 @@
-// DXF: pairs of a group code and a value, a line each.
+// Outlines from DXF files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <set>
 #include <span>
 
-#include "csg/solid/file_text.h"
+#include "csg/solid/dxf_file.h"
 #include "csg/solid/import_outline.h"
 #include "csg/solid/solid.h"
 #include "csg/solid/spline.h"
@@ -21,84 +21,9 @@ namespace {
 constexpr std::size_t kMostLines = std::size_t{1} << 21;
 constexpr std::size_t kMostInserted = 10'000;
 
-using Line = Loop;  ///< Open, of at least two points; or closed, with the first point again at its end.
-
-struct Entity {
-    std::string kind, layer;
-    std::map<int, double> numbers;               ///< The last of each code.
-    std::vector<std::pair<int, double>> series;  ///< Those that may come several times, in their order.
-    std::string block;                           ///< INSERT: the name.
-
-    [[nodiscard]] double number(int code, double otherwise = 0) const {
-        const auto found = numbers.find(code);
-        return found == numbers.end() ? otherwise : found->second;
-    }
-    [[nodiscard]] glm::dvec2 point(int code) const { return {number(code), number(code + 10)}; }
-};
-
-std::string_view trimmed(std::string_view line) {
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
-        line.remove_suffix(1);
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t'))
-        line.remove_prefix(1);
-    return line;
-}
-
-using Blocks = std::map<std::string, std::vector<Entity>>;
-using Block = Blocks::value_type;
-
-struct File {
-    std::vector<Entity> entities;
-    Blocks blocks;
-};
-
-File read(std::string_view text) {
-    File file;
-    Words words(text);
-    std::string section, block;
-    bool in_block = false;
-    Entity entity;
-    const auto finish_entity = [&] {
-        if (entity.kind == "BLOCK")
-            block = entity.block;
-        else if (!entity.kind.empty() && section == "ENTITIES")
-            file.entities.push_back(std::move(entity));
-        else if (!entity.kind.empty() && section == "BLOCKS" && in_block)
-            file.blocks[block].push_back(std::move(entity));
-        entity = {};
-    };
-    while (!words.at_end()) {
-        const auto code_word = to_number(trimmed(words.line()));
-        const std::string_view value = trimmed(words.line());
-        if (!code_word)
-            continue;
-        const int code = static_cast<int>(std::clamp(*code_word, -1.0, 2000.0));
-        if (code == 0) {
-            finish_entity();
-            if (value == "BLOCK")
-                in_block = true;
-            else if (value == "ENDBLK")
-                in_block = false;
-            if (value == "ENDSEC")
-                section.clear();
-            else
-                entity.kind = value;
-        } else if (code == 2 && entity.kind == "SECTION") {
-            section = value;
-            entity.kind.clear();
-        } else if (code == 2) {
-            entity.block = value;
-        } else if (code == 8) {
-            entity.layer = value;
-        } else if (const auto number = to_number(value)) {
-            entity.numbers[code] = *number;
-            if (code == 10 || code == 20 || code == 11 || code == 21 || (code >= 40 && code <= 42))
-                entity.series.emplace_back(code, *number);
-        }
-    }
-    finish_entity();
-    return file;
-}
+using Line = Loop;
+using Entity = DxfEntity;
+using Block = DxfFile::Blocks::value_type;
 
 /// An arc between two points: `bulge` is the tangent of a quarter of its angle.
 void add_bulge(Line& line, const glm::dvec2& from, const glm::dvec2& to, double bulge, const Fineness& fineness) {
@@ -124,11 +49,13 @@ double sweep(double from, double to) {
 
 class Drawing {
   public:
-    Drawing(const File& file, const Import& import, std::vector<std::string>& warnings)
+    Drawing(const DxfFile& file, const Import& import, std::vector<std::string>& warnings)
         : file_(file), import_(import), warnings_(warnings) {}
 
     std::vector<Line> draw() {
         draw(file_.entities, glm::dmat4(1.0));
+        for (const auto& [kind, count] : unknown_)
+            warnings_.push_back(fmt::format("Unsupported DXF Entity '{:.40}' ({:x}) in {}", kind, count, place_name()));
         return std::move(lines_);
     }
 
@@ -192,7 +119,7 @@ class Drawing {
         } else if (e.kind == "SPLINE") {
             spline(e, placed);
         } else if (e.kind != "DIMENSION" && e.kind != "VIEWPORT" && e.kind != "POINT") {
-            warn_once(fmt::format("Unsupported DXF Entity '{}' in \"{}\"", e.kind, import_.file.shown));
+            ++unknown_[e.kind];
         }
     }
 
@@ -284,6 +211,12 @@ class Drawing {
         drawn_.pop_back();
     }
 
+    /// What a warning names.
+    [[nodiscard]] std::string place_name() const {
+        return import_.layer.empty() ? fmt::format("\"{}\".", import_.file.shown)
+                                     : fmt::format("layer '{}' of {}", import_.layer, import_.file.shown);
+    }
+
     void warn_once(std::string warning) {
         if (told_.insert(warning).second)
             warnings_.push_back(std::move(warning));
@@ -299,12 +232,13 @@ class Drawing {
         lines_.push_back(std::move(line));
     }
 
-    const File& file_;
+    const DxfFile& file_;
     const Import& import_;
     std::vector<std::string>& warnings_;
     std::vector<Line> lines_;
     std::set<std::string> told_;
-    std::vector<const Block*> drawn_;  ///< The blocks that this is part of, the outermost first.
+    std::map<std::string, std::size_t> unknown_;  ///< How many entities of a kind cannot be drawn.
+    std::vector<const Block*> drawn_;             ///< The blocks that this is part of, the outermost first.
     std::size_t inserted_ = 0;
 };
 
@@ -445,13 +379,23 @@ void add_arc(Loop& loop, const glm::dvec2& centre, const glm::dvec2& first_axis,
     }
 }
 
-std::vector<Loop> read_dxf(std::string_view text, const Import& import, std::vector<std::string>& warnings) {
-    const File file = read(text);
-    std::vector<Loop> loops = Joining(Drawing(file, import, warnings).draw()).join();
+static void place(std::vector<Loop>& loops, const Import& import) {
     for (Loop& loop : loops) {
         for (glm::dvec2& p : loop)
             p = (p - import.origin) * import.scale;
     }
+}
+
+std::vector<Loop> draw_dxf(const DxfFile& file, const Import& import, std::vector<std::string>& warnings) {
+    std::vector<Loop> lines = Drawing(file, import, warnings).draw();
+    place(lines, import);
+    return lines;
+}
+
+std::vector<Loop> read_dxf(std::string_view text, const Import& import, std::vector<std::string>& warnings) {
+    const DxfFile file = read_dxf_file(text);
+    std::vector<Loop> loops = Joining(Drawing(file, import, warnings).draw()).join();
+    place(loops, import);
     return loops;
 }
 

@@ -77,4 +77,63 @@ TEST(Text, SizeAndSpacingScale) {
     EXPECT_TRUE(box_of(text).empty());
 }
 
+TEST(Text, MetricsAreOpenScads) {
+    FontLibrary fonts;
+    std::vector<std::string> warnings;
+    const auto metrics = text_metrics(text_of("hello"), fonts, warnings);
+    ASSERT_TRUE(metrics);
+    EXPECT_NEAR(metrics->advance.x, 29.3443, 1e-4);
+    EXPECT_NEAR(metrics->position.x, 0.96, 1e-12);
+    EXPECT_NEAR(metrics->size.y, 10.208, 1e-12);
+    EXPECT_NEAR(metrics->ascent, 10.0672, 1e-12);
+    EXPECT_NEAR(metrics->descent, -0.1408, 1e-12);
+    const auto font = font_metrics(text_of(""), fonts, warnings);
+    ASSERT_TRUE(font);
+    EXPECT_NEAR(font->nominal_ascent, 12.5733, 1e-4);
+    EXPECT_NEAR(font->max_descent, -4.2114, 1e-4);
+    EXPECT_NEAR(font->interline, 15.9709, 1e-4);
+    EXPECT_EQ(font->family, "Liberation Sans");
+    EXPECT_TRUE(warnings.empty());
+}
+
+TEST(Text, MetricsOfTextWithoutInkAreItsAdvance) {
+    FontLibrary fonts;
+    std::vector<std::string> warnings;
+    const auto metrics = text_metrics(text_of("  "), fonts, warnings);
+    ASSERT_TRUE(metrics);
+    EXPECT_GT(metrics->advance.x, 0);
+    EXPECT_EQ(metrics->size, glm::dvec2(0.0));
+    EXPECT_EQ(metrics->ascent, 0);
+}
+
+/// What the metrics say of the box is where the outline lies, for every alignment: to half a pixel of the metrics.
+TEST(Text, MetricsEncloseTheOutline) {
+    FontLibrary fonts;
+    for (const char* halign : {"left", "center", "right"}) {
+        for (const char* valign : {"top", "center", "baseline", "bottom"}) {
+            csg::Text text = text_of("gÅj");
+            text.halign = halign;
+            text.valign = valign;
+            std::vector<std::string> warnings;
+            const auto metrics = text_metrics(text, fonts, warnings);
+            ASSERT_TRUE(metrics);
+            const csg::Box box = box_of(text);
+            EXPECT_NEAR(metrics->position.x, box.lo.x, 0.01) << halign << valign;
+            EXPECT_NEAR(metrics->position.y, box.lo.y, 0.02) << halign << valign;
+            EXPECT_NEAR(metrics->size.x, box.hi.x - box.lo.x, 0.02) << halign << valign;
+            EXPECT_NEAR(metrics->size.y, box.hi.y - box.lo.y, 0.02) << halign << valign;
+        }
+    }
+}
+
+TEST(Text, UnknownAlignmentsAreToldByTheMetrics) {
+    FontLibrary fonts;
+    csg::Text text = text_of("x");
+    text.halign = "middle";
+    std::vector<std::string> warnings;
+    ASSERT_TRUE(text_metrics(text, fonts, warnings));
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(warnings[0], "Unknown value for the halign parameter (use \"left\", \"right\" or \"center\"): 'middle'");
+}
+
 }  // namespace

@@ -23,6 +23,7 @@
 #include "ui/command_line/options.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/errors.h"
+#include "ui/pipeline/measures.h"
 #include "ui/pipeline/mesh.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/solid_scene.h"
@@ -45,6 +46,7 @@ csg::scad::Evaluation evaluate(const CompareOptions& o, bool preview) {
     request.path = o.input;
     request.text = read_source(o.input);
     request.preview = preview;
+    request.measures = make_measures();
     Messages messages(true);
     auto evaluation =
         csg::scad::evaluate(request, [&](const auto& message, const auto& sources) { messages.add(message, sources); });

@@ -14,6 +14,7 @@
 #include "ui/command_line/summary.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/exact_bounds.h"
+#include "ui/pipeline/measures.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
@@ -39,7 +40,7 @@ PictureRequest picture_of(const Options& options) {
 /// One run: the source, what became of it, and the figures.
 class Run {
   public:
-    explicit Run(Options options) : options_(std::move(options)), language_(options_, nullptr) {}
+    explicit Run(Options options) : options_(std::move(options)), language_(options_, make_measures()) {}
 
     /// False where an error in the file ended it; the messages have said why.
     bool operator()() {

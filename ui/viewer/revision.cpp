@@ -3,11 +3,14 @@
 #include <mutex>
 #include <new>
 
+#include "ui/pipeline/measures.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
 
 namespace {
+
+using Measures = std::shared_ptr<csg::scad::Measures>;
 
 /// Reads files and notes what it was asked for. The evaluation calls it from its own thread.
 class NotingReader {
@@ -27,7 +30,7 @@ class NotingReader {
 };
 
 void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
-                        const std::stop_token& stop) {
+                        const Measures& measures, const std::stop_token& stop) {
     Stopwatch watch;
     NotingReader reader;
     std::stop_source ended;
@@ -40,6 +43,7 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     request.definitions = source.definitions;
     request.preview = source.preview;
     request.view = camera;
+    request.measures = measures;
     request.stop = ended.get_token();
     request.reader = [&](const std::string& path) { return reader(path); };
     const auto evaluation =
@@ -85,10 +89,10 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
 }
 
 Revision make_revision(const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
-                       const std::stop_token& stop) {
+                       const Measures& measures, const std::stop_token& stop) {
     Revision revision;
     try {
-        evaluate_and_build(revision, source, camera, builder, stop);
+        evaluate_and_build(revision, source, camera, builder, measures, stop);
     } catch (const std::bad_alloc&) {
         revision.messages.add(LineKind::Error, "ERROR: out of memory");
     } catch (const std::exception& error) {
@@ -100,9 +104,9 @@ Revision make_revision(const Source& source, const csg::scad::View& camera, Mode
 }  // namespace
 
 Evaluate make_evaluate() {
-    return [builder = std::make_shared<ModelBuilder>()](const Source& source, const csg::scad::View& camera,
+    return [builder = std::make_shared<ModelBuilder>(), measures = make_measures()](const Source& source, const csg::scad::View& camera,
                                                         const std::stop_token& stop) {
-        return make_revision(source, camera, *builder, stop);
+        return make_revision(source, camera, *builder, measures, stop);
     };
 }
 
