@@ -36,6 +36,9 @@ FileStamp find_data_file(Evaluator& evaluator, const SourceRange& where, const s
     const fs::path main = folder_of(evaluator.program().sources[0].name());
     const fs::path beside = folder_of(evaluator.program().sources[where.file].name());
     fs::path path = fs::path(name).is_absolute() ? fs::path(name) : beside / name;
+    if (!fs::exists(path, error) && !fs::exists(main / name, error) && evaluator.request().make_missing) {
+        evaluator.request().make_missing(path.lexically_normal().string());
+    }
     if (!fs::exists(path, error) && fs::exists(main / name, error)) {
         evaluator.emit(Severity::Deprecated, {},
                        fmt::format("Imported file ({}) found in document root instead of relative to the importing "
@@ -44,6 +47,7 @@ FileStamp find_data_file(Evaluator& evaluator, const SourceRange& where, const s
         path = main / name;
     }
     file.path = path.lexically_normal().string();
+    evaluator.note_data_file(file.path);
     file.shown = fs::exists(path, error) ? fs::proximate(path, main, error).generic_string() : name;
     file.modified = modified(path);
     const auto bytes = fs::file_size(path, error);

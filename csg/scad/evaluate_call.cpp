@@ -121,7 +121,7 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
             if (position < parameters.size()) {
                 by_position |= bit(position);
                 slots[position++] = std::move(value);
-            } else if (!too_many) {
+            } else if (!too_many && request_.check_parameters) {
                 too_many = true;
                 warn(where, "Too many unnamed arguments supplied");
             }
@@ -149,8 +149,10 @@ void Evaluator::bind_arguments(std::span<const Argument> arguments, std::span<co
             dynamics.emplace_back(slot, std::move(value));
         } else {
             const bool again = std::find(unknown.begin(), unknown.end(), a.name) != unknown.end();
-            warn(where, again ? fmt::format("argument \"{}\" supplied more than once", name(a.name))
-                              : fmt::format("variable \"{}\" not specified as parameter", name(a.name)));
+            if (again || request_.check_parameters) {
+                warn(where, again ? fmt::format("argument \"{}\" supplied more than once", name(a.name))
+                                  : fmt::format("variable \"{}\" not specified as parameter", name(a.name)));
+            }
             unknown.push_back(a.name);
             if (others != nullptr) {
                 others->emplace_back(a.name, std::move(value));

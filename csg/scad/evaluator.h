@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -171,6 +172,9 @@ class Evaluator {
         }
     }
     [[nodiscard]] const Resolution& resolution() const { return r_; }
+    /// That the program needs a file besides its sources.
+    void note_data_file(const std::string& path) { data_files_.insert(path); }
+    [[nodiscard]] const std::set<std::string>& data_files() const { return data_files_; }
 
   private:
     friend class DynamicMark;
@@ -310,6 +314,7 @@ class Evaluator {
     std::uint32_t fn_index_, fa_index_, fs_index_;
     std::uint32_t steps_ = 0;
     std::size_t nodes_ = 0;
+    std::set<std::string> data_files_;
 };
 
 }  // namespace csg::scad

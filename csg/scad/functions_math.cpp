@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
 
 #include "csg/scad/builtin_functions.h"
-#include "csg/scad/seeded_random.h"
 #include "csg/scad/sine.h"
 
 namespace csg::scad {

@@ -20,6 +20,7 @@ struct ParseRequest {
     std::vector<std::string> definitions;  ///< `name=expression`, as of -D: assignments that come after the main file.
     SourceReader reader = read_source_file;
     std::vector<std::string> search_path = search_path_from_environment();
+    FileMaker make_missing{};  ///< Asked for an include or use that is found nowhere, beside the file that names it.
 };
 
 struct Parsed {

@@ -49,23 +49,38 @@ std::uint32_t Files::add(std::string name, std::string text) {
 }
 
 Files::Found Files::find(const std::string& name, std::uint32_t from, std::span<const std::uint32_t> open) {
-    Found found;
     if (name.empty() || name.ends_with('/')) {  // Names a directory at best.
-        return found;
+        return {};
     }
-    for (std::string& path : source_candidates(name, program_.sources[from].name(), request_.search_path)) {
+    const auto candidates = source_candidates(name, program_.sources[from].name(), request_.search_path);
+    Found found = find_existing(candidates, open);
+    const auto is_open = [&](const std::string& path) {
+        const auto known = by_path_.find(identity(path));
+        return known != by_path_.end() && std::find(open.begin(), open.end(), known->second) != open.end();
+    };
+    if (!found.file && found.problem.empty() && request_.make_missing &&
+        std::none_of(candidates.begin(), candidates.end(), is_open)) {
+        request_.make_missing(candidates.front());
+        found = find_existing(candidates, open);
+    }
+    return found;
+}
+
+Files::Found Files::find_existing(std::span<const std::string> candidates, std::span<const std::uint32_t> open) {
+    Found found;
+    for (const std::string& path : candidates) {
         std::string key = identity(path);
         if (const auto known = by_path_.find(key); known != by_path_.end()) {
             if (std::find(open.begin(), open.end(), known->second) != open.end()) {
                 continue;
             }
-            return {known->second, std::move(path), {}};
+            return {known->second, path, {}};
         }
         ReadResult result = request_.reader(path);
         if (auto* const text = std::get_if<std::string>(&result)) {
             const std::uint32_t file = add(path, std::move(*text));
             by_path_.emplace(std::move(key), file);
-            return {file, std::move(path), {}};
+            return {file, path, {}};
         }
         const ReadError& error = std::get<ReadError>(result);
         if (!error.missing && found.problem.empty()) {

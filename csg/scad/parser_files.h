@@ -44,6 +44,7 @@ class Files {
         std::string problem;  ///< Why a file that is there could not be read.
     };
     Found find(const std::string& name, std::uint32_t from, std::span<const std::uint32_t> open);
+    Found find_existing(std::span<const std::string> candidates, std::span<const std::uint32_t> open);
 
     const ParseRequest& request_;
     Program& program_;

@@ -64,6 +64,22 @@ class MessageGate {
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::string>> deprecations_;
 };
 
+/// Adds the files that an evaluation asked for to those of its result, however it ends.
+class DataFiles {
+  public:
+    DataFiles(const Evaluator& evaluator, Evaluation& evaluation) : evaluator_(evaluator), evaluation_(evaluation) {}
+    ~DataFiles() {
+        const auto& files = evaluator_.data_files();
+        evaluation_.files.insert(evaluation_.files.end(), files.begin(), files.end());
+    }
+    DataFiles(const DataFiles&) = delete;
+    DataFiles& operator=(const DataFiles&) = delete;
+
+  private:
+    const Evaluator& evaluator_;
+    Evaluation& evaluation_;
+};
+
 /// The work of `evaluate`; may throw.
 class Job {
   public:
@@ -91,6 +107,7 @@ class Job {
         try {
             Evaluator evaluator(
                 *program, request_, [&gate](const Message& m) { gate(m); }, stack_limit);
+            const DataFiles files(evaluator, result);
             ViewSettings view;
             result.tree = std::make_shared<const Tree>(evaluator.run(view));
             result.view = view;
@@ -104,6 +121,7 @@ class Job {
         } catch (const ValueLimit& limit) {
             gate({Severity::Error, {}, limit.what()});
         } catch (const std::bad_alloc&) {
+            result.out_of_memory = true;
             gate({Severity::Error, {}, "Out of memory"});
         }
     }
@@ -123,7 +141,8 @@ class Job {
 
   private:
     Parsed read_and_parse() {
-        ParseRequest parse_request{request_.path, {}, request_.definitions, request_.reader, request_.search_path};
+        ParseRequest parse_request{
+            request_.path, {}, request_.definitions, request_.reader, request_.search_path, request_.make_missing};
         if (request_.text) {
             parse_request.text = *request_.text;
             return parse(parse_request);
@@ -153,6 +172,7 @@ void* run_on_thread(void* argument) {
     try {
         start.job.run(&top - (start.stack_bytes - kStackReserve));
     } catch (const std::bad_alloc&) {
+        start.job.result.out_of_memory = true;
         start.job.fail("Out of memory");
     } catch (const std::exception& error) {
         start.job.fail(error.what());
@@ -174,6 +194,7 @@ Evaluation evaluate(const Request& request, const EvaluationSink& sink) {
     if (started) {
         pthread_join(thread, nullptr);
     } else {
+        job.result.out_of_memory = true;  // Its stack is the most that a thread needs.
         job.fail("Cannot start a thread for the evaluation");
     }
     return std::move(job.result);

@@ -37,12 +37,14 @@ struct Request {
     std::vector<std::string> definitions;  ///< `name=expression`, as of -D; they override the file's assignments.
     SourceReader reader = read_source_file;
     std::vector<std::string> search_path = search_path_from_environment();
+    FileMaker make_missing{};  ///< Asked for files that the program names and that are not there; may be empty.
     Limits limits;
     std::stop_token stop;          ///< Asked often; a stopped evaluation ends with an error soon.
     double time = 0;               ///< $t
     bool preview = true;           ///< $preview
     bool trace_parameters = true;  ///< Traces show the parameters of user modules (--trace-usermodule-parameters).
     std::size_t trace_depth = 12;  ///< Steps shown at either end of a trace (--trace-depth).
+    bool check_parameters = true;  ///< Warn of arguments that user definitions do not take (--check-parameters).
     bool check_ranges = false;     ///< Warn of dimensions that make nothing (--check-parameter-ranges).
     std::shared_ptr<Measures> measures;  ///< Answers textmetrics(), dxf_dim() and the like; may be null.
     View view;                     ///< What the $vp… variables hold before the file sets them.
@@ -61,8 +63,10 @@ struct Evaluation {
     bool ok = false;                   ///< The same as "tree is set".
     bool parsed = false;               ///< The main file is well formed: whatever went wrong did so while it ran.
     bool stopped = false;              ///< The stop token ended it.
+    bool out_of_memory = false;        ///< The system refused memory, which ended it.
     ViewSettings view;
-    std::vector<std::string> files;  ///< All that were read, the main file first: what to watch for changes.
+    /// All that were read, the main file first, and those that shapes are to be read from: what to watch for changes.
+    std::vector<std::string> files;
     std::size_t errors = 0;
     std::size_t warnings = 0;
     std::shared_ptr<const SourceSet> sources;  ///< For rendering messages.

@@ -73,6 +73,9 @@ using ReadResult = std::variant<std::string, ReadError>;
 /// Gives the text of a path. Tests, standard input and the viewer put their own in place of `read_source_file`.
 using SourceReader = std::function<ReadResult(const std::string& path)>;
 
+/// Makes the file of a path that is missing, if it can.
+using FileMaker = std::function<void(const std::string& path)>;
+
 /// Reads a regular file from disk; a directory, an unreadable file or one above kMaxSourceBytes is an error.
 [[nodiscard]] ReadResult read_source_file(const std::string& path);
 

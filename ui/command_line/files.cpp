@@ -1,8 +1,11 @@
 #include "ui/command_line/files.h"
 
+#include <sys/wait.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -90,6 +93,21 @@ std::string dependency_rules(const std::vector<std::string>& targets, const std:
         rules += '\n';
     }
     return rules;
+}
+
+std::string run_make_command(const std::string& command, const std::string& path) {
+    std::string line = command + " '";
+    for (const char c : path) {
+        line += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    line += '\'';
+    std::fflush(nullptr);
+    const int status = std::system(line.c_str());
+    if (status == 0) {
+        return {};
+    }
+    return WIFEXITED(status) ? fmt::format("-m: {} ended with status {}", line, WEXITSTATUS(status))
+                             : fmt::format("-m: {} did not end by itself", line);
 }
 
 }  // namespace ui

@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -48,6 +50,16 @@ class TimeLimit {
     std::atomic<bool> passed_ = false;
     std::jthread thread_;
 };
+
+/// What the process holds now of what RLIMIT_DATA limits.
+std::size_t data_bytes() {
+    std::ifstream in("/proc/self/statm");
+    std::array<std::size_t, 6> pages{};  // Size, resident, shared, text, library, data and stack.
+    for (std::size_t& number : pages) {
+        in >> number;
+    }
+    return in ? pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
 
 }  // namespace
 
@@ -125,9 +137,13 @@ void LanguageRun::read() {
     request_.text = options_.input == "-" ? read_standard_input() : read_source(options_.input);
     request_.definitions = options_.definitions;
     request_.preview = options_.preview && !needs_geometry(options_);  // as OpenSCAD does
+    request_.check_parameters = options_.check_parameters;
     request_.check_ranges = options_.check_ranges;
     request_.trace_parameters = options_.trace_parameters;
     request_.trace_depth = static_cast<std::size_t>(options_.trace_depth);
+    if (!options_.make_command.empty()) {
+        request_.make_missing = [this](const std::string& path) { make(path); };
+    }
     if (options_.memory_limit != 0) {
         limit_memory();
     }
@@ -139,13 +155,23 @@ void LanguageRun::read() {
     }
 }
 
+/// Once for each file: it is not there at every call that names it.
+void LanguageRun::make(const std::string& path) {
+    if (made_.insert(path).second) {
+        if (const std::string problem = run_make_command(options_.make_command, path); !problem.empty()) {
+            messages_.warn(problem);
+        }
+    }
+}
+
 /// The kernel refuses more, which ends in std::bad_alloc; lists say first, and with a place, that they are too
 /// long.
 void LanguageRun::limit_memory() {
     const std::size_t bytes = static_cast<std::size_t>(options_.memory_limit) << 20;
     auto& most = request_.limits.list_elements;
     most = std::min(most, bytes / sizeof(csg::scad::Value) / 2);
-    const rlim_t data = bytes + request_.limits.stack_bytes;  // The deep stack is reserved, not used.
+    // Beyond what the program itself takes, and the deep stack, which is reserved, not used.
+    const rlim_t data = data_bytes() + bytes + request_.limits.stack_bytes;
     rlimit limit{};
     if (getrlimit(RLIMIT_DATA, &limit) == 0) {
         limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? data : std::min(data, limit.rlim_max);
@@ -191,12 +217,17 @@ bool LanguageRun::evaluate() {
     if (limit.passed() && evaluation_.stopped) {
         print_error(fmt::format("--time-limit: not done after {} seconds", options_.time_limit));
     }
+    if (options_.memory_limit != 0 && evaluation_.out_of_memory) {
+        print_error(fmt::format("--memory-limit: the evaluation needs more than {} MiB", options_.memory_limit));
+    }
     write_outputs(options_, Format::Echo, messages_.echo_text());
     return evaluation_.ok && !stopped_by_warning;
 }
 
 csg::scad::Parsed LanguageRun::parse() const {
-    return csg::scad::parse({request_.path, *request_.text, request_.definitions});
+    csg::scad::ParseRequest request{request_.path, *request_.text, request_.definitions};
+    request.make_missing = request_.make_missing;
+    return csg::scad::parse(request);
 }
 
 void LanguageRun::write_tree() const {
@@ -293,7 +324,7 @@ std::optional<int> run_language(const std::vector<std::string>& arguments,
     try {
         return run_or_throw(arguments, hand_over);
     } catch (const std::bad_alloc&) {
-        print_error("out of memory");
+        print_out_of_memory(arguments);
     } catch (const std::exception& error) {
         print_error(error.what());
     }

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ class LanguageRun {
     [[nodiscard]] bool write_syntax(bool tell);
     [[nodiscard]] bool evaluate();
     void limit_memory();
+    void make(const std::string& path);
     void take_parameter_set();
     [[nodiscard]] csg::scad::Parsed parse() const;
     void write_tree() const;
@@ -64,6 +66,7 @@ class LanguageRun {
     csg::scad::Request request_;
     csg::scad::Evaluation evaluation_;
     double evaluate_ms_ = 0;
+    std::set<std::string> made_;  ///< By -m, or tried to.
 };
 
 /// Does what the arguments ask for where the language is all it takes, and gives the exit status; nothing where it

@@ -1,5 +1,6 @@
 #include "ui/command_line/messages.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -57,6 +58,14 @@ void Messages::warn(const std::string& text) {
 
 void print_error(const std::string& text) {
     fmt::print(stderr, "csgscope: error: {}\n", text);
+}
+
+void print_out_of_memory(const std::vector<std::string>& arguments) {
+    const bool limited = std::any_of(arguments.begin(), arguments.end(),
+                                     [](const std::string& a) { return a.starts_with("--memory-limit"); });
+    std::fputs(limited ? "csgscope: error: out of memory: --memory-limit is too low for this run\n"
+                       : "csgscope: error: out of memory\n",
+               stderr);
 }
 
 }  // namespace ui

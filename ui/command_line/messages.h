@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "csg/scad/diagnostics.h"
 
@@ -37,5 +38,8 @@ class Messages {
 
 /// "csgscope: error: text" on standard error.
 void print_error(const std::string& text);
+
+/// The same for a run that got no more memory; names --memory-limit where the arguments do. Needs little itself.
+void print_out_of_memory(const std::vector<std::string>& arguments);
 
 }  // namespace ui

@@ -138,7 +138,7 @@ gl::Camera camera_of_numbers(std::string_view text) {
 /// The options as texts, as CLI11 gives them.
 struct Raw {
     std::vector<std::string> inputs, outputs, settings, export_options;
-    std::string export_format, camera, size, layers, samples, view, csg_limit, make, backend, render, preview, scheme;
+    std::string export_format, camera, size, layers, samples, view, csg_limit, backend, render, preview, scheme;
     std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::vector<std::string> summary, features;
@@ -178,6 +178,8 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     text("-p,--p", o.parameter_file, "A file of parameter sets, as OpenSCAD's customizer writes it", "FILE", in);
     text("-P,--P", o.parameter_set, "The parameter set of that file to take", "NAME", in);
     text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
+    text("-m,--m", o.make_command, "Run COMMAND FILE for each file that the model names and that is not there",
+         "COMMAND", in);
     text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
     text("--summary-file", raw.summary_file, "Write what --summary names (all) as JSON; - is standard output", "FILE",
          in);
@@ -189,6 +191,8 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     const char* const checks = "Limits and checks";
     text("--time-limit", raw.time_limit, "End the evaluation with an error after that time", "SECONDS", checks);
     text("--memory-limit", raw.memory_limit, "End with an error where more memory would be needed", "MIB", checks);
+    text("--check-parameters", raw.check_parameters,
+         "Warn of arguments that user-defined functions and modules do not take: on or off (on)", "BOOL", checks);
     text("--check-parameter-ranges", raw.check_ranges, "Warn of dimensions that make nothing: on or off (off)", "BOOL",
          checks);
     text("--trace-depth", raw.trace_depth, "Steps shown at either end of a trace (12)", "N", checks);
@@ -229,8 +233,6 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
     text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
     text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
-    text("-m,--m", raw.make, "Command that makes missing files", "COMMAND", accepted);
-    text("--check-parameters", raw.check_parameters, "Checks of arguments are always on", "BOOL", accepted);
     list("--enable", raw.features, "Features of OpenSCAD's language are always on", "FEATURE", accepted);
 }
 
@@ -243,6 +245,7 @@ void interpret_limits(Options& o, const Raw& raw) {
                          option, text,
                          {{"on", true}, {"off", false}, {"true", true}, {"false", false}, {"1", true}, {"0", false}});
     };
+    o.check_parameters = on("--check-parameters", raw.check_parameters, o.check_parameters);
     o.check_ranges = on("--check-parameter-ranges", raw.check_ranges, o.check_ranges);
     o.trace_parameters = on("--trace-usermodule-parameters", raw.trace_parameters, o.trace_parameters);
     if (!raw.trace_depth.empty()) {

@@ -53,12 +53,14 @@ struct Options {
     std::optional<std::string> statistics;                           ///< File for JSON; "-": standard output.
     std::optional<std::string> summary_file;
     std::optional<std::string> dependencies;  ///< File for make.
+    std::string make_command;                 ///< -m; empty: none.
     std::string cache;                        ///< Folder that keeps meshes; empty: none.
     std::string frames_log;                   ///< The window's log; empty: none.
     double time_limit = 0;                    ///< Seconds for the evaluation; 0: none.
     int memory_limit = 0;                     ///< MiB for the run; 0: none.
     int trace_depth = 12;
     bool trace_parameters = true;
+    bool check_parameters = true;
     bool check_ranges = false;
     bool preview = true;  ///< $preview
     bool transparent_background = false;

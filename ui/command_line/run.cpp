@@ -274,7 +274,7 @@ int run(const std::vector<std::string>& arguments) {
     try {
         return run_or_throw(arguments);
     } catch (const std::bad_alloc&) {
-        print_error("out of memory");
+        print_out_of_memory(arguments);
     } catch (const std::exception& error) {
         print_error(error.what());
     }

@@ -104,8 +104,8 @@ Revision make_revision(const Source& source, const csg::scad::View& camera, Mode
 }  // namespace
 
 Evaluate make_evaluate() {
-    return [builder = std::make_shared<ModelBuilder>(), measures = make_measures()](const Source& source, const csg::scad::View& camera,
-                                                        const std::stop_token& stop) {
+    return [builder = std::make_shared<ModelBuilder>(), measures = make_measures()](
+               const Source& source, const csg::scad::View& camera, const std::stop_token& stop) {
         return make_revision(source, camera, *builder, measures, stop);
     };
 }
