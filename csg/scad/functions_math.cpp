@@ -88,7 +88,9 @@ Value log(std::string_view name, std::span<const Value> a, FunctionHost& host) {
         (a.size() == 2 && !check_type(name, a, 1, ValueType::Number, host))) {
         return {};
     }
-    return a.size() == 1 ? std::log10(a[0].number()) : std::log(a[1].number()) / std::log(a[0].number());
+    // As OpenSCAD does: log(1000) is a little below 3.
+    const double base = a.size() == 1 ? 10.0 : a[0].number();
+    return std::log(a.back().number()) / std::log(base);
 }
 
 /// min() and max(): of the arguments, or of the elements of the one list given.

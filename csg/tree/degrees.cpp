@@ -19,73 +19,98 @@ double sin_first_quadrant(double x) {
         return std::numbers::sqrt3 / 2;
     if (x < 45.0)
         return std::sin(x * kRadians);
-    // Measured from 90, so that sin(60) and cos(30) are one value.
     return std::cos((90.0 - x) * kRadians);
 }
 
-double round_if_near(double degrees) {
-    // Whole degrees are what people start from. Near its ends an arc magnifies the rounding of its argument: acos is
-    // off by 3e-13 at one degree.
-    const double rounded = std::round(degrees);
-    return rounded != 0.0 && std::abs(degrees - rounded) < 4e-13 ? rounded : degrees;
+/// Cosine of the same; cos(30) and sin(60) are one value.
+double cos_first_quadrant(double x) {
+    if (x == 30.0)
+        return std::numbers::sqrt3 / 2;
+    if (x == 45.0)
+        return std::numbers::sqrt2 / 2;
+    if (x == 60.0)
+        return 0.5;
+    if (x > 45.0)
+        return std::sin((90.0 - x) * kRadians);
+    return std::cos(x * kRadians);
+}
+
+/// From 0 up to `cycle`; NaN where a double no longer tells degrees apart.
+double within(double degrees, double cycle) {
+    if (degrees >= 0.0 && degrees < cycle)
+        return degrees;
+    constexpr double kMost = 0x1p52 * 360.0;
+    return std::abs(degrees) < kMost ? degrees - cycle * std::floor(degrees / cycle)
+                                     : std::numeric_limits<double>::quiet_NaN();
+}
+
+double in_degrees(double radians) {
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    return radians * kDegrees;
+}
+
+/// The whole number of degrees next to `degrees` where it is exactly what `function` takes to `value`.
+template <typename Function>
+double whole_if_exact(double degrees, Function&& function, double value) {
+    const double whole = std::round(degrees);
+    return function(whole) == value ? whole : degrees;
 }
 
 }  // namespace
 
 double sin_degrees(double degrees) {
-    if (!std::isfinite(degrees))
-        return std::numeric_limits<double>::quiet_NaN();
-    double x = std::fmod(degrees, 360.0);  // exact
-    bool negative = false;
-    if (x < 0.0) {
-        x = -x;
-        negative = true;
-    }
-    if (x >= 180.0) {
+    double x = within(degrees, 360.0);
+    const bool negative = x >= 180.0;
+    if (negative)
         x -= 180.0;
-        negative = !negative;
-    }
-    if (x > 90.0)
-        x = 180.0 - x;
-    const double s = sin_first_quadrant(x);
+    const double s = sin_first_quadrant(x > 90.0 ? 180.0 - x : x);
     return negative && s != 0.0 ? -s : s;
 }
 
 double cos_degrees(double degrees) {
-    if (!std::isfinite(degrees))
-        return std::numeric_limits<double>::quiet_NaN();
-    double x = std::abs(std::fmod(degrees, 360.0));
-    if (x > 180.0)
-        x = 360.0 - x;
-    if (x > 90.0)
-        return -sin_degrees(x - 90.0) + 0.0;
-    return sin_first_quadrant(90.0 - x);
+    double x = within(degrees, 360.0);
+    bool negative = x >= 180.0;
+    if (negative)
+        x -= 180.0;
+    if (x > 90.0) {
+        x = 180.0 - x;
+        negative = !negative;
+    }
+    const double c = cos_first_quadrant(x);
+    return negative && c != 0.0 ? -c : c;
 }
 
 double tan_degrees(double degrees) {
-    const double x = std::fmod(degrees, 180.0);
-    if (x == 45.0 || x == -135.0)
-        return 1.0;
-    if (x == -45.0 || x == 135.0)
-        return -1.0;
-    if (std::abs(x) == 30.0 || std::abs(x) == 150.0)
-        return (x > 0.0) == (std::abs(x) < 90.0) ? std::numbers::sqrt3 / 3 : -std::numbers::sqrt3 / 3;
-    if (std::abs(x) == 60.0 || std::abs(x) == 120.0)
-        return (x > 0.0) == (std::abs(x) < 90.0) ? std::numbers::sqrt3 : -std::numbers::sqrt3;
-    return sin_degrees(degrees) / cos_degrees(degrees);
+    const double cycles = std::floor(degrees / 180.0);
+    double x = within(degrees, 180.0);
+    const bool odd = std::fmod(cycles, 2.0) != 0.0;
+    if (x == 0.0)
+        return odd ? -0.0 : 0.0;
+    if (x == 90.0)
+        return odd ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+    const bool negative = x > 90.0;
+    if (negative)
+        x = 180.0 - x;
+    const double t = x == 30.0   ? std::numbers::inv_sqrt3
+                     : x == 45.0 ? 1.0
+                     : x == 60.0 ? std::numbers::sqrt3
+                                 : std::tan(x * kRadians);
+    return negative ? -t : t;
 }
 
 double asin_degrees(double x) {
-    return round_if_near(std::asin(x) / kRadians);
+    return whole_if_exact(in_degrees(std::asin(x)), sin_degrees, x);
 }
 double acos_degrees(double x) {
-    return round_if_near(std::acos(x) / kRadians);
+    return whole_if_exact(in_degrees(std::acos(x)), cos_degrees, x);
 }
 double atan_degrees(double x) {
-    return round_if_near(std::atan(x) / kRadians);
+    return whole_if_exact(in_degrees(std::atan(x)), tan_degrees, x);
 }
 double atan2_degrees(double y, double x) {
-    return round_if_near(std::atan2(y, x) / kRadians);
+    const double degrees = in_degrees(std::atan2(y, x));
+    const double whole = std::round(degrees);
+    return std::abs(degrees - whole) < 3e-14 ? whole : degrees;
 }
 
 }  // namespace csg
