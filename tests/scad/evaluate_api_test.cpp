@@ -138,4 +138,26 @@ TEST(Random, IsTheSameInEveryRun) {
     EXPECT_EQ(test::run(program).console, first);
 }
 
+TEST(Strings, InvalidUtf8IsSplitByFirstBytes) {
+    // The first bytes say 1, 2 and 2 bytes; \xC4 at the end has no second one.
+    const test::Run run =
+        test::run("t = \"\xA4\xC4\xD6\xDC\xDF\xC4\";\necho(len(t), [for (c = t) len(c)], ord(t[1]), ord(\"a\"));");
+    EXPECT_EQ(run.console,
+              "WARNING: ord() argument '\xC4\xD6' is not a valid utf8 string in file case.scad, line 2\n"
+              "ECHO: 4, [1, 1, 1, 1], undef, 97\n");
+    EXPECT_EQ(test::run("echo(ord(\"\xED\xA0\x80\"), ord(\"\xE2\x82\xAC\"));").console,
+              "WARNING: ord() argument '\xED\xA0\x80' is not a valid utf8 string in file case.scad, line 1\n"
+              "ECHO: undef, 8364\n")
+        << "a surrogate is no character";
+}
+
+TEST(Functions, LastBitsAreOpenScads) {
+    // Fractions of 2^-52 that OpenSCAD 2021.01 gives; the differences tell orders of multiplications.
+    const test::Run run = test::run(
+        "echo(asin(sin(1)) == 1, acos(cos(1)) == 1, atan(tan(1)) == 1, atan2(-0.0, -1) == -180);\n"
+        "echo(log(1000) - 3 != 0, tan(90), tan(-90), tan(270), tan(45) == 1, sin(1e20));\n"
+        "echo((atan(0.3) - 16.69924423399362) * 1e15, (tan(10.5) - 0.18533904493153439) * 1e17);");
+    EXPECT_EQ(run.console, "ECHO: true, true, true, true\nECHO: true, inf, -inf, -inf, true, nan\nECHO: 0, 0\n");
+}
+
 }  // namespace
