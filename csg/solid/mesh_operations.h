@@ -32,7 +32,7 @@ class MeshOperations {
     /// The convex hull of points in any number and position; empty where they lie in a plane.
     [[nodiscard]] virtual MeshResult hull(std::span<const glm::dvec3> points) const = 0;
     [[nodiscard]] virtual MeshResult minkowski(const Mesh& a, const Mesh& b) const = 0;
-    /// A roof over a region, rising at 45 degrees from its edges (straight skeleton).
+    /// A roof over a region: the straight skeleton's, or as high as the nearest point of the outline is far.
     [[nodiscard]] virtual MeshResult roof(const Outline& outline, const Roof& how) const = 0;
 };
 

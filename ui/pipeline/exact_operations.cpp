@@ -7,6 +7,7 @@
 #include "csg/reference/mesh_boolean.h"
 #include "csg/reference/minkowski.h"
 #include "csg/reference/roof.h"
+#include "csg/reference/voronoi_roof.h"
 
 namespace ui {
 
@@ -64,9 +65,11 @@ class ExactOperations final : public csg::solid::MeshOperations {
             return csg::reference::minkowski_sum(operands);
         });
     }
-    /// The straight skeleton for either method: they differ at corners that point inwards, which `voronoi` rounds.
-    [[nodiscard]] MeshResult roof(const csg::solid::Outline& outline, const csg::Roof&) const override {
-        return answer([&] { return csg::reference::roof(outline.loops); });
+    [[nodiscard]] MeshResult roof(const csg::solid::Outline& outline, const csg::Roof& how) const override {
+        return answer([&] {
+            return how.method == "straight" ? csg::reference::roof(outline.loops)
+                                            : csg::reference::voronoi_roof(outline.loops, how.fineness);
+        });
     }
 };
 
