@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
@@ -14,36 +15,67 @@ namespace {
 
 using Points = std::vector<glm::dvec3>;
 
-/// The mesh's connected components.
-std::vector<Mesh> components_of(const Mesh& mesh) {
-    std::vector<std::uint32_t> root(mesh.points.size());
+/// The triangles' component: across an edge of two triangles it goes on, across an edge where more meet it does not,
+/// nor across a corner. So solids that only touch are apart.
+std::vector<std::uint32_t> components_by_triangle(const Mesh& mesh) {
+    struct Edge {
+        std::uint32_t low, high, triangle;
+    };
+    std::vector<Edge> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const glm::uvec3& corners = mesh.triangles[t];
+        for (int k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+            edges.push_back({low, high, t});
+        }
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
+    std::vector<std::uint32_t> root(mesh.triangles.size());
     std::iota(root.begin(), root.end(), 0u);
     const auto find = [&](std::uint32_t i) {
         while (root[i] != i)
             i = root[i] = root[root[i]];
         return i;
     };
-    for (const glm::uvec3& t : mesh.triangles) {
-        root[find(t.x)] = find(t.y);
-        root[find(t.y)] = find(t.z);
+    for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
+            ++end;
+        if (end - i == 2)
+            root[find(edges[i].triangle)] = find(edges[i + 1].triangle);
     }
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        root[t] = find(t);
+    return root;
+}
+
+std::vector<Mesh> components_of(const Mesh& mesh) {
+    const std::vector<std::uint32_t> root = components_by_triangle(mesh);
+    std::vector<std::uint32_t> triangles(root.size());
+    std::iota(triangles.begin(), triangles.end(), 0u);
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return root[a] < root[b]; });
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
-    std::vector<std::uint32_t> component(mesh.points.size(), kNone), index(mesh.points.size(), kNone);
+    std::vector<std::uint32_t> index(mesh.points.size(), kNone), used;
     std::vector<Mesh> components;
-    for (const glm::uvec3& t : mesh.triangles) {
-        std::uint32_t& c = component[find(t.x)];
-        if (c == kNone) {
-            c = static_cast<std::uint32_t>(components.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i == 0 || root[triangles[i]] != root[triangles[i - 1]]) {
+            for (const std::uint32_t point : used)
+                index[point] = kNone;
+            used.clear();
             components.emplace_back();
         }
-        Mesh& to = components[c];
+        Mesh& to = components.back();
         glm::uvec3 own;
         for (int k = 0; k < 3; ++k) {
-            if (index[t[k]] == kNone) {
-                index[t[k]] = static_cast<std::uint32_t>(to.points.size());
-                to.points.push_back(mesh.points[t[k]]);
+            const std::uint32_t point = mesh.triangles[triangles[i]][k];
+            if (index[point] == kNone) {
+                index[point] = static_cast<std::uint32_t>(to.points.size());
+                to.points.push_back(mesh.points[point]);
+                used.push_back(point);
             }
-            own[k] = index[t[k]];
+            own[k] = index[point];
         }
         to.triangles.push_back(own);
     }

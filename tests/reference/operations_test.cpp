@@ -1,6 +1,8 @@
 // Hull, Minkowski sum and projection against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
 #include "csg/reference/minkowski.h"
@@ -84,6 +86,27 @@ TEST(Minkowski, OfCubesThatTouchAtACorner) {
     const Mesh operands[] = {mesh_of("cube(2); translate([2, 2, 2]) cube(2);"), mesh_of("cube(1);")};
     // Two cubes of 3 that share a cube of 1.
     EXPECT_NEAR(volume(csg::reference::minkowski_sum(operands)), 27 + 27 - 1, 1e-9);
+}
+
+TEST(Minkowski, OfCubesThatTouchAlongAnEdge) {
+    const Mesh operands[] = {mesh_of("cube(2); translate([2, 2, 0]) cube(2);"), mesh_of("cube(1);")};
+    // Two cubes of 3 that share a bar of 1 by 1.
+    EXPECT_NEAR(volume(csg::reference::minkowski_sum(operands)), 27 + 27 - 3, 1e-9);
+    // The same where the cubes share the corners of the edge, which is then one edge of four faces.
+    Mesh touching = mesh_of("cube(2);");
+    const Mesh second = mesh_of("translate([2, 2, 0]) cube(2);");
+    std::vector<std::uint32_t> index;
+    for (const glm::dvec3& p : second.points) {
+        const auto known = std::find(touching.points.begin(), touching.points.end(), p);
+        index.push_back(static_cast<std::uint32_t>(known - touching.points.begin()));
+        if (known == touching.points.end())
+            touching.points.push_back(p);
+    }
+    for (const glm::uvec3& t : second.triangles)
+        touching.triangles.emplace_back(index[t.x], index[t.y], index[t.z]);
+    ASSERT_EQ(touching.points.size(), 14U);
+    const Mesh shared[] = {touching, operands[1]};
+    EXPECT_NEAR(volume(csg::reference::minkowski_sum(shared)), 27 + 27 - 3, 1e-9);
 }
 
 TEST(Minkowski, OfAHollowCube) {
