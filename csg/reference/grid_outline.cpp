@@ -186,6 +186,8 @@ GridOutline::GridOutline(std::span<const std::vector<glm::dvec2>> loops) {
     for (const auto& given : loops) {
         Loop loop;
         for (const glm::dvec2& p : given) {
+            if (!std::isfinite(p.x) || !std::isfinite(p.y))  // Boxes pass over these.
+                throw std::runtime_error("an outline is not finite");
             const Point q(std::llround((p.x - centre_.x) * scale_), std::llround((p.y - centre_.y) * scale_));
             origin_.try_emplace({q.x, q.y}, p);
             if (loop.empty() || loop.back() != q)
