@@ -227,6 +227,11 @@ class Drawing {
             return;
         for (glm::dvec2& p : line)
             p = glm::dvec2(placed * glm::dvec4(p, 0.0, 1.0));
+        if (!std::all_of(line.begin(), line.end(),
+                         [](const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); })) {
+            warn_once("DXF file has coordinates that are no finite numbers; what has them is left out");
+            return;
+        }
         if (closed && line.front() != line.back())
             line.push_back(line.front());
         lines_.push_back(std::move(line));

@@ -262,6 +262,16 @@ TEST(Import, DxfBlocksThatInsertThemselves) {
     EXPECT_EQ(warnings, std::vector<std::string>{"DXF block 'a' inserts itself"});
 }
 
+TEST(Import, DxfCoordinatesBeyondAllNumbers) {
+    std::vector<std::string> warnings;
+    const auto loops = read_dxf(
+        "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nLINE\n10\n1e200\n20\n0\n11\n2\n21\n1e200\n0\nENDBLK\n0\nENDSEC\n"
+        "0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\na\n41\n1e200\n42\n-1e200\n50\n30\n0\nENDSEC\n0\nEOF\n",
+        {}, warnings);
+    EXPECT_TRUE(loops.empty());
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
 TEST(Import, DxfPolylinesOfOtherLayersAreLeftOut) {
     csg::Import import;
     import.layer = "wanted";
