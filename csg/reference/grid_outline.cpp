@@ -8,6 +8,7 @@
 
 #include "csg/reference/box_pairs.h"
 #include "csg/solid/outline.h"
+#include "csg/tree/finite.h"
 
 namespace csg::reference {
 namespace {
@@ -186,7 +187,7 @@ GridOutline::GridOutline(std::span<const std::vector<glm::dvec2>> loops) {
     for (const auto& given : loops) {
         Loop loop;
         for (const glm::dvec2& p : given) {
-            if (!std::isfinite(p.x) || !std::isfinite(p.y))  // Boxes pass over these.
+            if (!is_finite(p))  // Boxes pass over these.
                 throw std::runtime_error("an outline is not finite");
             const Point q(std::llround((p.x - centre_.x) * scale_), std::llround((p.y - centre_.y) * scale_));
             origin_.try_emplace({q.x, q.y}, p);

@@ -1,8 +1,9 @@
 #include "csg/reference/mesh.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "csg/reference/disjoint_sets.h"
 
 namespace csg::reference {
 namespace {
@@ -29,19 +30,13 @@ bool every_edge_has_its_opposite(const Mesh& mesh) {
 
 MeshFacts facts(const Mesh& mesh) {
     MeshFacts result;
-    std::vector<std::uint32_t> root(mesh.points.size());
-    std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&](std::uint32_t i) {
-        while (root[i] != i)
-            i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets sets(mesh.points.size());
     std::vector<char> used(mesh.points.size(), 0);
     for (const glm::uvec3& t : mesh.triangles) {
         for (int i = 0; i < 3; ++i) {
             result.box = enclose(result.box, mesh.points[t[i]]);
             used[t[i]] = 1;
-            root[find(t[i])] = find(t[(i + 1) % 3]);
+            sets.unite(t[i], t[(i + 1) % 3]);
         }
     }
     const glm::dvec3 origin = result.box.empty() ? glm::dvec3(0.0) : result.box.centre();
@@ -54,8 +49,8 @@ MeshFacts facts(const Mesh& mesh) {
     result.volume = volume6 / 6;
     result.manifold = every_edge_has_its_opposite(mesh);
     const auto count = static_cast<long>(std::count(used.begin(), used.end(), 1));
-    for (std::uint32_t i = 0; i < root.size(); ++i)
-        result.components += used[i] != 0 && find(i) == i ? 1 : 0;
+    for (std::uint32_t i = 0; i < used.size(); ++i)
+        result.components += used[i] != 0 && sets.find(i) == i ? 1 : 0;
     // Euler: points − edges + triangles = 2 (components − genus), and there are 3/2 as many edges as triangles.
     const long euler = count - static_cast<long>(mesh.triangles.size()) / 2;
     result.genus = static_cast<long>(result.components) - euler / 2;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "csg/reference/disjoint_sets.h"
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
 #include "csg/reference/nef.h"
@@ -32,35 +33,30 @@ std::vector<std::uint32_t> components_by_triangle(const Mesh& mesh) {
     }
     std::sort(edges.begin(), edges.end(),
               [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
-    std::vector<std::uint32_t> root(mesh.triangles.size());
-    std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&](std::uint32_t i) {
-        while (root[i] != i)
-            i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets sets(mesh.triangles.size());
     for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
         while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
             ++end;
         if (end - i == 2)
-            root[find(edges[i].triangle)] = find(edges[i + 1].triangle);
+            sets.unite(edges[i].triangle, edges[i + 1].triangle);
     }
+    std::vector<std::uint32_t> component(mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        root[t] = find(t);
-    return root;
+        component[t] = sets.find(t);
+    return component;
 }
 
 std::vector<Mesh> components_of(const Mesh& mesh) {
-    const std::vector<std::uint32_t> root = components_by_triangle(mesh);
-    std::vector<std::uint32_t> triangles(root.size());
+    const std::vector<std::uint32_t> component = components_by_triangle(mesh);
+    std::vector<std::uint32_t> triangles(component.size());
     std::iota(triangles.begin(), triangles.end(), 0u);
     std::stable_sort(triangles.begin(), triangles.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return root[a] < root[b]; });
+                     [&](std::uint32_t a, std::uint32_t b) { return component[a] < component[b]; });
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::uint32_t> index(mesh.points.size(), kNone), used;
     std::vector<Mesh> components;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (i == 0 || root[triangles[i]] != root[triangles[i - 1]]) {
+        if (i == 0 || component[triangles[i]] != component[triangles[i - 1]]) {
             for (const std::uint32_t point : used)
                 index[point] = kNone;
             used.clear();

@@ -11,10 +11,10 @@
 
 #include <limits>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "csg/reference/disjoint_sets.h"
 #include "csg/reference/expression_value.h"
 #include "csg/reference/point_ids.h"
 
@@ -34,21 +34,17 @@ struct Shell {
 
 /// Faces that share points, directly or through others.
 std::vector<Shell> shells_of(const std::vector<Kernel::Point_3>& points, const Faces& faces) {
-    std::vector<std::size_t> root(points.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](std::size_t i) {
-        while (root[i] != i)
-            i = root[i] = root[root[i]];
-        return i;
-    };
+    const auto id = [](std::size_t point) { return static_cast<std::uint32_t>(point); };
+    DisjointSets sets(points.size());
     for (const auto& face : faces) {
         for (const std::size_t p : face)
-            root[find(p)] = find(face[0]);
+            sets.unite(id(p), id(face[0]));
     }
-    std::map<std::size_t, std::size_t> shell_of, index_of;
+    std::map<std::uint32_t, std::size_t> shell_of;
+    std::map<std::size_t, std::size_t> index_of;
     std::vector<Shell> shells;
     for (const auto& face : faces) {
-        const auto [at, added] = shell_of.try_emplace(find(face[0]), shells.size());
+        const auto [at, added] = shell_of.try_emplace(sets.find(id(face[0])), shells.size());
         if (added)
             shells.emplace_back();
         Shell& shell = shells[at->second];

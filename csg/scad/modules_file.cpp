@@ -4,6 +4,7 @@
 
 #include "csg/scad/builtin_modules.h"
 #include "csg/scad/data_file.h"
+#include "csg/tree/finite.h"
 
 namespace csg::scad {
 
@@ -29,7 +30,7 @@ void run_import(const ModuleContext& c, Nodes& out) {
     import->convexity = whole(arguments.number("convexity"), 1);
     if (const Value& origin = arguments["origin"]; !origin.is_undef()) {
         glm::dvec2 xy(0.0);
-        if (to_vec2(origin, xy) && std::isfinite(xy.x) && std::isfinite(xy.y)) {
+        if (to_vec2(origin, xy) && is_finite(xy)) {
             import->origin = xy;
         } else {
             c.warn(fmt::format("Unable to convert import(..., origin={}) parameter to vec2", origin.echo_text()));

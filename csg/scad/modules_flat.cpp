@@ -5,6 +5,7 @@
 
 #include "csg/scad/builtin_modules.h"
 #include "csg/scad/text_parameters.h"
+#include "csg/tree/finite.h"
 
 namespace csg::scad {
 
@@ -54,7 +55,7 @@ std::vector<glm::dvec2> points_of(const ModuleContext& c, const Value& value) {
     points.reserve(value.elements().size());
     for (const Value& element : value.elements()) {
         glm::dvec2 point(0.0);
-        if (!to_vec2(element, point) || !std::isfinite(point.x) || !std::isfinite(point.y)) {
+        if (!to_vec2(element, point) || !is_finite(point)) {
             c.warn(fmt::format("Unable to convert points[{}] = {} to a vec2 of numbers", points.size(),
                                element.echo_text()));
             point = glm::dvec2(0.0);

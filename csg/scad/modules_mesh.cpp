@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csg/scad/builtin_modules.h"
+#include "csg/tree/finite.h"
 
 namespace csg::scad {
 
@@ -84,7 +85,7 @@ void read_scale(const ModuleContext& c, const Value& scale, glm::dvec2& out) {
     } else if (!to_vec2(scale, read)) {
         read.x = std::nan("");
     }
-    if (std::isfinite(read.x) && std::isfinite(read.y)) {
+    if (is_finite(read)) {
         out = glm::max(read, glm::dvec2(0.0));
     } else if (!scale.is_undef()) {
         c.warn(fmt::format("linear_extrude(..., scale={}) could not be converted", scale.echo_text()));

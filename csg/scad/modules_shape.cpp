@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csg/scad/builtin_modules.h"
+#include "csg/tree/finite.h"
 
 namespace csg::scad {
 
@@ -88,9 +89,7 @@ std::vector<glm::dvec3> points_of(const ModuleContext& c, const Value& value) {
     points.reserve(value.elements().size());
     for (const Value& element : value.elements()) {
         glm::dvec3 point(0.0);
-        const bool converted =
-            to_vec3(element, point, 0) && std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-        if (!converted) {
+        if (!to_vec3(element, point, 0) || !is_finite(point)) {
             c.warn(fmt::format("Unable to convert points[{}] = {} to a vec3 of numbers", points.size(),
                                element.echo_text()));
             point = glm::dvec3(0.0);

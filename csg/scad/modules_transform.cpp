@@ -6,6 +6,7 @@
 #include "csg/scad/builtin_modules.h"
 #include "csg/scad/color_names.h"
 #include "csg/scad/sine.h"
+#include "csg/tree/finite.h"
 
 namespace csg::scad {
 
@@ -31,10 +32,6 @@ void add_transform(const ModuleContext& c, const Axes& axes, const glm::dvec3& o
 
 constexpr Axes identity() {
     return {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
-}
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 void run_translate(const ModuleContext& c, Nodes& out) {

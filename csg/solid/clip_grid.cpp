@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/tree/finite.h"
 #include "csg/tree/hash.h"
 
 namespace csg::solid {
 namespace {
 
 constexpr int kBits = 40;
-
-bool is_finite(const glm::dvec2& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y);
-}
 
 ClipperLib::Paths execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType type, ClipperLib::PolyFillType rule) {
     ClipperLib::Paths result;
@@ -77,7 +74,7 @@ std::size_t ClipGrid::Hash::operator()(const std::pair<ClipperLib::cInt, Clipper
 
 void ClipGrid::measure(std::span<const Loop> loops) {
     for (const Loop& loop : loops) {
-        if (!std::all_of(loop.begin(), loop.end(), is_finite))
+        if (!std::all_of(loop.begin(), loop.end(), is_finite<2>))
             continue;
         for (const glm::dvec2& p : loop)
             largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y)});
@@ -97,7 +94,7 @@ double ClipGrid::scale() {
 
 ClipperLib::Path ClipGrid::path(const Loop& loop) {
     ClipperLib::Path path;
-    if (!std::all_of(loop.begin(), loop.end(), is_finite))
+    if (!std::all_of(loop.begin(), loop.end(), is_finite<2>))
         return path;
     path.reserve(loop.size());
     const double factor = scale();

@@ -14,6 +14,7 @@
 #include "csg/solid/solid.h"
 #include "csg/solid/spline.h"
 #include "csg/tree/degrees.h"
+#include "csg/tree/finite.h"
 
 namespace csg::solid {
 namespace {
@@ -227,8 +228,7 @@ class Drawing {
             return;
         for (glm::dvec2& p : line)
             p = glm::dvec2(placed * glm::dvec4(p, 0.0, 1.0));
-        if (!std::all_of(line.begin(), line.end(),
-                         [](const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); })) {
+        if (!std::all_of(line.begin(), line.end(), is_finite<2>)) {
             warn_once("DXF file has coordinates that are no finite numbers; what has them is left out");
             return;
         }

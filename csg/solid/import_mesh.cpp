@@ -11,15 +11,12 @@
 #include "csg/solid/files.h"
 #include "csg/solid/mesh_checks.h"
 #include "csg/solid/triangulate.h"
+#include "csg/tree/finite.h"
 
 namespace csg::solid {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-
-bool is_finite(const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 void add_triangle(FileMesh& mesh, const glm::dvec3 (&corners)[3]) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());

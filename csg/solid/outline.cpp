@@ -6,6 +6,7 @@
 #include "csg/solid/clip_grid.h"
 #include "csg/solid/solid.h"
 #include "csg/tree/degrees.h"
+#include "csg/tree/finite.h"
 
 namespace csg::solid {
 namespace {
@@ -123,8 +124,7 @@ Outline fill(const Outline& outline) {
 
 Outline hull(std::span<const glm::dvec2> given) {
     std::vector<glm::dvec2> points;
-    std::copy_if(given.begin(), given.end(), std::back_inserter(points),
-                 [](const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+    std::copy_if(given.begin(), given.end(), std::back_inserter(points), is_finite<2>);
     std::sort(points.begin(), points.end(),
               [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -160,7 +160,7 @@ Outline transform(const Outline& outline, const glm::dmat4& m) {
         for (const glm::dvec2& p : loop) {
             moved.emplace_back((m[0][0] * p.x + m[1][0] * p.y + m[3][0]) / w,
                                (m[0][1] * p.x + m[1][1] * p.y + m[3][1]) / w);
-            if (!std::isfinite(moved.back().x) || !std::isfinite(moved.back().y))
+            if (!is_finite(moved.back()))
                 return {};
         }
         if (determinant < 0)

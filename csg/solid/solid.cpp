@@ -8,6 +8,7 @@
 #include "csg/solid/mesh_checks.h"
 #include "csg/solid/triangulate.h"
 #include "csg/tree/degrees.h"
+#include "csg/tree/finite.h"
 
 namespace csg::solid {
 namespace {
@@ -130,7 +131,7 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
         return;
     const std::vector<glm::dvec3>& points = polyhedron->points;
     for (const glm::dvec3& p : points) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+        if (!is_finite(p)) {
             solid.warnings.emplace_back("polyhedron has a point that is not finite; it is left out");
             return;
         }

@@ -5,13 +5,13 @@
 
 #include "csg/solid/clip_grid.h"
 #include "csg/tree/degrees.h"
+#include "csg/tree/finite.h"
 
 namespace csg::solid {
 
 Outline stroke(const Loop& line, const Stroke& how, int around) {
-    const bool finite =
-        std::all_of(line.begin(), line.end(), [](const auto& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
-    if (line.empty() || !finite || !(how.width > 0) || !std::isfinite(how.width))
+    if (line.empty() || !std::all_of(line.begin(), line.end(), is_finite<2>) || !(how.width > 0) ||
+        !std::isfinite(how.width))
         return {};
     const double radius = how.width / 2;
     ClipGrid grid;
