@@ -68,6 +68,11 @@ enum class ExprKind : std::uint8_t {
     return kind >= ExprKind::ListFor;
 }
 
+/// Whether such an expression is a value written out.
+[[nodiscard]] constexpr bool is_literal_kind(ExprKind kind) {
+    return kind <= ExprKind::String;
+}
+
 enum class Operator : std::uint8_t {
     None,
     Not,
@@ -145,7 +150,7 @@ struct Instantiation {
     Symbol name = kNoSymbol;
     bool is_if = false;
     Modifiers modifiers;
-    Run arguments{};              ///< Of Program::arguments.
+    Run arguments{};            ///< Of Program::arguments.
     BlockId children = kNone;   ///< Never kNone after parsing; empty for `name();`.
     BlockId otherwise = kNone;  ///< Of an `if` with `else`; `else if` is a block with one instantiation.
     SourceRange where;          ///< From the name to the closing parenthesis.
@@ -183,7 +188,7 @@ struct Program {
     FlatArray<ExprId> elements;
     FlatArray<Argument> arguments;
     FlatArray<Argument> assignments;
-    std::unordered_map<ExprId, Run> updates;  ///< Of ListForC: a run of arguments.
+    std::unordered_map<ExprId, Run> updates;                      ///< Of ListForC: a run of arguments.
     std::unordered_map<std::uint32_t, SourceRange> first_places;  ///< By index of assignments written more than once.
     FlatArray<FunctionDefinition> functions;
     FlatArray<ModuleDefinition> modules;

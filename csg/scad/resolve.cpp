@@ -81,8 +81,7 @@ void Resolver::number_constant(ExprId list) {
     const auto elements = p_.elements_of(p_[list]);
     const bool constant = std::all_of(elements.begin(), elements.end(), [&](ExprId part) {
         const ExprKind kind = p_[part].kind;
-        return kind == ExprKind::Undef || kind == ExprKind::Boolean || kind == ExprKind::Number ||
-               kind == ExprKind::String || (kind == ExprKind::Vector && r_.of_expression[part] != kNone);
+        return is_literal_kind(kind) || (kind == ExprKind::Vector && r_.of_expression[part] != kNone);
     });
     if (constant) {
         r_.of_expression[list] = r_.constants++;
@@ -207,17 +206,7 @@ void Resolver::look_into(const ModuleDefinition& m, BlockScope& body) {
 
 bool Resolver::is_literal(ExprId id) const {
     const Expr& e = p_[id];
-    switch (e.kind) {
-        case ExprKind::Undef:
-        case ExprKind::Boolean:
-        case ExprKind::Number:
-        case ExprKind::String:
-            return true;
-        case ExprKind::Unary:
-            return p_[e.operand(0)].kind == ExprKind::Number;
-        default:
-            return false;
-    }
+    return is_literal_kind(e.kind) || (e.kind == ExprKind::Unary && p_[e.operand(0)].kind == ExprKind::Number);
 }
 
 void Resolver::resolve_instantiation(const Instantiation& first, const BlockScope& scope) {
