@@ -7,13 +7,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
 
 #include "gl/image.h"
 #include "tests/pictures/silhouette.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/suite.h"
 
 namespace pictures {
 
@@ -21,76 +20,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kRecordedIn = "/tmp/tmpykqbtbon";
-
-void replace_all(std::string& text, std::string_view from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-        text.replace(at, from.size(), to);
-    }
-}
-
 std::string quoted(std::string text) {
-    replace_all(text, "'", "'\\''");
+    suite::replace_all(text, "'", "'\\''");
     return "'" + text + "'";
 }
 
 }  // namespace
 
-fs::path data_folder() {
-    return fs::path(CSGSCOPE_SOURCE_DIR).parent_path() / "shared/conformance";
-}
-
 std::vector<Case> cases() {
     std::vector<Case> result;
-    std::ifstream in(data_folder() / "manifest.json");
-    if (!in) {
-        return result;
-    }
-    for (const auto& row : nlohmann::json::parse(in)) {
+    for (const auto& row : suite::cases()) {
         if (row["kind"] == "render") {
-            result.push_back({row["name"], row["input"], row["args"],
-                              data_folder() / "openscad/expected" / row["expected"].get<std::string>()});
+            result.push_back({row["name"], row["input"], row["args"], suite::expected(row)});
         }
     }
     return result;
 }
 
 WorkingCopy::WorkingCopy() {
-    std::string name = (fs::temp_directory_path() / "csgscope-pictures-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        throw std::runtime_error("cannot make a folder " + name);
-    }
-    root_ = name;
+    const fs::path root = this->root();
+    fs::create_directories(root / "build/tests");
     for (const char* part : {"tests", "examples"}) {
-        fs::copy(data_folder() / "openscad" / part, root_ / part, fs::copy_options::recursive);
+        fs::copy(suite::folder() / "openscad" / part, root / part, fs::copy_options::recursive);
     }
-    fs::create_directories(root_ / "build/tests");
-    for (const auto& entry : fs::recursive_directory_iterator(root_)) {
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
         if (entry.path().extension() != ".scad") {
             continue;
         }
-        std::string text = test_support::read_file(entry.path());
-        if (text.find(kRecordedIn) != std::string::npos) {
-            replace_all(text, kRecordedIn, root_.string());
+        const std::string recorded = test_support::read_file(entry.path());
+        std::string text = recorded;
+        suite::move_to(text, root.string());
+        if (text != recorded) {
             fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
             std::ofstream(entry.path(), std::ios::binary) << text;
         }
     }
 }
 
-WorkingCopy::~WorkingCopy() {
-    std::error_code ignored;
-    fs::remove_all(root_, ignored);
-}
-
 Result draw(const std::string& program, const Case& c, const WorkingCopy& copy, const fs::path& picture) {
-    const std::string root = copy.root().string();
+    const std::string root = copy.root();
     std::string command = "cd " + quoted(root + "/build/tests") +
                           " && OPENSCAD_FONT_PATH=" + quoted(root + "/tests/data/ttf") +
                           " OPENSCADPATH=" + quoted(root + "/libraries") + " timeout 60 " + quoted(program) + " " +
                           quoted(root + "/" + c.input);
     for (std::string argument : c.arguments) {
-        replace_all(argument, "@ROOT@", root);
+        suite::replace_all(argument, "@ROOT@", root);
         command += " " + quoted(argument);
     }
     command += " -o " + quoted(picture.string()) + " >/dev/null 2>&1";

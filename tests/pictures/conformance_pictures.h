@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 namespace pictures {
 
 struct Case {
@@ -15,8 +17,6 @@ struct Case {
     std::filesystem::path expected;
 };
 
-/// Where the suite lies; whether it is there is another question.
-[[nodiscard]] std::filesystem::path data_folder();
 /// The cases of the kind `render`; none where the suite is absent.
 [[nodiscard]] std::vector<Case> cases();
 
@@ -25,13 +25,10 @@ struct Case {
 class WorkingCopy {
   public:
     WorkingCopy();
-    ~WorkingCopy();
-    WorkingCopy(const WorkingCopy&) = delete;
-    WorkingCopy& operator=(const WorkingCopy&) = delete;
-    [[nodiscard]] const std::filesystem::path& root() const { return root_; }
+    [[nodiscard]] std::string root() const { return folder_.path("suite"); }
 
   private:
-    std::filesystem::path root_;
+    test_support::TemporaryFolder folder_;
 };
 
 struct Result {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/pictures/silhouette.h"
+#include "tests/support/suite.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -33,7 +34,7 @@ TEST(Silhouettes, OverlapByIntersectionOverUnion) {
 TEST(ConformancePictures, NoneIsLost) {
     std::vector<pictures::Case> cases = pictures::cases();
     if (cases.empty()) {
-        GTEST_SKIP() << "no conformance data in " << pictures::data_folder();
+        GTEST_SKIP() << "no conformance data in " << suite::folder();
     }
     std::set<std::string> names;
     std::ifstream in(CSGSCOPE_SOURCE_DIR "/tests/pictures/expected.txt");

@@ -10,6 +10,7 @@
 #include "gl/image.h"
 #include "tests/pictures/conformance_pictures.h"
 #include "tests/pictures/silhouette.h"
+#include "tests/support/suite.h"
 
 namespace {
 
@@ -53,7 +54,7 @@ int main(int argc, char** argv) {
     }
     std::vector<Case> cases = pictures::cases();
     if (cases.empty()) {
-        fmt::print(stderr, "no conformance data in {}\n", pictures::data_folder().string());
+        fmt::print(stderr, "no conformance data in {}\n", suite::folder().string());
         return 1;
     }
     if (argc == 4) {

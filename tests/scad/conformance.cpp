@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "csg/scad/csg_text.h"
 #include "csg/scad/scad.h"
 #include "gl/camera.h"
+#include "tests/support/suite.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/pipeline/camera.h"
 #include "ui/pipeline/measures.h"
 
 namespace conformance {
@@ -19,11 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace csg::scad;
-
-std::string read(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string without_timestamps(std::string text) {
     constexpr std::string_view kWord = ", timestamp = ";
@@ -52,21 +47,10 @@ std::vector<std::string> lines(const std::string& text) {
     return result;
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-        text.replace(at, from.size(), to);
-    }
-}
-
-/// Some inputs name files by the place that the suite had when its data was taken.
 ReadResult read_in_place(const std::string& path) {
     ReadResult result = read_source_file(path);
     if (auto* const text = std::get_if<std::string>(&result)) {
-        for (std::size_t at = text->find("/tmp/tmp"); at != std::string::npos; at = text->find("/tmp/tmp", at)) {
-            const std::string here = (folder() / "openscad").string();
-            text->replace(at, text->find("/tests/", at) - at, here);
-            at += here.size();
-        }
+        suite::move_to(*text, (suite::folder() / "openscad").string());
     }
     return result;
 }
@@ -76,7 +60,7 @@ Request request_for(const Case& c) {
     request.path = c.input.string();
     request.reader = read_in_place;
     request.measures = ui::make_measures();
-    request.search_path = {(folder() / "openscad/libraries").string()};
+    request.search_path = {(suite::folder() / "openscad/libraries").string()};
     for (std::size_t i = 0; i < c.arguments.size(); ++i) {
         if (c.arguments[i] == "-D" && i + 1 < c.arguments.size()) {
             request.definitions.push_back(c.arguments[i + 1]);
@@ -91,13 +75,8 @@ Request request_for(const Case& c) {
                 numbers.push_back(std::stod(number));
             }
             if (numbers.size() == 6) {
-                const gl::Camera camera =
-                    gl::camera_between({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]});
-                const auto turned = [](double degrees) { return degrees < 0 ? degrees + 360 : degrees; };
-                request.view.translation = {camera.target.x, camera.target.y, camera.target.z};
-                request.view.rotation = {turned(camera.rotation.x), turned(camera.rotation.y),
-                                         turned(camera.rotation.z)};
-                request.view.distance = camera.distance;
+                request.view = ui::scad_view(
+                    gl::camera_between({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}));
             }
             if (numbers.size() == 7) {
                 request.view.translation = {numbers[0], numbers[1], numbers[2]};
@@ -111,21 +90,12 @@ Request request_for(const Case& c) {
 
 }  // namespace
 
-fs::path folder() {
-    return fs::path(CSGSCOPE_SOURCE_DIR).parent_path() / "shared/conformance";
-}
-
 std::vector<Case> cases() {
     std::vector<Case> result;
-    std::ifstream in(folder() / "manifest.json");
-    if (!in) {
-        return result;
-    }
-    for (const auto& row : nlohmann::json::parse(in)) {
+    for (const auto& row : suite::cases()) {
         const std::string kind = row["kind"];
         if (kind == "echo" || kind == "csg") {
-            result.push_back({row["name"], kind, folder() / "openscad" / row["input"].get<std::string>(),
-                              folder() / "openscad/expected" / row["expected"].get<std::string>(), row["args"]});
+            result.push_back({row["name"], kind, suite::input(row), suite::expected(row), row["args"]});
         }
     }
     return result;
@@ -142,8 +112,8 @@ std::string difference(const Case& c) {
     if (c.kind == "csg") {
         got = evaluation.ok ? csg_text(*evaluation.tree) : "";  // A failed run writes nothing.
     }
-    std::string expected = read(c.expected);
-    replace_all(expected, "../../tests", fs::proximate(folder() / "openscad/tests").string());
+    std::string expected = test_support::read_file(c.expected);
+    suite::replace_all(expected, "../../tests", fs::proximate(suite::folder() / "openscad/tests").string());
     const auto want = lines(expected), have = lines(got);
     for (std::size_t i = 0; i < std::max(want.size(), have.size()); ++i) {
         const std::string w = i < want.size() ? want[i] : "(end)", h = i < have.size() ? have[i] : "(end)";

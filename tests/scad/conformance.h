@@ -15,9 +15,6 @@ struct Case {
     std::vector<std::string> arguments;  ///< Of the command line.
 };
 
-/// Where the suite lies; whether it is there is another question.
-[[nodiscard]] std::filesystem::path folder();
-
 /// Empty where the suite is absent.
 [[nodiscard]] std::vector<Case> cases();
 

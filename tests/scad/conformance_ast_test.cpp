@@ -9,12 +9,11 @@
 
 #include "csg/scad/ast_text.h"
 #include "tests/scad/parsing.h"
+#include "tests/support/suite.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kConformance = fs::path(CSGSCOPE_SOURCE_DIR) / "../shared/conformance";
 
 /// Names of cases that are known to differ; the rest of each line says why.
 std::set<std::string> exceptions() {
@@ -44,23 +43,24 @@ bool takes_part(const nlohmann::json& row) {
 }
 
 TEST(Conformance, SyntaxTrees) {
-    if (!fs::exists(kConformance / "manifest.json")) {
-        GTEST_SKIP() << "no conformance data at " << kConformance;
+    const std::vector<nlohmann::json> rows = suite::cases();
+    if (rows.empty()) {
+        GTEST_SKIP() << "no conformance data at " << suite::folder();
     }
     const std::set<std::string> known = exceptions();
     std::size_t cases = 0;
-    for (const nlohmann::json& row : nlohmann::json::parse(test::read_file(kConformance / "manifest.json"))) {
+    for (const nlohmann::json& row : rows) {
         if (!takes_part(row)) {
             continue;
         }
         ++cases;
         const std::string name = row.at("name");
         csg::scad::ParseRequest request;
-        request.path = (kConformance / "openscad" / row.at("input").get<std::string>()).string();
+        request.path = suite::input(row).string();
         request.text = test::read_file(request.path);
         const csg::scad::Parsed parsed = csg::scad::parse(request);
         EXPECT_TRUE(parsed.ok) << name << '\n' << test::messages(parsed);
-        const fs::path expected = kConformance / "openscad/expected" / row.at("expected").get<std::string>();
+        const fs::path expected = suite::expected(row);
         const std::string text = trimmed(ast_text(parsed.program));
         if (known.count(name) == 0) {
             EXPECT_EQ(text, trimmed(test::read_file(expected))) << name;
@@ -73,12 +73,12 @@ TEST(Conformance, SyntaxTrees) {
 
 /// Every file of the suite parses, but those that are broken on purpose.
 TEST(Conformance, AllInputsParse) {
-    if (!fs::exists(kConformance / "openscad")) {
-        GTEST_SKIP() << "no conformance data at " << kConformance;
+    if (!fs::exists(suite::folder() / "openscad")) {
+        GTEST_SKIP() << "no conformance data at " << suite::folder();
     }
     std::set<std::string> broken;
     std::size_t files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(kConformance / "openscad")) {
+    for (const auto& entry : fs::recursive_directory_iterator(suite::folder() / "openscad")) {
         if (entry.path().extension() == ".scad") {
             ++files;
             csg::scad::ParseRequest request;

@@ -1,5 +1,6 @@
 // The cases of OpenSCAD's suite that pass, by name in conformance_expected.txt: none may be lost, and none forgotten.
 #include "tests/scad/conformance.h"
+#include "tests/support/suite.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ std::set<std::string> expected_names() {
 void run_kind(const std::string& kind) {
     const auto cases = conformance::cases();
     if (cases.empty()) {
-        GTEST_SKIP() << "no conformance data in " << conformance::folder();
+        GTEST_SKIP() << "no conformance data in " << suite::folder();
     }
     const auto expected = expected_names();
     std::size_t passed = 0, all = 0;
