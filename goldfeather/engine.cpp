@@ -90,9 +90,7 @@ Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget)
     gl.VertexArrayAttribIFormat(leaf_array_.id(), 0, 2, GL_UNSIGNED_INT, 0);
     gl.VertexArrayAttribBinding(leaf_array_.id(), 0, 0);
     gl.VertexArrayBindingDivisor(leaf_array_.id(), 0, 1);
-    gl.EnableVertexArrayAttrib(leaf_array_.id(), 1);
-    gl.VertexArrayAttribFormat(leaf_array_.id(), 1, 4, GL_FLOAT, GL_FALSE, 0);
-    gl.VertexArrayAttribBinding(leaf_array_.id(), 1, 1);
+    LeafBuffers::describe_positions(gl, leaf_array_);
     for (GLuint i = 0; i < 2; ++i) {
         gl.EnableVertexArrayAttrib(tile_array_.id(), i);
         gl.VertexArrayAttribIFormat(tile_array_.id(), i, 4, GL_UNSIGNED_INT,

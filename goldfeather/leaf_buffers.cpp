@@ -47,4 +47,10 @@ void LeafBuffers::project(const gl::View& view, const gl::Program& prepare) {
     gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+void LeafBuffers::describe_positions(const gl::Functions& gl, const gl::VertexArray& array) {
+    gl.EnableVertexArrayAttrib(array.id(), 1);
+    gl.VertexArrayAttribFormat(array.id(), 1, 4, GL_FLOAT, GL_FALSE, 0);
+    gl.VertexArrayAttribBinding(array.id(), 1, 1);
+}
+
 }  // namespace goldfeather

@@ -31,6 +31,8 @@ class LeafBuffers {
     /// `positions()`.
     void bind() const { triangles_.bind(GL_SHADER_STORAGE_BUFFER, 8); }
     [[nodiscard]] const gl::Buffer& positions() const { return positions_; }
+    /// Describes attribute 1 to a vertex array: it is read from vertex buffer binding 1.
+    static void describe_positions(const gl::Functions& gl, const gl::VertexArray& array);
 
   private:
     const gl::Functions& gl_;

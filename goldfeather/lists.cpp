@@ -64,9 +64,7 @@ Lists::Lists(const gl::Functions& gl, std::size_t memory_budget)
       draw_commands_(gl),
       target_(gl),
       surfaces_(gl, GL_SAMPLES_PASSED) {
-    gl.EnableVertexArrayAttrib(leaf_array_.id(), 1);
-    gl.VertexArrayAttribFormat(leaf_array_.id(), 1, 4, GL_FLOAT, GL_FALSE, 0);
-    gl.VertexArrayAttribBinding(leaf_array_.id(), 1, 1);
+    LeafBuffers::describe_positions(gl, leaf_array_);
     if (const std::string wrong = self_test(gl, resolver_); !wrong.empty()) {
         throw gl::Error("the shader that resolves per-pixel lists computes wrong on this OpenGL: " + wrong);
     }

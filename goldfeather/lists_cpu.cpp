@@ -136,4 +136,15 @@ HostLayers peel_to_host(const csg::Scene& scene, const csg::solid::Geometry& geo
     return to_host(layers);
 }
 
+void add(WalkStats& walk, const ListsStats& lists) {
+    ++walk.passes;
+    ++walk.bands;
+    walk.fragments += lists.fragments;
+    walk.drawn_leaves += lists.drawn_leaves;
+    walk.skipped_leaves += lists.skipped_leaves;
+    walk.skipped_triangles += lists.skipped_triangles;
+    walk.longest_list = std::max(walk.longest_list, lists.longest_list);
+    walk.layers = std::max(walk.layers, lists.layers);
+}
+
 }  // namespace goldfeather

@@ -17,6 +17,7 @@
 #include "gl/camera.h"
 #include "goldfeather/expression_state.h"
 #include "goldfeather/layer_stack.h"
+#include "goldfeather/walk_stats.h"
 
 namespace goldfeather {
 
@@ -59,6 +60,9 @@ struct ListsStats {
 /// `threads`: 0 for one a core.
 void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, unsigned threads, CpuLayers& out,
                 ListsStats& stats);
+
+/// Counts a picture drawn from lists among those that a walk drew.
+void add(WalkStats& walk, const ListsStats& lists);
 
 /// The same stack as engines and tests compare it.
 [[nodiscard]] HostLayers to_host(const CpuLayers& layers);

@@ -66,9 +66,7 @@ Scs::Scs(const gl::Functions& gl, std::size_t memory_budget)
       pixels_(gl),
       target_(gl),
       moved_(gl, GL_SAMPLES_PASSED) {
-    gl.EnableVertexArrayAttrib(leaf_array_.id(), 1);
-    gl.VertexArrayAttribFormat(leaf_array_.id(), 1, 4, GL_FLOAT, GL_FALSE, 0);
-    gl.VertexArrayAttribBinding(leaf_array_.id(), 1, 1);
+    LeafBuffers::describe_positions(gl, leaf_array_);
 }
 
 std::string Scs::obstacle(const gl::View& view, const csg::solid::Geometry& geometry, std::span<const Product> products,

@@ -3,9 +3,8 @@
 #include <array>
 
 #include "npr/cpu_paint.h"
-#include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
-#include "npr/style_pass.h"
+#include "npr/lined_style.h"
 
 namespace npr {
 namespace {
@@ -68,42 +67,21 @@ EdgeSettings edge_settings(const Parameters& p) {
     return {p.number(kCrease), p.toggle(kParts)};
 }
 
-/// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
-int layers(bool /*translucent*/) {
-    return 0;
+void set_uniforms(const Parameters& parameters, const gl::Program& program) {
+    const Settings s = settings_of(parameters);
+    program.set("width", s.width);
+    program.set("hidden_width", s.hidden_width);
+    program.set("inner_strength", s.inner_strength);
+    program.set("hidden_strength", s.hidden_strength);
+    program.set("hidden_falloff", s.hidden_falloff);
+    program.set("tone", s.tone);
+    program.set("most_layers", s.most_layers);
+    program.set("grid", s.grid);
+    program.set("grid_spacing", s.grid_spacing);
+    program.set("ground_color", s.ground_color);
+    program.set("line_color", s.line_color);
+    program.set("wash_color", s.wash_color);
 }
-
-class Blueprint : public Style {
-  public:
-    explicit Blueprint(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/blueprint.frag") {}
-
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool translucent) const override {
-        return layers(translucent);
-    }
-
-    void draw(const Frame& frame) override {
-        edges_.draw(frame, edge_settings(frame.parameters));
-        const Settings s = settings_of(frame.parameters);
-        const gl::Program& program = pass_.program();
-        program.set("width", s.width);
-        program.set("hidden_width", s.hidden_width);
-        program.set("inner_strength", s.inner_strength);
-        program.set("hidden_strength", s.hidden_strength);
-        program.set("hidden_falloff", s.hidden_falloff);
-        program.set("tone", s.tone);
-        program.set("most_layers", s.most_layers);
-        program.set("grid", s.grid);
-        program.set("grid_spacing", s.grid_spacing);
-        program.set("ground_color", s.ground_color);
-        program.set("line_color", s.line_color);
-        program.set("wash_color", s.wash_color);
-        pass_.draw(frame);
-    }
-
-  private:
-    EdgeMap edges_;
-    StylePass pass_;
-};
 
 using namespace glm;  // As shader files do.
 
@@ -129,10 +107,11 @@ void paint(const CpuFrame& frame) {
 }  // namespace
 
 StyleInfo blueprint_style() {
-    return {
-        "blueprint", "Blueprint",
-        parameters,  [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Blueprint>(gl); },
-        paint,       layers};
+    return {"blueprint", "Blueprint", parameters,
+            [](const gl::Functions& gl) -> std::unique_ptr<Style> {
+                return std::make_unique<LinedStyle>(gl, "npr/blueprint.frag", edge_settings, set_uniforms);
+            },
+            paint};
 }
 
 }  // namespace npr

@@ -3,9 +3,8 @@
 #include <array>
 
 #include "npr/cpu_paint.h"
-#include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
-#include "npr/style_pass.h"
+#include "npr/lined_style.h"
 
 namespace npr {
 namespace {
@@ -51,36 +50,15 @@ EdgeSettings edge_settings(const Parameters& p) {
     return {p.number(kCrease), p.toggle(kParts), true};
 }
 
-/// A surface is looked for in all layers of the neighbours.
-int layers(bool /*translucent*/) {
-    return 0;
+void set_uniforms(const Parameters& parameters, const gl::Program& program) {
+    const Settings s = settings_of(parameters);
+    program.set("width", s.width);
+    program.set("inner_strength", s.inner_strength);
+    program.set("edge_color", s.edge_color);
+    program.set("shade", s.shade);
+    program.set("light_strength", s.light_strength);
+    program.set("smooth_lines", s.smooth_lines);
 }
-
-class Edges : public Style {
-  public:
-    explicit Edges(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/edges.frag") {}
-
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool translucent) const override {
-        return layers(translucent);
-    }
-
-    void draw(const Frame& frame) override {
-        edges_.draw(frame, edge_settings(frame.parameters));
-        const Settings s = settings_of(frame.parameters);
-        const gl::Program& program = pass_.program();
-        program.set("width", s.width);
-        program.set("inner_strength", s.inner_strength);
-        program.set("edge_color", s.edge_color);
-        program.set("shade", s.shade);
-        program.set("light_strength", s.light_strength);
-        program.set("smooth_lines", s.smooth_lines);
-        pass_.draw(frame);
-    }
-
-  private:
-    EdgeMap edges_;
-    StylePass pass_;
-};
 
 using namespace glm;  // As shader files do.
 
@@ -103,9 +81,11 @@ void paint(const CpuFrame& frame) {
 }  // namespace
 
 StyleInfo edges_style() {
-    return {"edges",    "Edges",
-            parameters, [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Edges>(gl); },
-            paint,      layers};
+    return {"edges", "Edges", parameters,
+            [](const gl::Functions& gl) -> std::unique_ptr<Style> {
+                return std::make_unique<LinedStyle>(gl, "npr/edges.frag", edge_settings, set_uniforms);
+            },
+            paint};
 }
 
 }  // namespace npr

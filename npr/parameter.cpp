@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "npr/edit_distance.h"
 
 namespace npr {
 namespace {
@@ -92,20 +93,6 @@ std::string takes(const Parameter& p) {
     return fmt::format("one of {}", fmt::join(p.choices, ", "));
 }
 
-/// Levenshtein's distance.
-std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
-        }
-    }
-    return row.back();
-}
-
 }  // namespace
 
 Parameter Parameter::number(std::string_view name, std::string_view label, float initial, float min, float max) {
@@ -149,7 +136,7 @@ void Parameters::set(std::string_view name, std::string_view text) {
         if (list_.empty())
             throw std::invalid_argument(fmt::format("no parameter \"{}\"; this style has none", name));
         const auto nearest = std::min_element(list_.begin(), list_.end(), [&](const Parameter& a, const Parameter& b) {
-            return distance(a.name, name) < distance(b.name, name);
+            return edit_distance(a.name, name) < edit_distance(b.name, name);
         });
         throw std::invalid_argument(fmt::format("no parameter \"{}\"; did you mean \"{}\"?", name, nearest->name));
     }

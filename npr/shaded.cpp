@@ -13,9 +13,6 @@ int layers(bool translucent) {
 class Shaded : public Style {
   public:
     explicit Shaded(const gl::Functions& gl) : pass_(gl, "npr/shaded.frag") {}
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool translucent) const override {
-        return layers(translucent);
-    }
     void draw(const Frame& frame) override { pass_.draw(frame); }
 
   private:

@@ -95,9 +95,6 @@ class Sketch : public Style {
     explicit Sketch(const gl::Functions& gl)
         : edges_(gl), overshoot_(gl), noise_(gl), pass_(gl, "npr/sketch.frag", {{"OVERSHOOT", "1"}}) {}
 
-    /// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool /*translucent*/) const override { return 0; }
-
     void draw(const Frame& frame) override {
         const Parameters& p = frame.parameters;
         // Drawings of all sizes look the same, though with finer lines the larger they are.

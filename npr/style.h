@@ -32,9 +32,6 @@ class Style {
     Style(const Style&) = delete;
     Style& operator=(const Style&) = delete;
 
-    /// How many layers draw() looks at: the first so many, or all (0). `translucent`: parts of the scene are not opaque
-    /// (`%`, `#`, alpha below 1).
-    [[nodiscard]] virtual int layers_needed(const Parameters& parameters, bool translucent) const = 0;
     /// Writes every pixel of the target. The same frame gives the same pixels; noise is anchored to pixels of the
     /// picture, never to the sample's jitter. A stack with fewer or more layers than needed is drawn as it is.
     virtual void draw(const Frame& frame) = 0;
@@ -42,6 +39,11 @@ class Style {
   protected:
     Style() = default;
 };
+
+/// For styles that look for a surface in all layers of the neighbours, whichever layers are drawn.
+[[nodiscard]] constexpr int all_layers(bool /*translucent*/) {
+    return 0;
+}
 
 /// What is known of a style without a context.
 struct StyleInfo {
@@ -52,8 +54,9 @@ struct StyleInfo {
     std::unique_ptr<Style> (*make)(const gl::Functions& gl);
     /// The same without OpenGL; null where the style cannot be painted so.
     Paint paint = nullptr;
-    /// Layers that paint() looks at; see Style::layers_needed.
-    int (*paint_layers)(bool translucent) = nullptr;
+    /// How many layers the style looks at: the first so many, or all (0). `translucent`: parts of the scene are not
+    /// opaque (`%`, `#`, alpha below 1).
+    int (*layers)(bool translucent) = all_layers;
 };
 
 /// All styles; the first is the default.

@@ -3,9 +3,8 @@
 #include <array>
 
 #include "npr/cpu_paint.h"
-#include "npr/edge_map.h"
 #include "npr/edge_parameters.h"
-#include "npr/style_pass.h"
+#include "npr/lined_style.h"
 
 namespace npr {
 namespace {
@@ -60,39 +59,18 @@ EdgeSettings edge_settings(const Parameters& p) {
     return {p.number(kCrease), p.toggle(kParts)};
 }
 
-/// Surfaces are looked for in all layers of the neighbours, whichever layers are drawn.
-int layers(bool /*translucent*/) {
-    return 0;
+void set_uniforms(const Parameters& parameters, const gl::Program& program) {
+    const Settings s = settings_of(parameters);
+    program.set("width", s.width);
+    program.set("opacity", s.opacity);
+    program.set("rim", s.rim);
+    program.set("profile_strength", s.profile_strength);
+    program.set("inner_strength", s.inner_strength);
+    program.set("falloff", s.falloff);
+    program.set("cue", s.cue);
+    program.set("colors", s.colors);
+    program.set("most_layers", s.most_layers);
 }
-
-class Xray : public Style {
-  public:
-    explicit Xray(const gl::Functions& gl) : edges_(gl), pass_(gl, "npr/xray.frag") {}
-
-    [[nodiscard]] int layers_needed(const Parameters& /*parameters*/, bool translucent) const override {
-        return layers(translucent);
-    }
-
-    void draw(const Frame& frame) override {
-        edges_.draw(frame, edge_settings(frame.parameters));
-        const Settings s = settings_of(frame.parameters);
-        const gl::Program& program = pass_.program();
-        program.set("width", s.width);
-        program.set("opacity", s.opacity);
-        program.set("rim", s.rim);
-        program.set("profile_strength", s.profile_strength);
-        program.set("inner_strength", s.inner_strength);
-        program.set("falloff", s.falloff);
-        program.set("cue", s.cue);
-        program.set("colors", s.colors);
-        program.set("most_layers", s.most_layers);
-        pass_.draw(frame);
-    }
-
-  private:
-    EdgeMap edges_;
-    StylePass pass_;
-};
 
 using namespace glm;  // As shader files do.
 
@@ -119,9 +97,11 @@ void paint(const CpuFrame& frame) {
 }  // namespace
 
 StyleInfo xray_style() {
-    return {"xray",     "X-ray",
-            parameters, [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Xray>(gl); },
-            paint,      layers};
+    return {"xray", "X-ray", parameters,
+            [](const gl::Functions& gl) -> std::unique_ptr<Style> {
+                return std::make_unique<LinedStyle>(gl, "npr/xray.frag", edge_settings, set_uniforms);
+            },
+            paint};
 }
 
 }  // namespace npr

@@ -86,14 +86,7 @@ std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& mo
 LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats) {
     goldfeather::ListsStats lists;
     goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists);
-    stats.passes += 1;
-    stats.bands += 1;
-    stats.fragments += lists.fragments;
-    stats.drawn_leaves += lists.drawn_leaves;
-    stats.skipped_leaves += lists.skipped_leaves;
-    stats.skipped_triangles += lists.skipped_triangles;
-    stats.longest_list = std::max(stats.longest_list, lists.longest_list);
-    stats.layers = std::max(stats.layers, lists.layers);
+    goldfeather::add(stats, lists);
 
     LayerStack stack = upload_.upload(cpu_layers_);
     stack.tables = model.tables;

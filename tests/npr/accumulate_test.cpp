@@ -21,9 +21,6 @@ float linear(int byte) {
 class Constant : public npr::Style {
   public:
     Constant(const gl::Functions& gl, const glm::vec4& color) : gl_(gl), color_(color) {}
-    [[nodiscard]] int layers_needed(const npr::Parameters& /*parameters*/, bool /*translucent*/) const override {
-        return 1;
-    }
     void draw(const npr::Frame& frame) override {
         jitters.push_back(frame.view.jitter());
         gl_.ClearNamedFramebufferfv(frame.target.id(), GL_COLOR, 0, &color_.x);

@@ -51,7 +51,7 @@ gl::Image Studio::draw_with(npr::Style& style, const Model& model, const Request
                                *npr::find_color_scheme(request.scheme),
                                request.transparent_background,
                                request.samples};
-    const int needed = style.layers_needed(parameters, true);
+    const int needed = npr::find_style(request.style)->layers(true);
     accumulator_.draw(style, picture, [&](const gl::View& view) {
         peel::WalkStats stats;
         return peeler_.peel(view, peel_model, needed == 0 ? peel::kAllLayers : needed, stats);

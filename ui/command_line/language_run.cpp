@@ -321,14 +321,7 @@ std::optional<int> run_or_throw(const std::vector<std::string>& arguments,
 
 std::optional<int> run_language(const std::vector<std::string>& arguments,
                                 const std::function<void(std::size_t said)>& hand_over) {
-    try {
-        return run_or_throw(arguments, hand_over);
-    } catch (const std::bad_alloc&) {
-        print_out_of_memory(arguments);
-    } catch (const std::exception& error) {
-        print_error(error.what());
-    }
-    return 1;
+    return or_error(arguments, [&] { return run_or_throw(arguments, hand_over); });
 }
 
 }  // namespace ui

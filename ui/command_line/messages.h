@@ -1,6 +1,8 @@
 // Messages of a program on standard error, as OpenSCAD prints them, and as the text of an .echo file.
 #pragma once
 
+#include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -41,5 +43,18 @@ void print_error(const std::string& text);
 
 /// The same for a run that got no more memory; names --memory-limit where the arguments do. Needs little itself.
 void print_out_of_memory(const std::vector<std::string>& arguments);
+
+/// What a run with the arguments gives; where it throws, a message and 1.
+template <typename Action>
+[[nodiscard]] auto or_error(const std::vector<std::string>& arguments, const Action& action) -> decltype(action()) {
+    try {
+        return action();
+    } catch (const std::bad_alloc&) {
+        print_out_of_memory(arguments);
+    } catch (const std::exception& error) {
+        print_error(error.what());
+    }
+    return 1;
+}
 
 }  // namespace ui

@@ -271,14 +271,7 @@ int run_or_throw(const std::vector<std::string>& arguments) {
 }  // namespace
 
 int run(const std::vector<std::string>& arguments) {
-    try {
-        return run_or_throw(arguments);
-    } catch (const std::bad_alloc&) {
-        print_out_of_memory(arguments);
-    } catch (const std::exception& error) {
-        print_error(error.what());
-    }
-    return 1;
+    return or_error(arguments, [&] { return run_or_throw(arguments); });
 }
 
 }  // namespace ui

@@ -1,7 +1,5 @@
 #include "ui/pipeline/cpu_renderer.h"
 
-#include <algorithm>
-
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -25,7 +23,7 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
     Stopwatch watch;
     hold(model);
     statistics_.upload_ms += watch.lap();
-    const int layers = request.layers >= 0 ? request.layers : checked.style.paint_layers(model_->translucent);
+    const int layers = request.layers >= 0 ? request.layers : checked.style.layers(model_->translucent);
     accumulator_.paint_sample(checked.style.paint, model_->rows, checked.picture(model, request),
                               static_cast<std::size_t>(sample), [&](const gl::View& view) -> const peel::CpuLayers& {
                                   statistics_.style_ms += watch.lap();
@@ -33,15 +31,7 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
                                   goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats);
                                   statistics_.peel_ms += watch.lap();
                                   ++statistics_.samples;
-                                  ++statistics_.walk.passes;
-                                  ++statistics_.walk.bands;
-                                  statistics_.walk.fragments += stats.fragments;
-                                  statistics_.walk.drawn_leaves += stats.drawn_leaves;
-                                  statistics_.walk.skipped_leaves += stats.skipped_leaves;
-                                  statistics_.walk.skipped_triangles += stats.skipped_triangles;
-                                  statistics_.walk.longest_list =
-                                      std::max(statistics_.walk.longest_list, stats.longest_list);
-                                  statistics_.walk.layers = std::max(statistics_.walk.layers, stats.layers);
+                                  goldfeather::add(statistics_.walk, stats);
                                   return layers_;
                               });
     statistics_.style_ms += watch.lap();

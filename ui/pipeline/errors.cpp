@@ -192,13 +192,8 @@ double Errors::edge_f_score() const {
 }
 
 void Errors::add(const Errors& other) {
-    pixels += other.pixels;
-    surfaces += other.surfaces;
-    coverage_wrong += other.coverage_wrong;
+    LayerErrors::add(other);
     layers_wrong += other.layers_wrong;
-    normals_wrong += other.normals_wrong;
-    depth_squares += other.depth_squares;
-    depth_largest = std::max(depth_largest, other.depth_largest);
     layer.resize(std::max(layer.size(), other.layer.size()));
     for (std::size_t k = 0; k < other.layer.size(); ++k) {
         layer[k].add(other.layer[k]);

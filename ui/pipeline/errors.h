@@ -15,21 +15,17 @@ namespace ui {
 struct LayerErrors {
     std::size_t pixels = 0;          ///< With a surface there in one of the two.
     std::size_t coverage_wrong = 0;  ///< … in just one.
-    std::size_t surfaces = 0, normals_wrong = 0;
-    double depth_squares = 0, depth_largest = 0;  ///< Over the scene's diagonal.
+    std::size_t surfaces = 0;        ///< Compared one by one.
+    std::size_t normals_wrong = 0;   ///< Surfaces whose normals differ by more than 1 degree.
+    double depth_squares = 0;        ///< Sum, over the scene's diagonal.
+    double depth_largest = 0;        ///< Over the scene's diagonal.
 
     void add(const LayerErrors& other);
 };
 
 /// Of one picture, all layers. Shares are of the pixels with something in one of the two.
-struct Errors {
-    std::size_t pixels = 0;
-    std::size_t surfaces = 0;        ///< Compared one by one.
-    std::size_t coverage_wrong = 0;  ///< Pixels that hit in just one of the two.
+struct Errors : LayerErrors {
     std::size_t layers_wrong = 0;    ///< Pixels whose numbers of layers differ.
-    std::size_t normals_wrong = 0;   ///< Surfaces whose normals differ by more than 1 degree.
-    double depth_squares = 0;        ///< Sum, over the scene's diagonal.
-    double depth_largest = 0;        ///< Over the scene's diagonal.
     std::vector<LayerErrors> layer;  ///< One by one, from the front.
     std::size_t edges_matched = 0, edges_drawn = 0, edges_true = 0, edges_found = 0;
 

@@ -46,7 +46,7 @@ void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, 
     const double upload = watch.lap();
     statistics_.upload_ms += held ? 0 : upload;
 
-    const int layers = request.layers >= 0 ? request.layers : style.layers_needed(checked.parameters, translucent_);
+    const int layers = request.layers >= 0 ? request.layers : checked.style.layers(translucent_);
     const npr::Picture picture = checked.picture(model, request);
     peeler_.give_back(
         accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const gl::View& view) {

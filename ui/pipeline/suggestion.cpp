@@ -1,44 +1,31 @@
 #include "ui/pipeline/suggestion.h"
 
-#include <algorithm>
 #include <cctype>
-#include <numeric>
-#include <vector>
 
 #include <fmt/format.h>
+
+#include "npr/edit_distance.h"
 
 namespace ui {
 
 namespace {
 
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-
-/// Levenshtein's distance, upper and lower case being the same.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (lower(a[i]) != lower(b[j]) ? 1 : 0);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-        }
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) {
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
-    return row.back();
+    return result;
 }
 
 }  // namespace
 
 std::string suggestion(std::string_view name, std::span<const std::string> candidates, std::string_view fallback) {
-    name = name.substr(0, 64);
-    std::size_t best = name.size() / 3 + 2;
+    const std::string wanted = lower(name.substr(0, 64));
+    std::size_t best = wanted.size() / 3 + 2;
     const std::string* nearest = nullptr;
     for (const std::string& candidate : candidates) {
-        if (const std::size_t distance = edit_distance(name, candidate); distance < best) {
+        if (const std::size_t distance = npr::edit_distance(wanted, lower(candidate)); distance < best) {
             best = distance;
             nearest = &candidate;
         }
