@@ -16,7 +16,8 @@ namespace {
 using Point = GridOutline::Point;
 using Loop = GridOutline::Loop;
 
-constexpr int kBits = 30;  // Of the larger side of the box.
+constexpr int kBits = 30;        // Of the larger side of the box.
+constexpr double kRounding = 2;  // Cells: points and ends of edges are moved by half a cell's diagonal, 0.71, each.
 
 /// Takes out what lies on the straight line between its neighbours, spikes too, unless `stays`.
 template <typename Stays>
@@ -55,15 +56,17 @@ int sign(std::int64_t value) {
     return (value > 0) - (value < 0);
 }
 
-/// On the edge, but not at its ends.
-bool is_within(const Point& p, const Edge& e) {
-    return p != e.from && p != e.to && turn(e.from, e.to, p) == 0 && std::min(e.from.x, e.to.x) <= p.x &&
-           p.x <= std::max(e.from.x, e.to.x) && std::min(e.from.y, e.to.y) <= p.y && p.y <= std::max(e.from.y, e.to.y);
-}
-
 bool cross(const Edge& a, const Edge& b) {
     return sign(turn(a.from, a.to, b.from)) * sign(turn(a.from, a.to, b.to)) < 0 &&
            sign(turn(b.from, b.to, a.from)) * sign(turn(b.from, b.to, a.to)) < 0;
+}
+
+/// Whether `p` is nearer to the edge than rounding may have moved both, and between its ends.
+bool is_near(const Point& p, const Edge& e) {
+    const glm::dvec2 way = e.to - e.from, q = p - e.from;
+    const double along = glm::dot(way, q), length2 = glm::dot(way, way);
+    const auto off = static_cast<double>(turn(e.from, e.to, p));
+    return p != e.from && p != e.to && along > 0 && along < length2 && off * off <= kRounding * kRounding * length2;
 }
 
 /// A corner to be put on an edge.
@@ -75,22 +78,32 @@ struct Split {
     [[nodiscard]] auto order() const { return std::tuple(loop, index, way, at.x, at.y); }
 };
 
-/// Where corners lie on edges, in the order of the edges.
+/// Where corners lie on edges or so near that rounding may have moved them off, in the order of the edges. Edges that
+/// cross because they were rounded have one of their four ends near the other edge.
 std::vector<Split> touching_corners(const std::vector<Edge>& edges) {
     std::vector<Box> boxes;
     for (const Edge& e : edges)
         boxes.push_back(enclose(enclose({}, {e.from, 0}), {e.to, 0}));
+    for (Box& box : boxes) {
+        box.lo -= kRounding;
+        box.hi += kRounding;
+    }
     std::vector<Split> splits;
     const auto split = [&](const Edge& e, const Point& p) {
-        if (is_within(p, e))
+        const bool near = is_near(p, e);
+        if (near)
             splits.push_back({e.loop, e.index, std::abs(p.x - e.from.x) + std::abs(p.y - e.from.y), p});
+        return near;
     };
     BoxTree(boxes).pairs([&](std::size_t i, std::size_t j) {
         const Edge &a = edges[i], &b = edges[j];
-        if (cross(a, b))
+        int near = 0;
+        for (const Point& p : {b.from, b.to})
+            near += split(a, p);
+        for (const Point& p : {a.from, a.to})
+            near += split(b, p);
+        if (near == 0 && cross(a, b))
             throw std::runtime_error("outlines cross within the precision of the roof");
-        split(a, b.from);
-        split(b, a.from);
     });
     const auto less = [](const Split& a, const Split& b) { return a.order() < b.order(); };
     const auto same = [](const Split& a, const Split& b) { return a.order() == b.order(); };
@@ -112,21 +125,23 @@ std::vector<Loop> divided(const std::vector<Edge>& edges, const std::vector<Spli
 
 /// The edges without pairs of opposite ones: the region lies on both sides of them, or on neither.
 std::vector<Edge> without_opposites(const std::vector<Edge>& edges) {
-    std::map<std::array<std::int64_t, 4>, std::size_t> known;
-    std::vector<bool> gone(edges.size());
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        const Point &from = edges[e].from, &to = edges[e].to;
-        if (const auto opposite = known.find({to.x, to.y, from.x, from.y}); opposite != known.end()) {
-            gone[e] = gone[opposite->second] = true;
-            known.erase(opposite);
-        } else if (!known.try_emplace({from.x, from.y, to.x, to.y}, e).second) {
-            throw std::runtime_error("outlines overlap within the precision of the roof");
-        }
-    }
+    std::map<std::array<std::int64_t, 4>, int> counts;  ///< From the first end in order to the second, less the others.
+    const auto is_forward = [](const Edge& e) { return std::tie(e.from.x, e.from.y) < std::tie(e.to.x, e.to.y); };
+    const auto count_of = [&](const Edge& e) -> int& {
+        const auto [a, b] = is_forward(e) ? std::pair(e.from, e.to) : std::pair(e.to, e.from);
+        return counts[{a.x, a.y, b.x, b.y}];
+    };
+    for (const Edge& e : edges)
+        count_of(e) += is_forward(e) ? 1 : -1;
     std::vector<Edge> kept;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        if (!gone[e])
-            kept.push_back(edges[e]);
+    for (const Edge& e : edges) {
+        int& count = count_of(e);
+        if (std::abs(count) > 1)
+            throw std::runtime_error("outlines overlap within the precision of the roof");
+        if (count == (is_forward(e) ? 1 : -1)) {
+            kept.push_back(e);
+            count = 0;
+        }
     }
     return kept;
 }
@@ -198,10 +213,25 @@ GridOutline::GridOutline(std::span<const std::vector<glm::dvec2>> loops) {
         if (!loop.empty())
             loops_.push_back(std::move(loop));
     }
-    const std::vector<Edge> edges = edges_of(loops_);
-    if (const std::vector<Split> splits = touching_corners(edges); !splits.empty())
-        loops_ = divided(edges, splits, loops_.size());
-    loops_ = untangled(without_opposites(edges_of(loops_)));
+    // Edges are bent where a corner near them is put on them, and may then meet others.
+    constexpr int kMostRounds = 32;
+    bool settled = false;
+    for (int round = 0; !settled && round < kMostRounds; ++round) {
+        const std::vector<Edge> edges = edges_of(loops_);
+        const std::vector<Split> splits = touching_corners(edges);
+        settled = splits.empty();
+        if (!settled)
+            loops_ = divided(edges, splits, loops_.size());
+    }
+    if (!settled)
+        throw std::runtime_error("outlines cross within the precision of the roof");
+    // Edges may be opposite ones only when points on straight lines, and spikes, are out.
+    for (std::size_t before = 0, after = 1; before != after;) {
+        const std::vector<Edge> edges = edges_of(loops_), kept = without_opposites(edges);
+        before = edges.size();
+        loops_ = untangled(kept);
+        after = edges_of(loops_).size();
+    }
 }
 
 }  // namespace csg::reference

@@ -10,7 +10,8 @@
 
 namespace csg::reference {
 
-/// A region's loops rounded to a grid of 2^-29 to 2^-30 of the larger side of their box. Loops share points with each
+/// A region's loops rounded to a grid of 2^-29 to 2^-30 of the larger side of their box; corners within two cells of an
+/// edge are put on it, as rounding may have moved them over it. Loops share points with each
 /// other or with themselves at most: none crosses or touches an edge elsewhere, and no edge occurs twice. Points on
 /// straight lines are left out, and loops without area. Where loops meet, each follows the same part of the region.
 class GridOutline {
@@ -18,7 +19,7 @@ class GridOutline {
     using Point = glm::i64vec2;  ///< From -2^29 to 2^29 each, so that `turn` is exact.
     using Loop = std::vector<Point>;
 
-    /// Throws std::runtime_error where the rounded loops cross or overlap along an edge, or a coordinate is not finite.
+    /// Throws std::runtime_error where the loops cross by more than that, or overlap along an edge, or a coordinate is not finite.
     explicit GridOutline(std::span<const std::vector<glm::dvec2>> loops);
 
     [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }

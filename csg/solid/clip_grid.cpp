@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/solid/orientation.h"
 #include "csg/tree/finite.h"
 #include "csg/tree/hash.h"
 
@@ -20,6 +21,7 @@ ClipperLib::Paths execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType typ
     } catch (const ClipperLib::clipperException& error) {
         throw OutlineError(error.what());
     }
+    orient(result);
     return result;
 }
 

@@ -37,6 +37,46 @@ TEST(Outline, SquaresThatTouchAreOne) {
     EXPECT_NEAR(all.area(), 1, 1e-12);
 }
 
+/// Of what an odd number of loops is around, by small squares.
+double even_odd_area(const std::vector<Loop>& loops, double side) {
+    constexpr int kSteps = 700;
+    int inside = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double y = (i + 0.5) * side / kSteps;
+        std::vector<double> crossings;
+        for (const Loop& loop : loops) {
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const glm::dvec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
+                if ((a.y < y) != (b.y < y))
+                    crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+            }
+        }
+        std::sort(crossings.begin(), crossings.end());
+        for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+            inside += static_cast<int>(std::floor(crossings[k + 1] / side * kSteps + 0.5) -
+                                       std::floor(crossings[k] / side * kSteps + 0.5));
+    }
+    return inside * side * side / (kSteps * kSteps);
+}
+
+TEST(Outline, LoopsThatTouchLieTheRightWayRound) {
+    // Clipper takes one of these loops for a hole that is none.
+    const std::vector<Loop> tangled{
+        {{0, 2}, {0, 5}, {1, 4}, {3, 3}}, {{4, 6}, {1, 1}, {3, 3}, {0, 2}}, {{4, 5}, {1, 3}, {1, 1}, {2, 2}}};
+    EXPECT_NEAR(clean(tangled, FillRule::EvenOdd).area(), even_odd_area(tangled, 7), 0.03);
+    std::mt19937 random(5);
+    int off = 0;
+    for (int round = 0; round < 300; ++round) {
+        std::vector<Loop> loops(3);
+        for (Loop& loop : loops) {
+            for (int i = 0; i < 4 + round % 4; ++i)
+                loop.emplace_back(random() % 7, random() % 7);
+        }
+        off += std::abs(clean(loops, FillRule::EvenOdd).area() - even_odd_area(loops, 7)) > 0.05 ? 1 : 0;
+    }
+    EXPECT_EQ(off, 0);
+}
+
 TEST(Outline, CoordinatesThatAreNotFiniteAreLeftOut) {
     EXPECT_TRUE(clean(std::vector<Loop>{{{0, 0}, {1, 0}, {HUGE_VAL, 1}}}, FillRule::NonZero).empty());
     EXPECT_TRUE(hull(std::vector<glm::dvec2>{{0, 0}, {std::nan(""), 1}, {1, 1}}).empty());

@@ -169,18 +169,20 @@ TEST(VoronoiRoof, OfRandomOutlinesThatTouch) {
     // On a grid of few points, so that corners meet corners and edges often.
     std::mt19937 random(11);
     int refused = 0;
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < 1000; ++round) {
+        SCOPED_TRACE(round);
         Loops loops(1 + static_cast<std::size_t>(round % 3));
         for (Loop& loop : loops) {
             for (int i = 0; i < 4 + round % 5; ++i)
                 loop.emplace_back(random() % 7, random() % 7);
         }
         const csg::solid::Outline outline = csg::solid::clean(loops, csg::solid::FillRule::EvenOdd);
+        // Rounding makes some loops cross that touched where edges had crossed.
         Mesh mesh;
         try {
             mesh = voronoi_roof(outline.loops, {12, 12, 2});
         } catch (const std::runtime_error&) {
-            ++refused;  // Rounding made loops cross that touched where edges had crossed.
+            ++refused;  // A loop that touches itself and lies on both sides of the region.
             continue;
         }
         EXPECT_TRUE(outline.empty() || volume(mesh) > 0) << round;
@@ -199,7 +201,7 @@ TEST(VoronoiRoof, OfRandomOutlinesThatTouch) {
         for (const glm::dvec3& p : mesh.points)
             ASSERT_NEAR(p.z, distance(bounds, glm::dvec2(p)), 1e-7) << round;
     }
-    EXPECT_LT(refused, 30);
+    EXPECT_LE(refused, 1);
 }
 
 TEST(VoronoiRoof, OfDegenerateOutlines) {
