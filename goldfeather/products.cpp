@@ -38,6 +38,12 @@ bool has_volume(const Box& box) {
     return box.lo.x < box.hi.x && box.lo.y < box.hi.y && box.lo.z < box.hi.z;
 }
 
+/// Can there be a surface where an expression, whose box is `own`, meets what `shared` is the box of? Where boxes only
+/// touch there is none; but polyhedra that are flat themselves, and open, are seen.
+bool may_show(const Box& shared, const Box& own) {
+    return has_volume(shared) || (!shared.empty() && !has_volume(own));
+}
+
 bool strictly_apart(const Box& a, const Box& b) {
     if (a.empty() || b.empty())
         return true;
@@ -152,8 +158,9 @@ class Rewriter {
             work.pop_back();
             const Expression& e = scene_.expressions[factor.expression];
             if (!factor.complement) {
-                state.box = csg::intersect(state.box, box_of(factor.expression));
-                if (!has_volume(state.box))
+                const Box& own = box_of(factor.expression);
+                state.box = csg::intersect(state.box, own);
+                if (!may_show(state.box, own))
                     return false;
             }
             if (forks(factor)) {
@@ -211,7 +218,8 @@ class Rewriter {
         for (std::size_t c = 0; c < children.size() && waiting_ <= most_waiting_; ++c) {
             // not(a - b) = not a + b
             const bool complement = choice.complement != (e.kind == ExpressionKind::Difference && c > 0);
-            if (!complement && !has_volume(csg::intersect(state.box, box_of(children[c])))) {
+            const Box& own = box_of(children[c]);
+            if (!complement && !may_show(csg::intersect(state.box, own), own)) {
                 ++stats_.pruned_products;
                 continue;
             }

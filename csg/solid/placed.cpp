@@ -44,8 +44,10 @@ void place_leaf(const Tree& tree, const LeafInstance& instance, double flat, Pla
         leaf.points.emplace_back(m * glm::dvec4(p, 1.0));
         leaf.box = enclose(leaf.box, leaf.points.back());
     }
+    // A closed mesh without volume is nothing; an open one is seen, however it lies.
     const glm::dvec3 size = leaf.box.size();
-    if (!(size.x > 0 && size.y > 0 && size.z > 0) || !std::isfinite(size.x + size.y + size.z)) {
+    const bool nothing = leaf.solid->closed && !(size.x > 0 && size.y > 0 && size.z > 0);
+    if (nothing || !std::isfinite(size.x + size.y + size.z)) {
         leaf.points.clear();
         leaf.box = {};
         return;

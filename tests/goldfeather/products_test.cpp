@@ -150,6 +150,24 @@ TEST(Products, GoldenText) {
     EXPECT_EQ(products_text(combine(Difference, {combine(Union, {}), a})), "");
 }
 
+TEST(Products, PolyhedraThatAreFlatAndOpenAreSeen) {
+    const auto products = [](csg::LeafShape first, csg::LeafShape second) {
+        csg::TreeBuilder builder;
+        const csg::NodeId both[2]{builder.leaf(std::move(first), {0, 1, 1}),
+                                  builder.leaf(std::move(second), {0, 2, 1})};
+        Subject subject(builder.finish(builder.combine(Operation::Union, both, {0, 3, 1})));
+        return text(products_of(subject.normalize(subject.scene.parts.at(0))));
+    };
+    const auto polyhedron = [](std::vector<std::vector<std::uint32_t>> faces) {
+        return std::make_shared<const csg::Polyhedron>(
+            csg::Polyhedron{{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, std::move(faces)});
+    };
+
+    const csg::Cube cube{{1, 1, 1}, false};
+    EXPECT_EQ(products(polyhedron({{0, 1, 2}}), cube), "a + b");
+    EXPECT_EQ(products(polyhedron({{0, 1, 2}, {2, 1, 0}}), cube), "b");
+}
+
 TEST(Products, BudgetIsAnAnswerNotATrap) {
     // (a1 + … + a40) ∩ … 40 times: 40^40 products.
     std::vector<Model> factors;

@@ -172,7 +172,12 @@ csg::Box exact_bounds(const Model& model) {
     }
     Lookout lookout(solid, box);
     csg::Box exact = box;
+    const glm::dvec3 size = box.size();
     for (const Side& side : kSides) {
+        // An open polyhedron that lies in a plane shows itself to two sides; the leaves' box is its own.
+        if (size[(side.axis + 1) % 3] == 0 || size[(side.axis + 2) % 3] == 0) {
+            continue;
+        }
         const auto height = lookout.height(side);
         if (!height) {
             return {};
