@@ -19,7 +19,8 @@ class GridOutline {
     using Point = glm::i64vec2;  ///< From -2^29 to 2^29 each, so that `turn` is exact.
     using Loop = std::vector<Point>;
 
-    /// Throws std::runtime_error where the loops cross by more than that, or overlap along an edge, or a coordinate is not finite.
+    /// Throws std::runtime_error where the loops cross by more than that, or overlap along an edge, or a coordinate is
+    /// not finite.
     explicit GridOutline(std::span<const std::vector<glm::dvec2>> loops);
 
     [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
