@@ -2,7 +2,8 @@
 //
 // Everything a model consists of (the main file, what it includes, and the files it uses) is one Program. Nodes are
 // never moved or changed after parsing, so side tables indexed by ExprId, BlockId, … may hold what an evaluator finds
-// out about them (slots, constants). Children are made before their parents: a child's index is smaller.
+// out about them (slots, constants). Children are made before their parents: a child's index is smaller. Bodies of
+// definitions may be built later (LazyBodies): room is kept for them, so that nothing moves then either.
 //
 // Depth: the parser bounds nesting by kMaxNesting, except for chains that grow without brackets. Walk those in a loop:
 // operand(0) of Binary, Call, Index and Member ("a+b+c+…", "f()()…"), operand(2) of Conditional ("a?b:c?d:…") and
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "csg/scad/flat_array.h"
+#include "csg/scad/lazy_body.h"
 #include "csg/scad/source.h"
 #include "csg/scad/symbols.h"
 
@@ -124,15 +126,17 @@ struct Expr {
 
 struct FunctionDefinition {
     Symbol name = kNoSymbol;
-    Run parameters{};  ///< Of Program::arguments.
-    ExprId body = kNone;
-    SourceRange where;  ///< From `function` to the semicolon.
+    Run parameters{};            ///< Of Program::arguments.
+    ExprId body = kNone;         ///< kNone while the body is lazy.
+    std::uint32_t lazy = kNone;  ///< Index into Program::lazy.bodies, for build_function_body() (parser.h).
+    SourceRange where;           ///< From `function` to the semicolon.
 };
 
 struct ModuleDefinition {
     Symbol name = kNoSymbol;
-    Run parameters{};  ///< Of Program::arguments.
-    BlockId body = kNone;
+    Run parameters{};            ///< Of Program::arguments.
+    BlockId body = kNone;        ///< kNone while the body is lazy.
+    std::uint32_t lazy = kNone;  ///< Index into Program::lazy.bodies, for build_module_body() (parser.h).
     SourceRange where;
 };
 
@@ -195,6 +199,7 @@ struct Program {
     FlatArray<Instantiation> instantiations;
     FlatArray<Block> blocks;
     std::vector<Unit> units;  ///< The main file is units[0].
+    LazyBodies lazy;          ///< Of definitions at the top level of files; empty where all has been built.
 
     /// Whether the `otherwise` of an `if` is but another `if`.
     [[nodiscard]] bool is_else_if(const Block& b) const {

@@ -139,6 +139,9 @@ Value Evaluator::evaluate(ExprId id, Scope& scope) {
 }
 
 const Value& Evaluator::text_constant(Symbol text) {
+    if (text >= strings_.size()) {
+        strings_.resize(p_.symbols.size(), Value::unset());  // Room is kept: what is there stays where it is.
+    }
     Value& value = strings_[text];
     if (value.is_unset()) {
         value = name(text);

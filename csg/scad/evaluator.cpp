@@ -24,7 +24,7 @@ Value vector_of(const std::array<double, 3>& v) {
 
 }  // namespace
 
-Evaluator::Evaluator(const Program& program, const Request& request, MessageSink sink, const char* stack_limit)
+Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink, const char* stack_limit)
     : p_(program),
       request_(request),
       sink_(std::move(sink)),
@@ -49,7 +49,7 @@ Evaluator::Evaluator(const Program& program, const Request& request, MessageSink
     host_.random.seed(std::mt19937::default_seed);
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
-    strings_.assign(p_.symbols.size(), Value::unset());
+    strings_.reserve(p_.symbols.size() + p_.lazy.most.names);
     dynamic_.assign(r_.dynamics, Value::unset());
     units_.resize(p_.units.size());
     for (std::uint32_t file = 0; file < p_.sources.size(); ++file) {

@@ -97,7 +97,8 @@ using Nodes = std::vector<NodeId>;
 
 class Evaluator {
   public:
-    Evaluator(const Program& program, const Request& request, MessageSink sink, const char* stack_limit);
+    /// Builds bodies of the program that are lazy; nothing else of it changes.
+    Evaluator(Program& program, const Request& request, MessageSink sink, const char* stack_limit);
     ~Evaluator();
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
@@ -283,7 +284,7 @@ class Evaluator {
     std::span<const Argument> call_arguments_;  ///< Of the built-in function that runs.
     ValueStack stack_;
     std::vector<Value> dynamic_;
-    std::vector<Value> strings_;    ///< By symbol, once they are used.
+    std::vector<Value> strings_;    ///< By symbol, once they are used. Never moves.
     std::vector<Value> constants_;  ///< Of constant lists, once they are used.
     struct Undo {
         std::uint32_t index;

@@ -2,29 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstring>
 #include <vector>
 
+#include "csg/scad/characters.h"
 #include "csg/scad/value.h"
 
 namespace csg::scad {
 namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-/// By byte: whether names may hold it.
-constexpr std::array<bool, 256> kInWord = [] {
-    std::array<bool, 256> in{};
-    for (const char c : std::string_view("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_")) {
-        in[static_cast<unsigned char>(c)] = true;
-    }
-    return in;
-}();
-bool is_word(char c) {
-    return kInWord[static_cast<unsigned char>(c)];
-}
 
 TokenKind sign_of_two(char first, char second) {
     switch (first) {
@@ -105,7 +90,27 @@ TokenKind sign_of_one(char c) {
 }  // namespace
 
 Lexer::Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink)
-    : text_(text), file_(file), symbols_(symbols), sink_(sink) {}
+    : Lexer(text, file, symbols, sink, Place{}) {}
+
+Lexer::Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink,
+             const Place& begin)
+    : text_(text), file_(file), symbols_(symbols), sink_(sink), place_(begin) {}
+
+void Lexer::go_on(Place from, std::size_t at) {
+    place_ = from;
+    const std::string_view passed = text_.substr(from.at, at - from.at);
+    if (passed.find('\r') == std::string_view::npos) {
+        for (std::size_t end = passed.find('\n'); end != std::string_view::npos; end = passed.find('\n', end + 1)) {
+            ++place_.line;
+            place_.line_start = from.at + end + 1;
+        }
+    } else {
+        while (place_.at < at) {
+            advance();
+        }
+    }
+    place_.at = at;
+}
 
 SourceRange Lexer::since(const Place& begin) const {
     return {file_, begin.line, static_cast<std::uint32_t>(begin.at - begin.line_start) + 1, place_.line, column()};
@@ -114,6 +119,7 @@ SourceRange Lexer::since(const Place& begin) const {
 Token Lexer::finish(TokenKind kind, const Place& begin) const {
     Token token;
     token.kind = kind;
+    token.at = static_cast<std::uint32_t>(begin.at);
     token.where = since(begin);
     return token;
 }

@@ -13,19 +13,27 @@ namespace csg::scad {
 /// is no token at all is a token of kind Error, and nothing comes after it but its repetition.
 class Lexer {
   public:
-    /// `text`, `symbols` and `sink` must outlive the lexer. `file` is the index for ranges.
-    Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink);
-
-    /// End forever, once the text is used up.
-    [[nodiscard]] Token take();
-
-  private:
+    /// A place between tokens.
     struct Place {
         std::size_t at = 0;
         std::uint32_t line = 1;
         std::size_t line_start = 0;
     };
 
+    /// `text`, `symbols` and `sink` must outlive the lexer. `file` is the index for ranges.
+    Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink);
+    /// Reads a piece of a file only, from `begin` on; `text` is the file's up to where the piece ends.
+    Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink, const Place& begin);
+
+    /// End forever, once the text is used up.
+    [[nodiscard]] Token take();
+    [[nodiscard]] std::uint32_t file() const { return file_; }
+    /// Behind the token taken last.
+    [[nodiscard]] const Place& place() const { return place_; }
+    /// Goes on at `at`, which lies behind `from`, a place in this text.
+    void go_on(Place from, std::size_t at);
+
+  private:
     [[nodiscard]] char peek(std::size_t ahead = 0) const {
         return place_.at + ahead < text_.size() ? text_[place_.at + ahead] : '\0';
     }

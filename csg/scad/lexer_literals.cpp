@@ -5,15 +5,12 @@
 #include <charconv>
 #include <limits>
 
+#include "csg/scad/characters.h"
 #include "csg/scad/lexer.h"
 #include "csg/scad/value.h"
 
 namespace csg::scad {
 namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 int hexadecimal_digit(char c) {
     return is_digit(c) ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;

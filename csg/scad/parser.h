@@ -20,6 +20,7 @@ struct ParseRequest {
     std::vector<std::string> definitions;  ///< `name=expression`, as of -D: assignments that come after the main file.
     SourceReader reader = read_source_file;
     std::vector<std::string> search_path = search_path_from_environment();
+    bool lazy = false;  ///< Leaves bodies of definitions at top level unbuilt, if nothing is to be said about them.
     FileMaker make_missing{};  ///< Asked for an include or use that is found nowhere, beside the file that names it.
 };
 
@@ -33,5 +34,10 @@ struct Parsed {
 /// and is one message that says what was expected; in an included file it ends the including file as well, in a used
 /// one only that unit is without a block. A missing include or use is a warning, as in OpenSCAD.
 [[nodiscard]] Parsed parse(const ParseRequest& request);
+
+/// Builds the body of a function or module (an index into Program::functions or ::modules) if that has been left out.
+/// Adds nodes and symbols; what is there stays where it is.
+void build_function_body(Program& program, std::uint32_t function);
+void build_module_body(Program& program, std::uint32_t module);
 
 }  // namespace csg::scad

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "csg/scad/block_builder.h"
+#include "csg/scad/preparser.h"
 #include "csg/scad/token_stream.h"
 
 namespace csg::scad {
@@ -22,11 +23,16 @@ struct SyntaxError {
 /// what grows without brackets (see ast.h) is gathered in loops.
 class Parser {
   public:
-    Parser(Files& files, UnitId unit);
+    /// `lazy`: bodies of definitions at top level are not built, where that is all there is to say about them.
+    Parser(Files& files, UnitId unit, bool lazy);
+    /// Builds lazy bodies.
+    explicit Parser(Program& program) : program_(program) {}
 
     /// The block of the unit's file with what it includes, and after it the definitions of the command line. Throws
     /// SyntaxError.
     BlockId unit(std::span<const std::string> definitions);
+    ExprId function_body(const LazyBody& body);
+    BlockId module_body(const LazyBody& body);
 
   private:
     /// One more level while it lives.
@@ -117,8 +123,11 @@ class Parser {
     void statement(BlockBuilder& block, Level level);
     void braces(BlockBuilder& block, Level level);
     void assignment(BlockBuilder& block);
-    void module_definition(BlockBuilder& block);
-    void function_definition(BlockBuilder& block);
+    void module_definition(BlockBuilder& block, Level level);
+    void function_definition(BlockBuilder& block, Level level);
+    /// Whether what comes now is a body that need not be built: `read`, of a Preparser, reads it. Then it is passed
+    /// over, and `lazy` is its index.
+    bool pass_over(std::size_t (Preparser::*read)(std::size_t), Level level, std::uint32_t& lazy);
     void definition(BlockBuilder& block, const std::string& text);
     void warn_overwritten(const Argument& assignment, const SourceRange& before) const;
     Modifiers modifiers();
@@ -129,9 +138,10 @@ class Parser {
     BlockId block_of(const Instantiation& only);
     [[noreturn]] void fail_statement(Level level) const;
 
-    Files& files_;
+    Files* files_ = nullptr;  ///< Null for a lazy body, which names no files.
     Program& program_;
-    UnitId unit_;
+    UnitId unit_ = kNone;
+    bool lazy_ = false;
     std::optional<TokenStream> tokens_;  ///< Never empty; replaced for each definition of the command line.
     int depth_ = 0;
     std::vector<Argument> pending_arguments_;  ///< Of lists under way, the innermost last.

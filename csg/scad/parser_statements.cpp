@@ -20,7 +20,7 @@ BlockId Parser::unit(std::span<const std::string> definitions) {
 
 /// Of the command line: name=expression, more of them after semicolons.
 void Parser::definition(BlockBuilder& block, const std::string& text) {
-    tokens_.emplace(files_, files_.add(std::string(kCommandLine), text), unit_);
+    tokens_.emplace(*files_, files_->add(std::string(kCommandLine), text), unit_);
     while (!at(TokenKind::End)) {
         if (!at_assignment()) {
             fail_expected("name=expression as a definition");
@@ -49,7 +49,7 @@ void Parser::statement(BlockBuilder& block, Level level) {
                                                   "a module can hold definitions",
                                                   token_text(current().kind)));
             }
-            at(TokenKind::Module) ? module_definition(block) : function_definition(block);
+            at(TokenKind::Module) ? module_definition(block, level) : function_definition(block, level);
             return;
         default:
             break;
@@ -127,33 +127,66 @@ void Parser::warn_overwritten(const Argument& assignment, const SourceRange& bef
                  : by_main || before.file != main) {
         return;
     }
-    const std::string file = by_main ? "" : fmt::format(" of \"{}\"", files_.name_in_messages(before.file));
-    report(files_.sink(), {Severity::Warning, assignment.where,
-                           fmt::format("\"{}\" was assigned on line {}{} but was overwritten",
-                                       program_.symbols.text(assignment.name), before.line, file)});
+    const std::string file = by_main ? "" : fmt::format(" of \"{}\"", files_->name_in_messages(before.file));
+    report(files_->sink(), {Severity::Warning, assignment.where,
+                            fmt::format("\"{}\" was assigned on line {}{} but was overwritten",
+                                        program_.symbols.text(assignment.name), before.line, file)});
 }
 
-void Parser::module_definition(BlockBuilder& block) {
+bool Parser::pass_over(std::size_t (Preparser::*read)(std::size_t), Level level, std::uint32_t& lazy) {
+    if (!lazy_ || level != Level::Top || depth_ + Preparser::kMostNesting > kMaxNesting || !tokens_->can_skip()) {
+        return false;
+    }
+    const Token& first = current();
+    const std::string& text = program_.sources[first.where.file].text();
+    const std::size_t end = (Preparser(text, program_.symbols, program_.lazy).*read)(first.at);
+    if (end == 0) {
+        return false;
+    }
+    lazy = static_cast<std::uint32_t>(program_.lazy.bodies.size());
+    program_.lazy.bodies.push_back(
+        {first.where.file, first.at, static_cast<std::uint32_t>(end), first.where.line, first.where.column});
+    tokens_->skip(end);
+    return true;
+}
+
+ExprId Parser::function_body(const LazyBody& body) {
+    tokens_.emplace(program_, body);
+    return expression();
+}
+
+BlockId Parser::module_body(const LazyBody& body) {
+    tokens_.emplace(program_, body);
+    BlockBuilder block;
+    statement(block, Level::Module);
+    return block.finish(program_);
+}
+
+void Parser::module_definition(BlockBuilder& block, Level level) {
     const Nesting nesting(*this);
     const Token word = take();
     ModuleDefinition m;
     m.name = expect_name("the name of the module").name;
     m.parameters = parameters("after the name of the module");
-    BlockBuilder body;
-    statement(body, Level::Module);
-    m.body = body.finish(program_);
+    if (!pass_over(&Preparser::module_body, level, m.lazy)) {
+        BlockBuilder body;
+        statement(body, Level::Module);
+        m.body = body.finish(program_);
+    }
     m.where = from(word.where);
     block.add(m);
 }
 
-void Parser::function_definition(BlockBuilder& block) {
+void Parser::function_definition(BlockBuilder& block, Level level) {
     const Token word = take();
     FunctionDefinition f;
     f.name = expect_name("the name of the function").name;
     f.parameters = parameters("after the name of the function");
     expect(TokenKind::Assign, "after the parameters of the function");
-    f.body = expression();
-    expect_semicolon("the function");
+    if (!pass_over(&Preparser::function_body, level, f.lazy)) {
+        f.body = expression();
+        expect_semicolon("the function");
+    }
     f.where = from(word.where);
     block.add(f);
 }

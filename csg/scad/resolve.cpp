@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "csg/scad/builtin_modules.h"
+#include "csg/scad/parser.h"
 #include "csg/scad/resolver.h"
 
 namespace csg::scad {
@@ -12,26 +13,24 @@ bool declares_for_children(std::string_view name) {
     return name == "for" || name == "intersection_for" || name == "let" || name == "assign";
 }
 
-Resolver::Resolver(const Program& program) : p_(program) {
-    r_.of_expression.assign(p_.expressions.size(), kNone);
-    r_.argument_slots.assign(p_.arguments.size(), kNone);
-    r_.repeated_parameters.assign(p_.arguments.size(), false);
-    r_.assignment_slots.assign(p_.assignments.size(), kNone);
-    r_.locals_of_function.assign(p_.functions.size(), 0);
-    r_.module_of_instantiation.resize(p_.instantiations.size());
-    r_.frame_slots.assign(p_.blocks.size(), kNone);
-    r_.module_info.resize(p_.modules.size());
-    r_.dynamic_of_symbol.assign(p_.symbols.size(), kNone);
+Resolver::Resolver(Program& program) : p_(program) {
+    const NodeCounts& more = p_.lazy.most;
+    r_.of_expression.reserve(p_.expressions.size() + more.expressions);
+    r_.argument_slots.reserve(p_.arguments.size() + more.arguments);
+    r_.repeated_parameters.reserve(p_.arguments.size() + more.arguments);
+    r_.assignment_slots.reserve(p_.assignments.size() + more.assignments);
+    r_.locals_of_function.reserve(p_.functions.size() + more.functions);
+    r_.module_of_instantiation.reserve(p_.instantiations.size() + more.instantiations);
+    r_.frame_slots.reserve(p_.blocks.size() + more.blocks);
+    r_.module_info.reserve(p_.modules.size() + more.modules);
+    r_.dynamic_of_symbol.reserve(p_.symbols.size() + more.names);
+    grow();
     for (Symbol symbol = 0; symbol < p_.symbols.size(); ++symbol) {
         if (p_.symbols.text(symbol).starts_with('$')) {
             r_.dynamic_of_symbol[symbol] = r_.dynamics++;
         }
     }
-    function_known_.assign(p_.functions.size(), false);
-    module_known_.assign(p_.modules.size(), false);
     unit_known_.assign(p_.units.size(), false);
-    unit_of_function_.assign(p_.functions.size(), kNone);
-    unit_of_module_.assign(p_.modules.size(), kNone);
     roots_.resize(p_.units.size());
     for (UnitId unit = 0; unit < p_.units.size(); ++unit) {
         if (p_.units[unit].block == kNone) {
@@ -49,8 +48,26 @@ Resolver::Resolver(const Program& program) : p_(program) {
     }
 }
 
+/// No new symbol is a `$` name: those of lazy bodies are known from the start.
+void Resolver::grow() {
+    r_.of_expression.resize(p_.expressions.size(), kNone);
+    r_.argument_slots.resize(p_.arguments.size(), kNone);
+    r_.repeated_parameters.resize(p_.arguments.size(), false);
+    r_.assignment_slots.resize(p_.assignments.size(), kNone);
+    r_.locals_of_function.resize(p_.functions.size(), 0);
+    r_.module_of_instantiation.resize(p_.instantiations.size());
+    r_.frame_slots.resize(p_.blocks.size(), kNone);
+    r_.module_info.resize(p_.modules.size());
+    r_.dynamic_of_symbol.resize(p_.symbols.size(), kNone);
+    function_known_.resize(p_.functions.size(), false);
+    module_known_.resize(p_.modules.size(), false);
+    unit_of_function_.resize(p_.functions.size(), kNone);
+    unit_of_module_.resize(p_.modules.size(), kNone);
+}
+
 void Resolver::gather_passed() {
     passed_known_ = true;
+    passed_ = p_.lazy.passed;
     for (const Instantiation& i : p_.instantiations) {
         for (const Argument& a : p_.arguments_of(i)) {
             if (a.name != kNoSymbol && !dynamic_name(a.name)) {
@@ -70,10 +87,14 @@ void Resolver::need_unit(UnitId unit) {
 }
 
 void Resolver::resolve_top_function(std::uint32_t id) {
+    build_function_body(p_, id);
+    grow();
     resolve_definition(p_.functions[id], roots_[unit_of_function_[id]]);
 }
 
 void Resolver::resolve_top_module(std::uint32_t id) {
+    build_module_body(p_, id);
+    grow();
     resolve_definition(p_.modules[id], roots_[unit_of_module_[id]]);
 }
 

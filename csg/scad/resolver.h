@@ -41,12 +41,12 @@ struct Activation {
     }
 };
 
-/// Functions and modules at the top level of a file are resolved when somebody asks for them: of a library that is
-/// included, a program uses a few.
+/// Functions and modules at the top level of a file are resolved when somebody asks for them, and their bodies built
+/// where they are lazy: of a library that is included, a program uses a few.
 class Resolver {
   public:
     /// Resolves the statements of the main file. The program must outlive it.
-    explicit Resolver(const Program& program);
+    explicit Resolver(Program& program);
     Resolver(const Resolver&) = delete;
     Resolver& operator=(const Resolver&) = delete;
 
@@ -69,6 +69,8 @@ class Resolver {
   private:
     void resolve_top_function(std::uint32_t id);
     void resolve_top_module(std::uint32_t id);
+    /// Makes the tables as long as the program's arrays are now. They do not move.
+    void grow();
 
     // resolve.cpp
 
@@ -119,7 +121,7 @@ class Resolver {
     VariableRef find_in_blocks(Symbol name, const BlockScope* s, std::uint32_t hops);
     std::uint32_t find_call(Symbol name);
 
-    const Program& p_;
+    Program& p_;  ///< Lazy bodies are built; nothing else changes.
     Resolution r_;
     std::vector<std::pair<Symbol, Symbol>> passed_;  ///< Module called and name of an argument, sorted.
     bool passed_known_ = false;

@@ -87,7 +87,7 @@ class Job {
 
     void run(const char* stack_limit) {
         Parsed parsed = read_and_parse();
-        const auto program = std::make_shared<const Program>(std::move(parsed.program));
+        const auto program = std::make_shared<Program>(std::move(parsed.program));
         result.sources = std::shared_ptr<const SourceSet>(program, &program->sources);
         for (std::uint32_t file = 0; file < program->sources.size(); ++file) {
             const std::string& name = program->sources[file].name();
@@ -141,8 +141,8 @@ class Job {
 
   private:
     Parsed read_and_parse() {
-        ParseRequest parse_request{
-            request_.path, {}, request_.definitions, request_.reader, request_.search_path, request_.make_missing};
+        ParseRequest parse_request{request_.path,        {},   request_.definitions, request_.reader,
+                                   request_.search_path, true, request_.make_missing};
         if (request_.text) {
             parse_request.text = *request_.text;
             return parse(parse_request);

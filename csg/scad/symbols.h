@@ -39,13 +39,15 @@ class SymbolTable {
     [[nodiscard]] const std::string& text(Symbol symbol) const { return texts_[symbol]; }
     [[nodiscard]] std::size_t size() const { return texts_.size(); }
 
+    /// Of 64 bits that all depend on all of the text.
+    [[nodiscard]] static std::uint64_t hash_of(std::string_view text);
+
   private:
     struct Slot {
         std::uint32_t high_hash = 0;  ///< Spares most comparisons of texts.
         Symbol symbol = kNoSymbol;
     };
 
-    [[nodiscard]] static std::uint64_t hash_of(std::string_view text);
     /// Of the text, or of the free slot where it would go. The table is never full.
     [[nodiscard]] std::size_t slot_of(std::string_view text, std::uint64_t hash) const {
         const std::size_t mask = slots_.size() - 1;

@@ -70,6 +70,7 @@ enum class TokenKind : std::uint8_t {
 struct Token {
     TokenKind kind = TokenKind::End;
     Symbol name = kNoSymbol;  ///< Of words too, as `for` and `let` may name modules.
+    std::uint32_t at = 0;     ///< The offset of its first byte in its file.
     double number = 0;
     SourceRange where;
 };

@@ -1,10 +1,14 @@
-// Any bytes are a program: parsing it, printing what was parsed, and listing its parameters end well.
+// Any bytes are a program: parsing it, at once or with lazy bodies, makes the same tree with the same messages;
+// printing it and listing its parameters end well.
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 
 #include "csg/scad/ast_text.h"
 #include "csg/scad/customizer.h"
 #include "csg/scad/parser.h"
+#include "tests/scad/build_bodies.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace csg::scad;
@@ -13,9 +17,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return ReadError{true, "cannot read " + path + ": there are no files here"};
     };
     const Parsed parsed = parse({"fuzz.scad", text, {}, no_files, {}});
+    Parsed lazy = parse({"fuzz.scad", text, {}, no_files, {}, true});
+    const auto same = [](const Message& a, const Message& b) { return a.where == b.where && a.text == b.text; };
+    if (lazy.ok != parsed.ok ||
+        !std::equal(lazy.messages.begin(), lazy.messages.end(), parsed.messages.begin(), parsed.messages.end(), same))
+        std::abort();
     if (!parsed.ok)
         return 0;
-    (void)ast_text(parsed.program);
+    test::build_bodies(lazy.program);
+    if (ast_text(lazy.program) != ast_text(parsed.program))
+        std::abort();
     for (const CustomizerParameter& parameter : customizer_parameters(parsed.program))
         (void)fitted_expression(parameter, std::string_view(text).substr(0, 100));
     return 0;

@@ -23,14 +23,29 @@ SourceReader reader_of(Files files) {
     };
 }
 
-Parsed parse(const std::string& text, const Files& files, const std::vector<std::string>& definitions) {
+namespace {
+
+ParseRequest request(const std::string& text, const Files& files) {
     ParseRequest request;
     request.path = "main.scad";
     request.text = text;
-    request.definitions = definitions;
     request.reader = reader_of(files);
     request.search_path = {"library"};
-    return csg::scad::parse(request);
+    return request;
+}
+
+}  // namespace
+
+Parsed parse(const std::string& text, const Files& files, const std::vector<std::string>& definitions) {
+    ParseRequest whole = request(text, files);
+    whole.definitions = definitions;
+    return csg::scad::parse(whole);
+}
+
+Parsed parse_lazily(const std::string& text, const Files& files) {
+    ParseRequest lazy = request(text, files);
+    lazy.lazy = true;
+    return csg::scad::parse(lazy);
 }
 
 std::string messages(const Parsed& parsed) {

@@ -17,6 +17,9 @@ csg::scad::SourceReader reader_of(Files files);
 csg::scad::Parsed parse(const std::string& text, const Files& files = {},
                         const std::vector<std::string>& definitions = {});
 
+/// The same, with the bodies of definitions left out where nothing is to be said about them.
+csg::scad::Parsed parse_lazily(const std::string& text, const Files& files = {});
+
 /// The syntax tree in one line, without what comments say: statements are separated by a blank. The messages, each
 /// after a "!", where it does not parse.
 std::string tree(const std::string& text);

@@ -2,14 +2,18 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 #include "csg/scad/ast_text.h"
 #include "csg/scad/expression_text.h"
+#include "tests/scad/build_bodies.h"
 #include "tests/scad/parsing.h"
 
 namespace {
@@ -19,7 +23,7 @@ using csg::scad::Parsed;
 
 std::vector<std::string> sources() {
     std::vector<std::string> all;
-    for (const char* folder : {"models", "tests/ui/bad", "tests/scad/golden"}) {
+    for (const char* folder : {"models", "tests/ui/bad", "tests/scad/golden", "tests/bench/language"}) {
         for (const auto& entry : fs::directory_iterator(fs::path(CSGSCOPE_SOURCE_DIR) / folder)) {
             if (entry.path().extension() == ".scad") {
                 all.push_back(test::read_file(entry.path().string()));
@@ -45,9 +49,41 @@ bool has_lone_assignment(const csg::scad::Program& p) {
     });
 }
 
+/// Where a definition is and what its parameters are, of those at the top of the main file.
+template <typename Definition>
+std::string places(const csg::scad::Program& p, std::span<const Definition> definitions) {
+    std::string all;
+    for (const Definition& d : definitions) {
+        all += fmt::format("{}({}) {}:{}-{}:{}\n", p.symbols.text(d.name), d.parameters.count, d.where.line,
+                           d.where.column, d.where.end_line, d.where.end_column);
+    }
+    return all;
+}
+
+std::string places(const csg::scad::Program& p) {
+    const csg::scad::Block& block = p.blocks[p.units[0].block];
+    return places(p, p.functions_of(block)) + places(p, p.modules_of(block));
+}
+
+/// Bodies that are built later make the same tree, and nothing is said later than it would have been.
+void check_lazy(const std::string& text, const test::Files& files, const Parsed& parsed) {
+    Parsed lazy = test::parse_lazily(text, files);
+    ASSERT_EQ(lazy.ok, parsed.ok);
+    ASSERT_EQ(test::messages(lazy), test::messages(parsed));
+    if (lazy.ok) {
+        ASSERT_EQ(places(lazy.program), places(parsed.program));
+        const auto* const before = lazy.program.expressions.data();
+        test::build_bodies(lazy.program);
+        ASSERT_EQ(lazy.program.expressions.data(), before);
+        ASSERT_EQ(ast_text(lazy.program), ast_text(parsed.program));
+    }
+}
+
 /// Parses with the text itself as the only other file, and checks what every result promises.
 void check(const std::string& text) {
-    const Parsed parsed = test::parse(text, {{"shapes.scad", text}, {"stray_brace.scad", text}});
+    const test::Files files{{"shapes.scad", text}, {"stray_brace.scad", text}};
+    const Parsed parsed = test::parse(text, files);
+    ASSERT_NO_FATAL_FAILURE(check_lazy(text, files, parsed));
     const auto errors = std::count_if(parsed.messages.begin(), parsed.messages.end(), [](const auto& message) {
         return message.severity == csg::scad::Severity::Error;
     });
