@@ -111,7 +111,7 @@ StyleInfo blueprint_style() {
             [](const gl::Functions& gl) -> std::unique_ptr<Style> {
                 return std::make_unique<LinedStyle>(gl, "npr/blueprint.frag", edge_settings, set_uniforms);
             },
-            paint};
+            [] { return Paint(paint); }};
 }
 
 }  // namespace npr

@@ -7,7 +7,7 @@
 
 namespace npr {
 
-void CpuAccumulator::paint_sample(Paint paint, const peel::SurfaceRows& rows, const Picture& picture,
+void CpuAccumulator::paint_sample(const Paint& paint, const peel::SurfaceRows& rows, const Picture& picture,
                                   std::size_t sample, const PeelToMemory& peel) {
     if (sample == 0) {
         size_ = picture.size;

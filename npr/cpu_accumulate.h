@@ -18,7 +18,7 @@ class CpuAccumulator {
   public:
     /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is the
     /// mean of those painted so far. `rows`: of the model that `peel` peels.
-    void paint_sample(Paint paint, const peel::SurfaceRows& rows, const Picture& picture, std::size_t sample,
+    void paint_sample(const Paint& paint, const peel::SurfaceRows& rows, const Picture& picture, std::size_t sample,
                       const PeelToMemory& peel);
 
     /// The picture painted last: sRGB with straight alpha.

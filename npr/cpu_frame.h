@@ -1,6 +1,7 @@
 // Frames drawn without OpenGL.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 
@@ -24,7 +25,7 @@ struct CpuFrame {
 };
 
 /// Paints a frame on all cores: what the style of the same name draws with OpenGL, up to rounding. The bytes depend
-/// neither on the machine nor on the number of threads.
-using Paint = void (*)(const CpuFrame& frame);
+/// neither on the machine nor on the number of threads, nor on the frames painted before.
+using Paint = std::function<void(const CpuFrame& frame)>;
 
 }  // namespace npr

@@ -25,6 +25,11 @@ class Tiles {
         const glm::ivec2 lo = kSide * glm::ivec2(tile % across_.x, tile / across_.x);
         return {lo, glm::min(lo + kSide, layers_.size)};
     }
+    /// The tile of a pixel, which must be in the picture.
+    [[nodiscard]] int tile_of(glm::ivec2 pixel) const {
+        const glm::ivec2 at = pixel / kSide;
+        return at.y * across_.x + at.x;
+    }
     /// Calls action(tile) for the tile and those about it.
     template <typename Action>
     void for_each_about(int tile, const Action& action) const {

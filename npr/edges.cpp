@@ -85,7 +85,7 @@ StyleInfo edges_style() {
             [](const gl::Functions& gl) -> std::unique_ptr<Style> {
                 return std::make_unique<LinedStyle>(gl, "npr/edges.frag", edge_settings, set_uniforms);
             },
-            paint};
+            [] { return Paint(paint); }};
 }
 
 }  // namespace npr

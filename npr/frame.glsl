@@ -13,8 +13,12 @@ uniform vec4 highlight_color;
 uniform vec4 ghost_color;
 uniform bool transparent_background;
 
+ivec2 picture_size() {
+    return textureSize(layer_depths, 0).xy;
+}
+
 bool in_picture(ivec2 pixel) {
-    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, textureSize(layer_depths, 0).xy));
+    return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, picture_size()));
 }
 
 // Leaf and plane as the stack holds them; kNoSurface where the pixel, which must be in the picture, has no such layer.

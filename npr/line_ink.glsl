@@ -1,4 +1,24 @@
-// Ink of lines. Valid in shaders and, within a struct with the same names, in C++.
+// Ink of lines. Valid in shaders and, within a struct with the same names, in C++. Positions are counted in samples:
+// pixel (x, y) has its sample at (x, y), whatever the jitter.
+
+struct Edge {
+    float profile;  // coverage of the pixel by the line, in [0, 1]
+    float inner;
+};
+
+Edge no_edge() {
+    Edge e;
+    e.profile = 0.0f;
+    e.inner = 0.0f;
+    return e;
+}
+
+// The links that a line of that width reaches `at` from: those that start at pixels from x, y to z, w.
+ivec4 links_near(vec2 at, float width) {
+    float reach = 0.5f * width + 0.5f;
+    ivec2 last = picture_size() - 1;
+    return ivec4(clamp(ivec2(ceil(at - reach)) - 1, ivec2(0), last), clamp(ivec2(floor(at + reach)), ivec2(0), last));
+}
 
 // Coverage by the piece of a line about one edge point. Points follow each other at 1.42f pixels at most.
 float piece(vec2 from_point, vec2 across, float width) {

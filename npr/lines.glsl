@@ -6,20 +6,7 @@ layout(binding = 2) uniform usampler2D edge_marks;
 layout(binding = 3) uniform usampler2D edge_tiles;
 layout(binding = 4) uniform usampler2DArray edge_points;
 
-struct Edge {
-    float profile;  // coverage of the pixel by the line, in [0, 1]
-    float inner;
-};
-
-// The links that a line of that width reaches `at` from: those that start at pixels from x, y to z, w.
-ivec4 links_near(vec2 at, float width) {
-    float reach = 0.5 * width + 0.5;
-    ivec2 last = textureSize(edge_marks, 0) - 1;
-    return ivec4(clamp(ivec2(ceil(at - reach)) - 1, ivec2(0), last), clamp(ivec2(floor(at + reach)), ivec2(0), last));
-}
-
-// The layers with edges so near that lines of that width may cover `at`, and some more. Positions are counted in
-// samples: pixel (x, y) has its sample at (x, y), whatever the jitter.
+// The layers with edges so near that lines of that width may cover `at`, and some more.
 uint layers_near(vec2 at, float width) {
     ivec4 tiles = links_near(at, width) / kEdgeTile;
     uvec4 four = textureGather(edge_tiles, vec2(tiles.xy + 1) / vec2(textureSize(edge_tiles, 0)));
@@ -46,7 +33,7 @@ void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, flo
 Edge edge_at(vec2 at, int layer, float width, bool hard) {
     ivec4 links = links_near(at, width);
     uint right = edge_mark(layer, 0), up = edge_mark(layer, 1);
-    Edge edge = Edge(0.0, 0.0);
+    Edge edge = no_edge();
     for (int y = links.y; y <= links.w; ++y)
         for (int x = links.x; x <= links.z; ++x) {
             ivec2 p = ivec2(x, y);
@@ -94,7 +81,7 @@ layout(binding = 6) uniform usampler2D overshoot_tiles;
 
 // Visible edges drawn on beyond their ends (npr/overshoot.h).
 Edge overshoot_at(vec2 at, float width) {
-    Edge edge = Edge(0.0, 0.0);
+    Edge edge = no_edge();
     ivec4 links = links_near(at, width);
     ivec4 tiles = links / kEdgeTile;
     uint any = 0u;

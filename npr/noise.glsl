@@ -1,11 +1,12 @@
-// Noise with an explicit seed: hashes of integer points, and Perlin's gradient noise between them.
+// Noise with an explicit seed: hashes of integer points, and Perlin's gradient noise between them. Valid in shaders
+// and, within a struct, in C++.
 
 uvec3 hash(uvec3 v) {  // PCG in three dimensions (Jarzynski and Olano 2020)
     v = v * 1664525u + 1013904223u;
     v.x += v.y * v.z;
     v.y += v.z * v.x;
     v.z += v.x * v.y;
-    v ^= v >> 16;
+    v ^= v >> 16u;
     v.x += v.y * v.z;
     v.y += v.z * v.x;
     v.z += v.x * v.y;
@@ -14,28 +15,42 @@ uvec3 hash(uvec3 v) {  // PCG in three dimensions (Jarzynski and Olano 2020)
 
 // In [0, 1), three independent values.
 vec3 white_noise(ivec2 at, uint seed) {
-    return vec3(hash(uvec3(uvec2(at), seed)) >> 8) / 16777216.0;
+    return vec3(hash(uvec3(uvec2(at), seed)) >> 8u) / 16777216.0f;
 }
 
-float corner(ivec3 cell, vec3 from_corner, uint seed) {
-    vec3 gradient = vec3(hash(uvec3(cell) + uvec3(0u, 0u, seed * 7919u)) >> 8) / 8388608.0 - 1.0;
-    return dot(gradient, from_corner);
+// The grain of paper, in [0, 1): it belongs to the pixel, whatever the sample.
+float paper_grain(ivec2 pixel, uint seed) {
+    return 0.55f * white_noise(pixel, seed + 77u).x + 0.45f * white_noise(pixel / 2, seed + 78u).x;
 }
 
-// Smooth, about -1 to 1, mean 0; features about 1 apart.
-float perlin_noise(vec3 p, uint seed) {
-    vec3 low = floor(p);
-    ivec3 cell = ivec3(low);
-    vec3 f = p - low;
-    vec3 w = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    vec4 near = vec4(corner(cell, f, seed), corner(cell + ivec3(1, 0, 0), f - vec3(1, 0, 0), seed),
-                     corner(cell + ivec3(0, 1, 0), f - vec3(0, 1, 0), seed),
-                     corner(cell + ivec3(1, 1, 0), f - vec3(1, 1, 0), seed));
-    vec4 far = vec4(corner(cell + ivec3(0, 0, 1), f - vec3(0, 0, 1), seed),
-                    corner(cell + ivec3(1, 0, 1), f - vec3(1, 0, 1), seed),
-                    corner(cell + ivec3(0, 1, 1), f - vec3(0, 1, 1), seed),
-                    corner(cell + ivec3(1, 1, 1), f - vec3(1, 1, 1), seed));
-    vec4 z = mix(near, far, w.z);
-    vec2 y = mix(z.xy, z.zw, w.y);
-    return 1.3 * mix(y.x, y.y, w.x);
+// Of the corners of a cell of the lattice: their places count x first, then y.
+struct Gradients {
+    vec3 low[4];   // at its lower z
+    vec3 high[4];
+};
+
+vec3 gradient_of(ivec3 corner, uint seed) {
+    return vec3(hash(uvec3(corner) + uvec3(0u, 0u, seed * 7919u)) >> 8u) / 8388608.0f - 1.0f;
+}
+
+Gradients gradients_about(ivec3 cell, uint seed) {
+    Gradients g;
+    for (int i = 0; i < 4; ++i) {
+        g.low[i] = gradient_of(cell + ivec3(i & 1, i >> 1, 0), seed);
+        g.high[i] = gradient_of(cell + ivec3(i & 1, i >> 1, 1), seed);
+    }
+    return g;
+}
+
+// In the cell, at `f` from its lowest corner.
+float noise_between(Gradients g, vec3 f) {
+    vec3 w = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
+    vec4 z = vec4(dot(g.low[0], f), dot(g.low[1], f - vec3(1.0f, 0.0f, 0.0f)),
+                  dot(g.low[2], f - vec3(0.0f, 1.0f, 0.0f)), dot(g.low[3], f - vec3(1.0f, 1.0f, 0.0f)));
+    if (w.z > 0.0f)
+        z = mix(z,
+                vec4(dot(g.high[0], f - vec3(0.0f, 0.0f, 1.0f)), dot(g.high[1], f - vec3(1.0f, 0.0f, 1.0f)),
+                     dot(g.high[2], f - vec3(0.0f, 1.0f, 1.0f)), dot(g.high[3], f - vec3(1.0f, 1.0f, 1.0f))),
+                w.z);
+    return 1.3f * mix(mix(z.x, z.y, w.x), mix(z.z, z.w, w.x), w.y);
 }

@@ -45,7 +45,7 @@ StyleInfo shaded_style() {
             "Shaded",
             [] { return std::span<const Parameter>(); },
             [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Shaded>(gl); },
-            paint,
+            [] { return Paint(paint); },
             layers};
 }
 

@@ -35,6 +35,9 @@ struct Frame {
 #include "npr/pixel.glsl"
 #include "peel/surface.glsl"
 
+    [[nodiscard]] ivec2 picture_size() const {
+        return size;
+    }
     [[nodiscard]] bool in_picture(ivec2 p) const {
         return p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y;
     }

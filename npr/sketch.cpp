@@ -1,75 +1,34 @@
 #include "npr/sketch.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 
+#include "npr/cpu_sketch.h"
 #include "npr/edge_map.h"
-#include "npr/edge_parameters.h"
 #include "npr/overshoot.h"
+#include "npr/sketch_settings.h"
 #include "npr/style_pass.h"
 
 namespace npr {
 namespace {
 
-enum : int {
-    kWidth,
-    kCrease,
-    kParts,
-    kSeed,
-    kWobble,
-    kStrokes,
-    kOvershoot,
-    kMedium,
-    kHatch,
-    kColor,
-    kHidden,
-    kAnchor,
-    kInk,
-    kPaper
-};
-
-std::span<const Parameter> parameters() {
-    static const std::array list{
-        line_width(1.4F),
-        crease_angle(),
-        part_edges(),
-        Parameter::integer("seed", "Seed", 1, 0, 9999),
-        Parameter::number("wobble", "Deviation of strokes", 3, 0, 20),
-        Parameter::integer("strokes", "Strokes per edge", 2, 1, 4),
-        Parameter::number("overshoot", "Length drawn beyond corners", 16, 0, 60),
-        Parameter::choice("medium", "Medium", 0, {"pencil", "ink", "chalk"}),
-        Parameter::number("hatch", "Strength of hatching", 0.75F, 0, 1),
-        Parameter::number("color", "Strength of surface colors", 0.55F, 0, 1),
-        Parameter::number("hidden", "Strength of hidden edges", 0, 0, 1),
-        Parameter::choice("anchor", "Noise anchored to", 0, {"picture", "model"}),
-        Parameter::color("ink", "Color of strokes", {0.16F, 0.15F, 0.17F}),
-        Parameter::color("paper", "Color of the paper", {0.975F, 0.957F, 0.915F}),
-    };
-    return list;
-}
-
-/// The noise of a picture, kept while it stays the same: it does not depend on the sample's jitter.
+/// The noise of a picture, kept while it stays the same.
 class Noise {
   public:
     explicit Noise(const gl::Functions& gl) : gl_(gl), pass_(gl, "npr/sketch_noise.frag"), target_(gl) {}
 
-    void draw(const Frame& frame, float unit) {
-        const Parameters& p = frame.parameters;
-        const bool on_model = p.choice(kAnchor) == 1;
-        Key key{frame.layers.size, p.integer(kSeed), p.choice(kMedium), {}};
-        if (on_model)
-            key.camera = frame.view.camera();
+    void draw(const Frame& frame, const SketchSettings& settings) {
+        const auto& tables = *frame.layers.tables;
+        const NoiseKey key =
+            noise_key(settings, frame.layers.size, {frame.view.camera(), tables.local_centre, tables.diagonal});
         if (!(texture_ && texture_.size() == key.size))
             texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
         if (!(key_ && *key_ == key)) {
             target_.attach({&texture_});
             const gl::Program& program = pass_.program();
-            program.set("seed", static_cast<unsigned>(key.seed));
-            program.set("unit", unit);
-            program.set("on_model", on_model);
-            program.set("correlated", key.medium != 2);
+            program.set("seed", settings.seed);
+            program.set("unit", settings.unit);
+            program.set("on_model", settings.on_model);
+            program.set("correlated", settings.correlated);
             pass_.draw(frame, target_);
             key_ = key;
         }
@@ -77,17 +36,11 @@ class Noise {
     }
 
   private:
-    struct Key {
-        glm::ivec2 size;
-        int seed, medium;
-        std::optional<gl::Camera> camera;  ///< Where the noise is anchored to the model.
-        bool operator==(const Key&) const = default;
-    };
     const gl::Functions& gl_;
     StylePass pass_;
     gl::Framebuffer target_;
     gl::Texture texture_;  ///< RGBA32F.
-    std::optional<Key> key_;
+    std::optional<NoiseKey> key_;
 };
 
 class Sketch : public Style {
@@ -96,24 +49,22 @@ class Sketch : public Style {
         : edges_(gl), overshoot_(gl), noise_(gl), pass_(gl, "npr/sketch.frag", {{"OVERSHOOT", "1"}}) {}
 
     void draw(const Frame& frame) override {
-        const Parameters& p = frame.parameters;
-        // Drawings of all sizes look the same, though with finer lines the larger they are.
-        const float unit = static_cast<float>(frame.layers.size.y) / 512.0F;
-        noise_.draw(frame, unit);
-        edges_.draw(frame, {p.number(kCrease), p.toggle(kParts), p.number(kHidden) == 0.0F});
-        overshoot_.draw(frame, edges_, unit * p.number(kOvershoot));
+        const SketchSettings s = sketch_settings(frame.parameters, frame.layers.size);
+        noise_.draw(frame, s);
+        edges_.draw(frame, sketch_edges(frame.parameters));
+        overshoot_.draw(frame, edges_, s.overshoot);
         const gl::Program& program = pass_.program();
-        program.set("unit", unit);
-        program.set("seed", static_cast<unsigned>(p.integer(kSeed)));
-        program.set("width", p.number(kWidth) * std::sqrt(std::max(unit, 1.0F)));
-        program.set("wobble", unit * p.number(kWobble));
-        program.set("strokes", p.integer(kStrokes));
-        program.set("medium", p.choice(kMedium));
-        program.set("hatch", p.number(kHatch));
-        program.set("wash", p.number(kColor));
-        program.set("hidden", p.number(kHidden));
-        program.set("ink_color", p.color(kInk));
-        program.set("paper_color", p.color(kPaper));
+        program.set("unit", s.unit);
+        program.set("seed", s.seed);
+        program.set("width", s.width);
+        program.set("wobble", s.wobble);
+        program.set("strokes", s.strokes);
+        program.set("medium", s.medium);
+        program.set("hatch", s.hatch);
+        program.set("wash", s.wash);
+        program.set("hidden", s.hidden);
+        program.set("ink_color", s.ink_color);
+        program.set("paper_color", s.paper_color);
         pass_.draw(frame);
     }
 
@@ -127,8 +78,9 @@ class Sketch : public Style {
 }  // namespace
 
 StyleInfo sketch_style() {
-    return {"sketch", "Sketch", parameters,
-            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Sketch>(gl); }};
+    return {"sketch", "Sketch", sketch_parameters,
+            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Sketch>(gl); },
+            make_sketch_paint};
 }
 
 }  // namespace npr

@@ -52,8 +52,8 @@ struct StyleInfo {
     std::span<const Parameter> (*parameters)();
     /// Compiles the style's programs; throws gl::Error.
     std::unique_ptr<Style> (*make)(const gl::Functions& gl);
-    /// The same without OpenGL; null where the style cannot be painted so.
-    Paint paint = nullptr;
+    /// The same without OpenGL. One at a time paints: it may keep what does not change from frame to frame.
+    Paint (*make_paint)();
     /// How many layers the style looks at: the first so many, or all (0). `translucent`: parts of the scene are not
     /// opaque (`%`, `#`, alpha below 1).
     int (*layers)(bool translucent) = all_layers;

@@ -101,7 +101,7 @@ StyleInfo xray_style() {
             [](const gl::Functions& gl) -> std::unique_ptr<Style> {
                 return std::make_unique<LinedStyle>(gl, "npr/xray.frag", edge_settings, set_uniforms);
             },
-            paint};
+            [] { return Paint(paint); }};
 }
 
 }  // namespace npr

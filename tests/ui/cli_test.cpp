@@ -66,6 +66,18 @@ TEST_F(Cli, EveryStyleDrawsItsOwnPicture) {
     }
 }
 
+TEST_F(Cli, EveryStyleDoesWithoutOpenGl) {
+    for (const std::string style : {"shaded", "edges", "blueprint", "xray", "sketch"}) {
+        const Result result =
+            run("m.scad -o " + style + ".png --imgsize=48,48 --context none --stats s.json --style " + style);
+        ASSERT_EQ(result.status, 0) << result.err;
+        const std::string figures = folder_.read("s.json");
+        EXPECT_NE(figures.find("\"painter\": \"cpu\""), std::string::npos) << style;
+        EXPECT_NE(figures.find("\"context\": \"none\""), std::string::npos) << style;
+    }
+    EXPECT_NE(run("m.scad -o x.png --context none --engine goldfeather").status, 0);
+}
+
 TEST_F(Cli, OptionsOfThePictureChangeIt) {
     ASSERT_EQ(run("m.scad -o a.png --imgsize=48,48").status, 0);
     for (const std::string options : {"--colorscheme Sunset", "--camera 0,0,0,0,0,0,60", "--projection o",

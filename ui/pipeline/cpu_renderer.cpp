@@ -15,6 +15,14 @@ void CpuRenderer::hold(const Model& model) {
     generation_ = model.generation;
 }
 
+const npr::Paint& CpuRenderer::paint(const npr::StyleInfo& style) {
+    npr::Paint& made = styles_[style.name];
+    if (!made) {
+        made = style.make_paint();
+    }
+    return made;
+}
+
 void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
     const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
@@ -24,7 +32,7 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
     hold(model);
     statistics_.upload_ms += watch.lap();
     const int layers = request.layers >= 0 ? request.layers : checked.style.layers(model_->translucent);
-    accumulator_.paint_sample(checked.style.paint, model_->rows, checked.picture(model, request),
+    accumulator_.paint_sample(paint(checked.style), model_->rows, checked.picture(model, request),
                               static_cast<std::size_t>(sample), [&](const gl::View& view) -> const peel::CpuLayers& {
                                   statistics_.style_ms += watch.lap();
                                   goldfeather::ListsStats stats;

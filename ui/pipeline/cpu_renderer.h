@@ -1,8 +1,10 @@
-// Draws models without OpenGL: per-pixel lists, and styles that paint.
+// Draws models without OpenGL: per-pixel lists, and painted styles.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "npr/cpu_accumulate.h"
 #include "ui/pipeline/picture_request.h"
@@ -13,7 +15,7 @@ namespace ui {
 /// Holds one model. All cores work on a picture.
 class CpuRenderer {
   public:
-    /// See Renderer. The request's style must be one that paints.
+    /// See Renderer.
     void draw_sample(const Model& model, const PictureRequest& request, int sample);
     [[nodiscard]] gl::Image image() const { return accumulator_.image(); }
     [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera);
@@ -28,11 +30,13 @@ class CpuRenderer {
         bool translucent;
     };
     void hold(const Model& model);
+    const npr::Paint& paint(const npr::StyleInfo& style);
 
     std::unique_ptr<const Held> model_;
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` was made of.
     peel::CpuLayers layers_;        ///< Its memory is used again.
     npr::CpuAccumulator accumulator_;
+    std::map<std::string_view, npr::Paint> styles_;  ///< Made when first used.
     PictureStatistics statistics_;
 };
 

@@ -24,21 +24,18 @@ GlRenderer& Renderer::with_opengl() {
     return *gl_;
 }
 
-bool Renderer::choose_cpu(const Model& model, const npr::StyleInfo* style) {
+bool Renderer::choose_cpu(const Model& model) {
     const bool software = context_ == nullptr || context_->software();
     choice_ = goldfeather::choose_engine(wanted_.kind, engine_conditions(model, software));
-    const bool possible =
-        choice_.engine == goldfeather::EngineKind::ListsCpu && (style == nullptr || style->paint != nullptr);
+    const bool possible = choice_.engine == goldfeather::EngineKind::ListsCpu;
     if (painter_ == Painter::Cpu && !possible) {
-        throw std::runtime_error(choice_.engine != goldfeather::EngineKind::ListsCpu
-                                     ? fmt::format("the engine {} needs OpenGL", goldfeather::name(choice_.engine))
-                                     : fmt::format("the style {} needs OpenGL", style->name));
+        throw std::runtime_error(fmt::format("the engine {} needs OpenGL", goldfeather::name(choice_.engine)));
     }
     return possible && painter_ != Painter::OpenGl && software;
 }
 
 void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
-    on_cpu_ = choose_cpu(model, npr::find_style(request.style));
+    on_cpu_ = choose_cpu(model);
     if (on_cpu_) {
         cpu_.draw_sample(model, request, sample);
         statistics_ = cpu_.statistics();
@@ -55,7 +52,7 @@ gl::Image Renderer::image() {
 }
 
 std::optional<glm::dvec3> Renderer::pick(const Model& model, const gl::Camera& camera) {
-    return choose_cpu(model, nullptr) ? cpu_.pick(model, camera) : with_opengl().pick(model, camera);
+    return choose_cpu(model) ? cpu_.pick(model, camera) : with_opengl().pick(model, camera);
 }
 
 gl::Image Renderer::render(const Model& model, const PictureRequest& request) {

@@ -14,8 +14,8 @@
 namespace ui {
 
 enum class Painter {
-    Auto,    ///< OpenGL where a GPU computes it or the picture needs it, else the CPU.
-    Cpu,     ///< No OpenGL; std::runtime_error where the engine or the style needs it.
+    Auto,    ///< OpenGL where a GPU computes it or the engine needs it, else the CPU.
+    Cpu,     ///< No OpenGL; std::runtime_error where the engine needs it.
     OpenGl,  ///< OpenGL throughout.
 };
 
@@ -50,8 +50,8 @@ class Renderer {
     [[nodiscard]] const gl::Context* context() const { return context_; }
 
   private:
-    /// Sets choice_ for the model; is the CPU to draw it? `style`: null where none is asked for.
-    bool choose_cpu(const Model& model, const npr::StyleInfo* style);
+    /// Sets choice_ for the model; is the CPU to draw it?
+    bool choose_cpu(const Model& model);
     GlRenderer& with_opengl();
 
     goldfeather::EngineOptions wanted_;
