@@ -1,8 +1,8 @@
 // The boolean expressions of a scene's parts, kept up to date while leaves are entered and left one by one.
 //
-// Every node counts the children that speak for it, so that entering or leaving a leaf costs a step upwards only as
-// long as nodes change: no normalization, and leaves that a ray does not meet cost nothing. The counters do what the
-// linear form of Hable and Rossignac's Blister (2005) does with one bit a leaf, without its rescan of the expression.
+// Every gate counts its inputs, so that entering or leaving a leaf costs a step upwards only as long as gates turn: no
+// normalization to products, and leaves that a ray does not meet cost nothing. The counters do what the linear form of
+// Hable and Rossignac's Blister (2005) does with one bit a leaf, without its rescan of the expression.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,37 @@
 
 namespace goldfeather {
 
-/// What does not change along a ray: shared by all threads.
+/// What does not change along a ray: shared by all threads. Complements are moved down to the leaves (negation normal
+/// form), and gates of one kind within each other are one: what is left are ANDs and ORs in turn over literals, and
+/// when a literal turns, all gates above it that turn, turn the same way.
 class ExpressionTree {
   public:
     explicit ExpressionTree(const csg::Scene& scene);
 
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-    struct Node {
-        std::uint32_t parent = kNone;
-        std::int32_t need = 1;    ///< The node is true where its count is at least that.
-        std::int32_t vote = 1;    ///< What it adds to its parent's count when it is true: -1 for what is subtracted.
-        bool complement = false;  ///< Below an odd number of subtractions: it must be false for the part to be true.
+    /// True where its margin is not negative: an AND lacks so many inputs, an OR has one more than that.
+    struct Gate {
+        std::uint32_t parent = kNone;  ///< Its index is less than the gate's own.
         csg::PartId part = 0;
     };
+    /// A leaf or its complement, and the gate that it is an input of.
+    struct Literal {
+        std::uint32_t gate = kNone;
+        bool complement = false;  ///< Below an odd number of subtractions: it must be outside for the part to be true.
+    };
 
-    [[nodiscard]] const Node& node(std::uint32_t i) const { return nodes_[i]; }
-    [[nodiscard]] std::uint32_t node_of(csg::LeafId leaf) const { return leaf_nodes_[leaf]; }
-    /// Counts where no leaf is entered.
-    [[nodiscard]] const std::vector<std::int32_t>& counts_outside() const { return counts_; }
+    [[nodiscard]] const Gate& gate(std::uint32_t i) const { return gates_[i]; }
+    [[nodiscard]] const Literal& literal(csg::LeafId leaf) const { return literals_[leaf]; }
+    /// By gate, where no leaf is entered.
+    [[nodiscard]] const std::vector<std::int32_t>& margins_outside() const { return margins_; }
+    [[nodiscard]] std::size_t leaf_count() const { return literals_.size(); }
     [[nodiscard]] std::size_t part_count() const { return part_count_; }
 
   private:
-    std::vector<Node> nodes_;
-    std::vector<std::int32_t> counts_;
-    std::vector<std::uint32_t> leaf_nodes_;
+    std::vector<Gate> gates_;
+    std::vector<std::int32_t> margins_;
+    std::vector<Literal> literals_;  ///< By leaf.
     std::size_t part_count_ = 0;
 };
 
@@ -46,67 +52,74 @@ class ExpressionState {
   public:
     explicit ExpressionState(const ExpressionTree& tree)
         : tree_(tree),
-          counts_(tree.counts_outside()),
+          margins_(tree.margins_outside()),
+          inside_(tree.leaf_count(), 0),
           parts_(tree.part_count(), 0),
-          waiting_(tree.counts_outside().size(), 0) {}
+          waiting_(tree.margins_outside().size(), 0) {}
 
     /// Enters the leaf, or leaves it. Gives true where the value of its part has changed.
     bool toggle(csg::LeafId leaf) {
-        std::uint32_t node = tree_.node_of(leaf);
-        counts_[node] ^= 1;
-        bool value = counts_[node] != 0;
-        for (;;) {
-            const ExpressionTree::Node& n = tree_.node(node);
-            if (n.parent == ExpressionTree::kNone) {
-                parts_[n.part] = value ? 1 : 0;
+        const ExpressionTree::Literal& literal = tree_.literal(leaf);
+        const std::int32_t step = turn(leaf, literal);
+        const std::int32_t turning = step > 0 ? 0 : -1;  // The margin of a gate that has just turned.
+        std::uint32_t gate = literal.gate;
+        while ((margins_[gate] += step) == turning) {
+            const ExpressionTree::Gate& g = tree_.gate(gate);
+            if (g.parent == ExpressionTree::kNone) {
+                parts_[g.part] = step > 0 ? 1 : 0;
                 return true;
             }
-            const std::int32_t need = tree_.node(n.parent).need;
-            std::int32_t& count = counts_[n.parent];
-            const bool before = count >= need;
-            count += value ? n.vote : -n.vote;
-            value = count >= need;
-            if (before == value) {
-                return false;
-            }
-            node = n.parent;
+            gate = g.parent;
         }
+        return false;
     }
 
-    /// The same for many at once; a leaf that is named twice is entered and left. Every node on the way is looked at
-    /// once, while one by one each leaf may turn all nodes above it, down a long chain. Adds the parts that have
+    /// The same for many at once; a leaf that is named twice is entered and left. Every gate on the way is looked at
+    /// once, while one by one each leaf may turn all gates above it, down a long chain. Adds the parts that have
     /// changed.
     void toggle(std::span<const csg::LeafId> leaves, std::vector<csg::PartId>& changed);
 
-    [[nodiscard]] bool inside_leaf(csg::LeafId leaf) const { return counts_[tree_.node_of(leaf)] != 0; }
+    [[nodiscard]] bool inside_leaf(csg::LeafId leaf) const { return inside_[leaf] != 0; }
     [[nodiscard]] bool inside_part(csg::PartId part) const { return parts_[part] != 0; }
+    /// How many leaves hold the point.
+    [[nodiscard]] std::int32_t entered() const { return entered_; }
 
     /// Is the leaf a literal of a product that is true here? (docs/ENGINES.md, "Whose surface it is".)
     [[nodiscard]] bool responsible(csg::LeafId leaf) const {
-        for (std::uint32_t node = tree_.node_of(leaf); node != ExpressionTree::kNone; node = tree_.node(node).parent) {
-            const ExpressionTree::Node& n = tree_.node(node);
-            if ((counts_[node] >= n.need) == n.complement) {
-                return false;
-            }
+        const ExpressionTree::Literal& literal = tree_.literal(leaf);
+        bool value = inside_leaf(leaf) != literal.complement;
+        for (std::uint32_t gate = literal.gate; value && gate != ExpressionTree::kNone;
+             gate = tree_.gate(gate).parent) {
+            value = margins_[gate] >= 0;
         }
-        return true;
+        return value;
     }
 
   private:
-    const ExpressionTree& tree_;
-    std::vector<std::int32_t> counts_;
-    std::vector<char> parts_;
+    /// Enters or leaves the leaf alone. Gives 1 where its literal is true then, otherwise -1.
+    std::int32_t turn(csg::LeafId leaf, const ExpressionTree::Literal& literal) {
+        const bool inside = inside_[leaf] == 0;
+        inside_[leaf] = inside ? 1 : 0;
+        entered_ += inside ? 1 : -1;
+        return inside != literal.complement ? 1 : -1;
+    }
 
-    /// A node whose count has changed, and whether it was true before.
+    const ExpressionTree& tree_;
+    std::vector<std::int32_t> margins_;
+    std::vector<char> inside_;
+    std::vector<char> parts_;
+    std::int32_t entered_ = 0;
+
+    /// A gate whose margin has changed, and whether it was true before.
     struct Turned {
-        std::uint32_t node;
+        std::uint32_t gate;
         bool before;
-        bool operator<(const Turned& other) const { return node > other.node; }  ///< The first one on top of the heap.
+        bool operator<(const Turned& other) const { return gate < other.gate; }  ///< The last one on top of the heap.
     };
-    void wait(std::uint32_t node);
+    void wait(std::uint32_t gate);
 
     std::vector<Turned> heap_;
-    std::vector<char> waiting_;  ///< By node: whether it is in the heap.
+    std::vector<char> waiting_;  ///< By gate: whether it is in the heap.
 };
 
 }  // namespace goldfeather

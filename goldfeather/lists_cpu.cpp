@@ -87,6 +87,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         out = {};
         out.size = view.size();
         out.held.assign(static_cast<std::size_t>(tiles), 0);
+        out.counts.assign(static_cast<std::size_t>(out.size.x) * static_cast<std::size_t>(out.size.y), 0);
     }
 
     std::atomic<int> next{0};

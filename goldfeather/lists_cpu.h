@@ -42,6 +42,7 @@ struct CpuLayers {
     bool complete = false;
     std::deque<CpuLayer> planes;  ///< A deque, so that those there stay where they are while it grows.
     std::vector<int> held;        ///< By tile: layers in which it holds a surface.
+    std::vector<int> counts;      ///< By pixel: the same.
 
     /// Makes planes, empty ones, until there are `count`.
     void reserve(std::size_t count);

@@ -7,7 +7,8 @@ namespace goldfeather {
 
 PixelWalk::PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::span<const char> counted_from_behind,
                      int max_layers)
-    : scene_(scene),
+    : tree_(tree),
+      scene_(scene),
       counted_from_behind_(counted_from_behind),
       max_layers_(max_layers <= 0 ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(max_layers)),
       state_(tree),
@@ -31,7 +32,27 @@ std::span<const FoundSurface> PixelWalk::walk(std::span<const Fragment> fragment
 
 void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
     known.found.clear();
-    // Inside at the near plane is what has an odd number of surfaces behind it.
+    enter_from_behind(fragments);
+    const auto count = static_cast<std::uint32_t>(fragments.size());
+    for (std::uint32_t first = 0; first < count && known.found.size() < max_layers_;) {
+        std::uint32_t end = first + 1;
+        while (end < count && (key_[end] & 1U) != 0) {
+            ++end;
+        }
+        if (end == first + 1) {
+            single_event(fragments[first].leaf, first, known.found);
+        } else {
+            event(fragments, first, end, known.found);
+        }
+        first = end;
+    }
+    if (state_.entered() != 0) {  // By open meshes, or where layers have not been asked for.
+        leave_all(fragments);
+    }
+}
+
+/// Inside at the near plane is what has an odd number of surfaces behind it.
+void PixelWalk::enter_from_behind(std::span<const Fragment> fragments) {
     switching_.clear();
     for (const Fragment& f : fragments) {
         if (counted_from_behind_[f.leaf] != 0) {
@@ -41,16 +62,10 @@ void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
     if (!switching_.empty()) {
         toggle_switching();
     }
-    const auto count = static_cast<std::uint32_t>(fragments.size());
-    for (std::uint32_t first = 0; first < count && known.found.size() < max_layers_;) {
-        std::uint32_t end = first + 1;
-        while (end < count && (key_[end] & 1U) != 0) {
-            ++end;
-        }
-        event(fragments, first, end, known.found);
-        first = end;
-    }
-    // Back to the outside: open meshes and layers that nobody asked for leave something behind.
+}
+
+/// Back to the outside.
+void PixelWalk::leave_all(std::span<const Fragment> fragments) {
     if (fragments.size() <= kOneByOne) {
         for (const Fragment& f : fragments) {
             if (state_.inside_leaf(f.leaf)) {
@@ -88,6 +103,14 @@ void PixelWalk::toggle_switching() {
         } else {
             changed_.erase(known);
         }
+    }
+}
+
+/// One leaf by itself that turns its part has turned every gate on the way, so it is responsible on the result's side.
+void PixelWalk::single_event(csg::LeafId leaf, std::uint32_t at, std::vector<FoundSurface>& found) {
+    if (state_.toggle(leaf)) {
+        const bool complement = tree_.literal(leaf).complement;
+        found.push_back({at, at + 1, leaf, complement, state_.inside_leaf(leaf) == complement});
     }
 }
 

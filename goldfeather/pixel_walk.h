@@ -47,6 +47,9 @@ class PixelWalk {
     static constexpr std::size_t kLongest = 256;  ///< Longer sequences share one place: they would fill the memory.
 
     void evaluate(std::span<const Fragment> fragments, Known& known);
+    void enter_from_behind(std::span<const Fragment> fragments);
+    void leave_all(std::span<const Fragment> fragments);
+    void single_event(csg::LeafId leaf, std::uint32_t at, std::vector<FoundSurface>& found);
     void event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end,
                std::vector<FoundSurface>& found);
     /// Enters or leaves those in switching_; adds to changed_ the parts that are others then.
@@ -54,6 +57,7 @@ class PixelWalk {
     /// Sets leaf and orientation. The state must be that of the result's side of the event.
     void find_leaf(FoundSurface& surface, csg::PartId part);
 
+    const ExpressionTree& tree_;
     const csg::Scene& scene_;
     std::span<const char> counted_from_behind_;
     std::size_t max_layers_;

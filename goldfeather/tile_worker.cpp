@@ -54,7 +54,10 @@ void TileWorker::run(int tile) {
         fill(box, triangles);
     }
     int& held = job_.out.held[static_cast<std::size_t>(tile)];
-    clear_below(box, std::max(held, tile_layers_));
+    if (std::max(held, tile_layers_) > 0) {
+        reserve(static_cast<std::size_t>(std::max(held, tile_layers_)));
+        count_layers(box);
+    }
     held = tile_layers_;
     most_layers_ = std::max(most_layers_, tile_layers_);
 }
@@ -256,20 +259,23 @@ void TileWorker::write(int x, int y, int length) {
     tile_layers_ = std::max(tile_layers_, layers);
 }
 
-/// Pixels with fewer layers have nothing in the rest of `layers`.
-void TileWorker::clear_below(const TileBox& box, int layers) {
-    reserve(static_cast<std::size_t>(layers));
-    for (int layer = 0; layer < layers; ++layer) {
-        const Target& target = targets_[static_cast<std::size_t>(layer)];
-        for (int y = box.y0; y < box.y1; ++y) {
-            const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.size.x);
-            for (int x = box.x0; x < box.x1; ++x) {
-                if (layers_[static_cast<std::size_t>(in_tile(x, y))] <= layer) {
-                    target.depth[row + static_cast<std::size_t>(x)] = 0;
-                    target.surface[row + static_cast<std::size_t>(x)] = {kNoSurface, 0};
-                }
-            }
+/// Notes how many layers each pixel has, and takes away what it had below them in the picture before.
+void TileWorker::count_layers(const TileBox& box) {
+    for (int y = box.y0; y < box.y1; ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.size.x);
+        for (int x = box.x0; x < box.x1; ++x) {
+            const std::size_t pixel = row + static_cast<std::size_t>(x);
+            const int before = std::exchange(job_.out.counts[pixel], layers_[static_cast<std::size_t>(in_tile(x, y))]);
+            clear(pixel, job_.out.counts[pixel], before);
         }
+    }
+}
+
+void TileWorker::clear(std::size_t pixel, int first, int end) {
+    for (int layer = first; layer < end; ++layer) {
+        const Target& target = targets_[static_cast<std::size_t>(layer)];
+        target.depth[pixel] = 0;
+        target.surface[pixel] = {kNoSurface, 0};
     }
 }
 

@@ -77,7 +77,8 @@ class TileWorker {
     void write(int x, int y, int length);
     /// `sample`: in pixels from the middle of the picture.
     [[nodiscard]] static double depth(const Slot& slot, double sample);
-    void clear_below(const TileBox& box, int layers);
+    void count_layers(const TileBox& box);
+    void clear(std::size_t pixel, int first, int end);
     void reserve(std::size_t layers);
 
     ListsJob& job_;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <utility>
 
@@ -73,9 +74,7 @@ class Bench {
             }
             ui::Renderer renderer(context_, engine);
             for (const int size : settings_.sizes) {
-                for (const int layers : settings_.layers) {
-                    report_.rows.push_back(measure(name, *model, peel_model, renderer, camera, size, layers));
-                }
+                measure(name, *model, peel_model, renderer, camera, size);
             }
         }
     }
@@ -83,57 +82,72 @@ class Bench {
     [[nodiscard]] const Report& report() const { return report_; }
 
   private:
-    Row measure(const std::string& name, const ui::Model& model, peel::PeelModel& peel_model, ui::Renderer& renderer,
-                const gl::Camera& camera, int size, int layers) {
-        Row row;
-        row.model = name;
-        row.engine = goldfeather::name(peel_model.engine);
-        row.size = size;
-        row.layers = layers;
-        row.leaves = model.statistics.leaves;
-        row.products = model.statistics.products;
-        row.triangles = model.statistics.triangles;
-        row.style = layers == 1 ? "shaded" : "blueprint";
+    /// Floor, engine and frame for all numbers of layers, in turn: their ratios are what counts.
+    void measure(const std::string& name, const ui::Model& model, peel::PeelModel& peel_model, ui::Renderer& renderer,
+                 const gl::Camera& camera, int size) {
         const gl::View view(camera, glm::ivec2(size), model.geometry.box.lo, model.geometry.box.hi);
         Floor floor(gl_, model.geometry, glm::ivec2(size));
-        row.floor = median(4 * settings_.repeat, [&] { floor.draw(view); });
-        peel::WalkStats stats;
-        row.peel = median(settings_.repeat, [&] {
-            stats = {};
-            if (peel_model.engine == goldfeather::EngineKind::ListsCpu && context_.software()) {
-                peel_lists(peel_model, view, layers, stats);
-            } else {
-                (void)peeler_.peel(view, peel_model, layers, stats);
-                gl_.Finish();
-            }
-        });
-        row.passes = stats.passes;
-        row.found_layers = stats.layers;
-        ui::PictureRequest request;
-        request.camera = camera;
-        request.size = glm::ivec2(size);
-        request.style = row.style;
-        request.layers = layers;
-        request.samples = 1;
-        row.frame = median(settings_.repeat, [&] { (void)renderer.render(model, request); });
-        std::cerr << fmt::format("{} {} {}² layers {}: floor {:.1f}, peel {:.1f}, frame {:.1f} CPU ms\n", name,
-                                 row.engine, size, layers, row.floor.cpu, row.peel.cpu, row.frame.cpu);
-        return row;
+        const std::size_t count = settings_.layers.size();
+        std::vector<peel::WalkStats> stats(count);
+        std::vector<peel::CpuLayers> cpu_layers(count);  // Their memory is used again from frame to frame.
+        std::vector<std::function<void()>> works{[&] { floor.draw(view); }};
+        for (std::size_t i = 0; i < count; ++i) {
+            works.emplace_back([&, i] { peel(peel_model, view, settings_.layers[i], cpu_layers[i], stats[i]); });
+        }
+        for (const int layers : settings_.layers) {
+            works.emplace_back([&, layers] {
+                ui::PictureRequest request;
+                request.camera = camera;
+                request.size = glm::ivec2(size);
+                request.style = style(layers);
+                request.layers = layers;
+                request.samples = 1;
+                (void)renderer.render(model, request);
+            });
+        }
+        const std::vector<Time> times = interleaved(settings_.repeat, works);
+        for (std::size_t i = 0; i < count; ++i) {
+            Row row;
+            row.model = name;
+            row.engine = goldfeather::name(peel_model.engine);
+            row.size = size;
+            row.layers = settings_.layers[i];
+            row.leaves = model.statistics.leaves;
+            row.products = model.statistics.products;
+            row.triangles = model.statistics.triangles;
+            row.style = style(row.layers);
+            row.passes = stats[i].passes;
+            row.found_layers = stats[i].layers;
+            row.floor = times[0];
+            row.peel = times[1 + i];
+            row.frame = times[1 + count + i];
+            std::cerr << fmt::format("{} {} {}² layers {}: floor {:.1f}, peel {:.1f}, frame {:.1f} CPU ms\n", name,
+                                     row.engine, size, row.layers, row.floor.cpu, row.peel.cpu, row.frame.cpu);
+            report_.rows.push_back(std::move(row));
+        }
     }
 
-    /// As frames have it where the CPU paints them: nothing is uploaded.
-    void peel_lists(const peel::PeelModel& model, const gl::View& view, int layers, peel::WalkStats& stats) {
-        goldfeather::ListsStats lists;
-        goldfeather::peel_lists(model.lists, view, layers, 0, cpu_layers_, lists);
-        stats.passes = 1;
-        stats.layers = lists.layers;
+    static const char* style(int layers) { return layers == 1 ? "shaded" : "blueprint"; }
+
+    /// On software OpenGL lists of the CPU end in main memory, as in frames that the CPU paints.
+    void peel(peel::PeelModel& model, const gl::View& view, int layers, peel::CpuLayers& cpu_layers,
+              peel::WalkStats& stats) {
+        stats = {};
+        if (model.engine == goldfeather::EngineKind::ListsCpu && context_.software()) {
+            goldfeather::ListsStats lists;
+            goldfeather::peel_lists(model.lists, view, layers, 0, cpu_layers, lists);
+            stats.passes = 1;
+            stats.layers = lists.layers;
+        } else {
+            (void)peeler_.peel(view, model, layers, stats);
+            gl_.Finish();
+        }
     }
 
     const Settings& settings_;
     const gl::Context& context_;
     const gl::Functions& gl_;
     peel::Peeler peeler_;
-    peel::CpuLayers cpu_layers_;  ///< Its memory is used again.
     Report report_;
 };
 

@@ -27,16 +27,28 @@ Time now() {
 }
 
 Time median(int repeat, const std::function<void()>& work) {
-    work();
-    std::vector<double> wall, cpu;
-    for (int i = 0; i < repeat; ++i) {
-        const Time start = now();
+    return interleaved(repeat, {work}).front();
+}
+
+std::vector<Time> interleaved(int repeat, const std::vector<std::function<void()>>& works) {
+    for (const auto& work : works) {
         work();
-        const Time spent = now() - start;
-        wall.push_back(spent.wall);
-        cpu.push_back(spent.cpu);
     }
-    return {middle(wall), middle(cpu)};
+    std::vector<std::vector<double>> wall(works.size()), cpu(works.size());
+    for (int round = 0; round < repeat; ++round) {
+        for (std::size_t i = 0; i < works.size(); ++i) {
+            const Time start = now();
+            works[i]();
+            const Time spent = now() - start;
+            wall[i].push_back(spent.wall);
+            cpu[i].push_back(spent.cpu);
+        }
+    }
+    std::vector<Time> medians;
+    for (std::size_t i = 0; i < works.size(); ++i) {
+        medians.push_back({middle(wall[i]), middle(cpu[i])});
+    }
+    return medians;
 }
 
 }  // namespace bench

@@ -19,11 +19,12 @@ nlohmann::ordered_json to_json(const Time& t) {
     return {{"wall_ms", t.wall}, {"cpu_ms", t.cpu}};
 }
 
-/// Geometric means of the ratio to the floor, by engine, size and layers.
+/// Geometric means of the ratio to the floor, by engine, size and layers, and beside that of one layer.
 std::string means(const Report& report) {
     struct Mean {
         double logarithms = 0;
         int count = 0;
+        [[nodiscard]] double value() const { return std::exp(logarithms / count); }
     };
     std::map<std::tuple<std::string, int, int>, Mean> means;
     for (const Row& r : report.rows) {
@@ -31,12 +32,15 @@ std::string means(const Report& report) {
         mean.logarithms += std::log(ratio(r.peel, r.floor));
         ++mean.count;
     }
-    std::string text = "| engine | size | layers | peel / floor, geometric mean |\n| --- | --- | --- | --- |\n";
+    std::string text =
+        "| engine | size | layers | peel / floor, geometric mean | peel / peel of one layer |\n"
+        "| --- | --- | --- | --- | --- |\n";
     for (const auto& [key, mean] : means) {
         const auto& [engine, size, layers] = key;
-        text += fmt::format("| {} | {}² | {} | {:.1f} |\n", engine, size,
-                            layers_text(layers == std::numeric_limits<int>::max() ? 0 : layers),
-                            std::exp(mean.logarithms / mean.count));
+        const auto one = means.find({engine, size, 1});
+        text += fmt::format("| {} | {}² | {} | {:.2f} | {} |\n", engine, size,
+                            layers_text(layers == std::numeric_limits<int>::max() ? 0 : layers), mean.value(),
+                            one == means.end() ? "–" : fmt::format("{:.2f}", mean.value() / one->second.value()));
     }
     return text;
 }
