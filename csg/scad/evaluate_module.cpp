@@ -1,9 +1,9 @@
 // Blocks, instantiations and user-defined modules.
 #include <algorithm>
 
+#include "csg/scad/argument_roles.h"
 #include "csg/scad/builtin_modules.h"
 #include "csg/scad/evaluator.h"
-#include "csg/scad/expression_text.h"
 
 namespace csg::scad {
 
@@ -23,22 +23,21 @@ class ModuleName {
 
 }  // namespace
 
-Value Evaluator::statement_value(ExprId e, const Frame* frame) {
-    const ValueStack::Region locals(stack_, r_.statement_locals);
-    Scope scope{locals.data(), frame, nullptr};
-    return evaluate(e, scope);
-}
-
 void Evaluator::echo_statement(const Instantiation& i, const Frame* frame) {
-    const ValueStack::Region locals(stack_, r_.statement_locals);
-    Scope scope{locals.data(), frame, nullptr};
-    echo(p_.arguments_of(i), scope);
+    std::vector<Value> values;
+    for (const Argument& a : p_.arguments_of(i)) {
+        values.push_back(statement_value(a.value, frame));
+    }
+    echo(p_.arguments_of(i), values.data());
 }
 
 void Evaluator::assert_statement(const Instantiation& i, const Frame* frame) {
-    const ValueStack::Region locals(stack_, r_.statement_locals);
-    Scope scope{locals.data(), frame, nullptr};
-    check_assertion(p_.arguments_of(i), i.where, scope);
+    const auto [condition, message] = assertion_of(p_, p_.arguments_of(i));
+    if (condition != nullptr && statement_value(condition->value, frame)) {
+        return;
+    }
+    const Value text = message == nullptr ? Value() : statement_value(message->value, frame);
+    fail_assertion(i.where, condition == nullptr ? kNone : condition->value, message == nullptr ? nullptr : &text);
 }
 
 void Evaluator::assign(const Argument& a, Value value, const Frame& frame) {
@@ -54,7 +53,8 @@ void Evaluator::run_assignments(const Block& block, const Frame& frame) {
     for (const Argument& a : p_.assignments_of(block)) {
         const auto index = static_cast<std::uint32_t>(&a - p_.assignments.data());
         const std::uint32_t slot = r_.assignment_slots[index];
-        const Step step(*this, {ActiveStep::Kind::Assignment, &a.where, a.name, index, {}, nullptr, nullptr});
+        const Step step(*this,
+                        {.kind = ActiveStep::Kind::Assignment, .where = &a.where, .name = a.name, .assignment = index});
         try {
             Value value = statement_value(a.value, &frame);
             if (dynamic_name(a.name)) {
@@ -137,8 +137,7 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
     check_stop(i.where);
     const std::size_t before = out.size();
     const auto index = static_cast<std::size_t>(&i - p_.instantiations.data());
-    const Step step(*this,
-                    {ActiveStep::Kind::CalledBy, &i.where, i.is_if ? kNoSymbol : i.name, 0, {}, nullptr, nullptr});
+    const Step step(*this, {.where = &i.where, .name = i.is_if ? kNoSymbol : i.name});
     try {
         const ModuleTarget& target = r_.module_of_instantiation[index];
         if (i.is_if) {
@@ -162,6 +161,38 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
     }
 }
 
+/// Values of the arguments, which see the caller's variables.
+void Evaluator::bind_module(const Instantiation& i, std::span<const Argument> parameters, const Frame* frame,
+                            Value* slots, Dynamics& dynamics, std::vector<std::pair<Symbol, Value>>& others) {
+    const auto arguments = p_.arguments_of(i);
+    const ValueStack::Region values(stack_, arguments.size());
+    for (std::size_t k = 0; k < arguments.size(); ++k) {
+        values.data()[k] = statement_value(arguments[k].value, frame);
+    }
+    bind_arguments(arguments, values.data(), parameters, i.where, slots, dynamics, &others);
+}
+
+/// Values of the parameters that have no argument.
+void Evaluator::bind_defaults(std::span<const Argument> parameters, const Frame* defining, Value* slots) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (!slots[i].is_unset()) {
+            continue;
+        }
+        if (r_.repeated_parameters[index_of(parameters[i])]) {  // One variable; its second value may be but a default.
+            const auto first = std::find_if(parameters.begin(), parameters.end(),
+                                            [&](const Argument& p) { return p.name == parameters[i].name; });
+            slots[i] = slots[static_cast<std::size_t>(first - parameters.begin())];
+            continue;
+        }
+        slots[i] = statement_value(parameters[i].value, defining);
+    }
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (dynamic_name(parameters[i].name)) {
+            bind_dynamic(r_.argument_slots[index_of(parameters[i])], slots[i]);
+        }
+    }
+}
+
 void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& definition, const Frame* frame,
                                  Nodes& out) {
     resolver_.need_module(definition.id);
@@ -175,17 +206,13 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
     const ValueStack::Region values(stack_, parameters.size());
     const ModuleInfo& info = r_.module_info[definition.id];
     std::vector<std::pair<Symbol, Value>> others;
-    {
-        const ValueStack::Region locals(stack_, r_.statement_locals);
-        Scope caller{locals.data(), frame, nullptr};
-        bind_arguments(p_.arguments_of(i), parameters, i.where, caller, values.data(), &others);
-    }
+    Dynamics dynamics;
+    bind_module(i, parameters, frame, values.data(), dynamics, others);
     const ModuleName module_name(host_, name(m.name));
-    {
-        const ValueStack::Region locals(stack_, r_.statement_locals);
-        Scope scope{locals.data(), defining, nullptr};
-        bind_defaults(parameters, scope, values.data());
+    for (auto& [slot, value] : dynamics) {
+        bind_dynamic(slot, std::move(value));
     }
+    bind_defaults(parameters, defining, values.data());
     bind_dynamic(parent_modules_index_, static_cast<double>(host_.module_names.size()));
     const std::uint32_t count = r_.frame_slots[m.body];
     const ValueStack::Region slots(stack_, count == kNone ? 0 : count);
@@ -214,8 +241,11 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
     run_assignments(block, body);
     Nodes nodes;
     {
-        const Step step(*this, {ActiveStep::Kind::CallOf, &m.where, request_.trace_parameters ? m.name : kNoSymbol, 0,
-                                parameters, values.data(), nullptr});
+        const Step step(*this, {.kind = ActiveStep::Kind::CallOf,
+                                .where = &m.where,
+                                .name = request_.trace_parameters ? m.name : kNoSymbol,
+                                .parameters = parameters,
+                                .values = values.data()});
         for (const Instantiation& statement : p_.instantiations_of(block)) {
             instantiate(statement, &body, nodes);
         }

@@ -32,17 +32,18 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
       resolver_(program),
       r_(resolver_.resolution()),
       is_undef_(find_builtin_function("is_undef")),
+      len_(find_builtin_function("len")),
       parent_modules_index_(index_of_special(program, r_, "$parent_modules")),
       fn_index_(index_of_special(program, r_, "$fn")),
       fa_index_(index_of_special(program, r_, "$fa")),
       fs_index_(index_of_special(program, r_, "$fs")) {
-    host_.warn = [this](std::string text) { warn(call_where_, std::move(text)); };
+    host_.warn = [this](std::string text) { warn(*call_where_, std::move(text)); };
     host_.warn_without_place = [this](std::string text) { warn({}, std::move(text)); };
     host_.argument_name = [this](std::size_t i) {
         const Symbol argument = call_arguments_[i].name;
         return argument == kNoSymbol ? std::string_view() : std::string_view(name(argument));
     };
-    host_.data_file = [this](const std::string& file) { return find_data_file(*this, call_where_, file); };
+    host_.data_file = [this](const std::string& file) { return find_data_file(*this, *call_where_, file); };
     host_.read = request.reader;
     host_.measures = request.measures.get();
     host_.font_files = program.fonts();
@@ -50,6 +51,7 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
     strings_.reserve(p_.symbols.size() + p_.lazy.most.names);
+    function_codes_.assign(p_.functions.size() + p_.lazy.most.functions, nullptr);
     dynamic_.assign(r_.dynamics, Value::unset());
     units_.resize(p_.units.size());
     for (std::uint32_t file = 0; file < p_.sources.size(); ++file) {

@@ -4,17 +4,21 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "csg/scad/ast.h"
 #include "csg/scad/builtin_functions.h"
+#include "csg/scad/compiler.h"
 #include "csg/scad/resolver.h"
 #include "csg/scad/scad.h"
 #include "csg/scad/trace.h"
 #include "csg/scad/value.h"
+#include "csg/scad/value_stack.h"
 #include "csg/tree/tree.h"
 
 namespace csg::scad {
@@ -51,46 +55,8 @@ struct Closure final : FunctionObject {
     const Program& program;
     const ExprId literal;
     const Frame* const frame;
+    const Code* code = nullptr;   ///< Once it was called.
     std::vector<Value> captures;  ///< Unset stands for the closure itself.
-};
-
-/// Where an expression runs.
-struct Scope {
-    Value* locals = nullptr;
-    const Frame* frame = nullptr;
-    Closure* closure = nullptr;
-};
-
-/// Locals of activations and slots of frames, in chunks that never move.
-class ValueStack {
-  public:
-    /// `count` values, all unset, until it is destroyed. Regions nest.
-    class Region {
-      public:
-        Region(ValueStack& stack, std::size_t count);
-        ~Region();
-        Region(const Region&) = delete;
-        Region& operator=(const Region&) = delete;
-        [[nodiscard]] Value* data() const { return data_; }
-        /// Takes over the values of `newer`, the innermost region; grows where they do not fit.
-        void replace(Region& newer);
-        void release();
-
-      private:
-        ValueStack& stack_;
-        std::size_t chunk_, top_, count_;
-        Value* data_;
-    };
-
-  private:
-    Value* take(std::size_t count);
-    struct Chunk {
-        std::unique_ptr<Value[]> values;
-        std::size_t size;
-    };
-    std::vector<Chunk> chunks_;
-    std::size_t chunk_ = 0;
-    std::size_t top_ = 0;
 };
 
 using Nodes = std::vector<NodeId>;
@@ -136,6 +102,7 @@ class Evaluator {
     void bind_dynamic(const Argument& a, Value value) {
         bind_dynamic(r_.argument_slots[index_of(a)], std::move(value));
     }
+    /// The value of an expression of a statement.
     [[nodiscard]] Value statement_value(ExprId e, const Frame* frame);
     /// The children of an instantiation, in a frame of their own.
     void children_of(const Instantiation& i, const Frame* frame, Nodes& out);
@@ -144,8 +111,6 @@ class Evaluator {
     void run_child(const ModuleCall& call, std::size_t index, Nodes& out);
     [[nodiscard]] std::size_t child_count(const ModuleCall& call) const;
     void assign(const Argument& a, Value value, const Frame& frame);
-    /// Whether one of the arguments before `a` has its name.
-    [[nodiscard]] static bool is_repeated(std::span<const Argument> arguments, const Argument& a);
     /// A frame for `block` inside `outer`, as long as it lives; `$` variables are as before afterwards.
     class BlockFrame {
       public:
@@ -190,11 +155,6 @@ class Evaluator {
         ~Step() { e_.innermost_ = step_.outer; }
         Step(const Step&) = delete;
         Step& operator=(const Step&) = delete;
-        /// A tail call takes the place of the call it ends.
-        void change(const SourceRange& where, Symbol name) {
-            step_.where = &where;
-            step_.name = name;
-        }
 
       private:
         Evaluator& e_;
@@ -214,49 +174,77 @@ class Evaluator {
     void take_view(ViewSettings& view);
     NodeId find_root(NodeId top);
 
-    // evaluate_expression.cpp
-    Value evaluate(ExprId id, Scope& scope);
-    Value evaluate_chain(const Expr& e, Scope& scope);
-    Value apply(const Expr& e, const Value& a, Scope& scope);
-    Value apply_any(const Expr& e, const Value& a, const Value& b);
-    Value evaluate_vector(ExprId id, Scope& scope);
-    Value evaluate_unary(const Expr& e, Scope& scope);
-    const Value& operand(ExprId id, Scope& scope, Value& temporary);
-    const Value& text_constant(Symbol text);
-    bool is_true(ExprId id, Scope& scope);
-    Value evaluate_range(const Expr& e, Scope& scope);
-    Value make_closure(ExprId id, Scope& scope);
-    void bind_let(std::span<const Argument> arguments, Scope& scope);
-    void settle(std::size_t first, const Value* slot);
-    void bind_local(const Argument& a, Value value, Scope& scope);
-    Value variable(const VariableRef& ref, const Scope& scope) const;
-    Value variable_or_warn(ExprId id, const Scope& scope);
-    const Frame* outward(const Frame* frame, std::uint32_t hops) const;
-
-    void echo(std::span<const Argument> arguments, Scope& scope);
-    void check_assertion(std::span<const Argument> arguments, const SourceRange& where, Scope& scope);
-
-    // evaluate_list.cpp
-    void collect(ExprId element, Scope& scope, std::vector<Value>& out);
-    void collect_for(const Expr& e, std::span<const Argument> left, Scope& scope, std::vector<Value>& out);
-    void collect_for_c(ExprId id, Scope& scope, std::vector<Value>& out);
-    void collect_each(const Value& value, const SourceRange& where, std::vector<Value>& out);
-
-    // evaluate_call.cpp
+    class Activation;
     struct Callee;
-    void enter(Callee& callee, Value* slots);
-    Value call(ExprId id, Scope& scope);
-    bool find_callee(const Expr& e, ExprId id, Scope& scope, Callee& callee);
-    Value call_builtin(const Expr& e, BuiltinFunction function, Scope& scope);
-    void bind_arguments(std::span<const Argument> arguments, std::span<const Argument> parameters,
-                        const SourceRange& where, Scope& caller, Value* slots,
+    using Dynamics = std::vector<std::pair<std::uint32_t, Value>>;  ///< `$` variables by index.
+
+    // machine.cpp
+
+    /// Runs what `a` stands for, from the instruction `entry` on.
+    Value run(Activation& a, std::uint32_t entry);
+
+    // machine_values.cpp
+
+    Value variable(const VariableRef& ref, const Frame* frame, const Activation* a) const;
+    Value variable_or_warn(const Instruction& i, const Activation& a);
+    Value unknown_variable(ExprId id);
+    const Value& text_constant(Symbol text);
+    Value apply_binary(const Instruction& i, const Value& a, const Value& b);
+    bool compare(const Instruction& i, const Value& a, const Value& b);
+    Value apply_unary(const Instruction& i, const Value& a);
+    static Value member_of(const Value& value, std::string_view member);
+    bool check_range(ExprId id, const Value* parts);
+    Value make_closure(ExprId id, Activation& a);
+    void settle(const Value* slot);
+    void warn_assignment(const Instruction& i, const Value& value);
+    void echo(std::span<const Argument> arguments, const Value* values);
+    [[noreturn]] void fail_assertion(const SourceRange& where, ExprId condition, const Value* message);
+
+    // machine_list.cpp
+
+    void append_each(const Value& value, const SourceRange& where);
+    Value take_gathered(std::size_t begin);
+    bool begin_loop(const Instruction& i, const Value& values, Value* loop, Value& variable);
+    bool begin_range_loop(const Instruction& i, Value* loop, Value& variable);
+    static Value loop_value(Value* loop);
+    void check_loop(const SourceRange& where);
+    void count_round(const Instruction& i, Value& round);
+
+    // machine_call.cpp
+
+    [[nodiscard]] static const Frame* outward(const Frame* frame, std::uint32_t hops);
+    [[nodiscard]] CompilerHost compiler_host();
+    const Code& compile_function(std::uint32_t id);
+    const Code& function_code(std::uint32_t id) {
+        return function_codes_[id] != nullptr ? *function_codes_[id] : compile_function(id);
+    }
+    const Code& literal_code(ExprId literal);
+    const Code& statement_code(ExprId id);
+    Value call_function(const Instruction& i, Activation& caller);
+    const Frame* frame_of(const DefinitionRef& definition, const Frame* caller);
+    bool find_callee(const Instruction& i, Activation& a);
+    void warn_no_function(ExprId call);
+    void warn_no_callee(const Instruction& i, const Value& value);
+    Callee prepare(const Instruction& i, Activation& caller);
+    void bind(Callee& callee, std::span<const Argument> arguments, const SourceRange& where);
+    void enter(Activation& a, Callee& callee);
+    Value call_any(const Instruction& i, Activation& caller);
+    bool replace(const Instruction& i, Activation& a, unsigned tail_calls, std::uint32_t& entry, Value& result);
+    Value call_builtin(ExprId call, BuiltinFunction function, std::span<const Value> arguments);
+    Value call_builtin(const Instruction& i, std::span<const Value> arguments);
+    /// The `values` of the arguments, which are moved, go to the slots of the parameters they are for; parameters
+    /// without one stay as they are. Named arguments that are for no parameter go to `others`.
+    void bind_arguments(std::span<const Argument> arguments, Value* values, std::span<const Argument> parameters,
+                        const SourceRange& where, Value* slots, Dynamics& dynamics,
                         std::vector<std::pair<Symbol, Value>>* others = nullptr);
-    void bind_defaults(std::span<const Argument> parameters, Scope& defining, Value* slots);
 
     // evaluate_module.cpp
     void instantiate(const Instantiation& i, const Frame* frame, Nodes& out);
     void instantiate_if(const Instantiation& i, const Frame* frame, Nodes& out);
     void instantiate_user(const Instantiation& i, const DefinitionRef& definition, const Frame* frame, Nodes& out);
+    void bind_module(const Instantiation& i, std::span<const Argument> parameters, const Frame* frame, Value* slots,
+                     Dynamics& dynamics, std::vector<std::pair<Symbol, Value>>& others);
+    void bind_defaults(std::span<const Argument> parameters, const Frame* defining, Value* slots);
     void run_assignments(const Block& block, const Frame& frame);
     const Frame* unit_frame(UnitId unit);
     const Frame* enter_unit(UnitId unit);
@@ -280,12 +268,15 @@ class Evaluator {
     const Resolution& r_;
     FunctionHost host_;
     const ActiveStep* innermost_ = nullptr;
-    SourceRange call_where_;
+    const SourceRange* call_where_ = nullptr;
     std::span<const Argument> call_arguments_;  ///< Of the built-in function that runs.
     ValueStack stack_;
     std::vector<Value> dynamic_;
-    std::vector<Value> strings_;    ///< By symbol, once they are used. Never moves.
-    std::vector<Value> constants_;  ///< Of constant lists, once they are used.
+    std::vector<Value> strings_;   ///< By symbol, once they are used. Never moves.
+    std::vector<Value> gathered_;  ///< Elements of the lists that are being made, the innermost last.
+    std::deque<Code> codes_;
+    std::vector<const Code*> function_codes_, literal_codes_;  ///< Null until they are called.
+    std::unordered_map<ExprId, const Code*> statement_codes_;
     struct Undo {
         std::uint32_t index;
         Value before;
@@ -296,8 +287,7 @@ class Evaluator {
         std::size_t capture;
         const Value* slot;
     };
-    std::vector<Late> late_;                                         ///< Captures that wait for their variable.
-    std::vector<std::pair<std::uint32_t, Value>> pending_dynamics_;  ///< `$` arguments of the call being bound.
+    std::vector<Late> late_;      ///< Captures that wait for their variable.
     std::vector<Value> knotted_;  ///< Closures that may hold each other: untied at the end.
     struct UnitFrame {
         Frame frame;
@@ -310,7 +300,7 @@ class Evaluator {
     std::vector<std::uint32_t> tree_files_;  ///< By file of the SourceSet.
     std::vector<std::uint32_t> source_of_;   ///< The other way round.
     bool has_root_modifier_ = false;
-    BuiltinFunction is_undef_;            ///< The one that may ask for a variable in silence.
+    BuiltinFunction is_undef_, len_;
     std::uint32_t parent_modules_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
     std::uint32_t fn_index_, fa_index_, fs_index_;
     std::uint32_t steps_ = 0;

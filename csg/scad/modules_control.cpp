@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "csg/scad/argument_roles.h"
 #include "csg/scad/builtin_modules.h"
 #include "csg/scad/sequence.h"
 
@@ -90,7 +91,7 @@ void run_let(const ModuleContext& c, Nodes& out) {
             Value value = evaluator.statement_value(a.value, frame.get());
             if (a.name == kNoSymbol) {
                 evaluator.warn(a.where, fmt::format("Assignment without variable name {}", value.echo_text()));
-            } else if (Evaluator::is_repeated(evaluator.program().arguments_of(c.instantiation), a)) {
+            } else if (is_repeated(evaluator.program().arguments_of(c.instantiation), a)) {
                 evaluator.warn(a.where, fmt::format("Ignoring duplicate variable assignment \"{}\" = {}",
                                                     evaluator.name(a.name), value.echo_text()));
             } else {

@@ -98,14 +98,14 @@ void Resolver::resolve_top_module(std::uint32_t id) {
     resolve_definition(p_.modules[id], roots_[unit_of_module_[id]]);
 }
 
-void Resolver::number_constant(ExprId list) {
+void Resolver::mark_constant(ExprId list) {
     const auto elements = p_.elements_of(p_[list]);
     const bool constant = std::all_of(elements.begin(), elements.end(), [&](ExprId part) {
         const ExprKind kind = p_[part].kind;
         return is_literal_kind(kind) || (kind == ExprKind::Vector && r_.of_expression[part] != kNone);
     });
     if (constant) {
-        r_.of_expression[list] = r_.constants++;
+        r_.of_expression[list] = 0;
     }
 }
 

@@ -85,7 +85,7 @@ struct ModuleInfo {
 /// Side tables of a Program; indexed as its arrays are.
 struct Resolution {
     std::vector<std::uint32_t> of_expression;  ///< Identifier: into variables. Call of a name: into calls. Function:
-                                               ///< into literals. Vector: number of the constant, where it is one.
+                                               ///< into literals. Vector: 0 where its value is known beforehand.
                                                ///< ListForC: into carried.
     std::vector<VariableRef> variables;
     std::vector<CallTarget> calls;
@@ -98,7 +98,7 @@ struct Resolution {
     std::vector<ModuleTarget> module_of_instantiation;
     std::vector<ModuleInfo> module_info;
     std::vector<std::uint32_t> frame_slots;        ///< Of blocks; kNone for a block without a frame.
-    std::uint32_t constants = 0;                   ///< How many lists there are whose value is known beforehand.
+    bool late_captures = false;                    ///< Whether any literal has one.
     std::uint32_t statement_locals = 0;            ///< The most that an expression of a statement needs.
     std::vector<std::uint32_t> dynamic_of_symbol;  ///< The index of a `$` name; kNone for other names.
     std::uint32_t dynamics = 0;                    ///< How many `$` names the program mentions.

@@ -94,7 +94,7 @@ ExprId Resolver::resolve_one(ExprId id) {
             for (const ExprId element : p_.elements_of(e)) {
                 resolve_expression(element);
             }
-            number_constant(id);
+            mark_constant(id);
             return kNone;
         case ExprKind::Call:
             call_arguments(e);
@@ -214,6 +214,7 @@ VariableRef Resolver::find_local(Activation& act, Symbol name, bool from_literal
         }
         act.capture_names.push_back(name);
         act.literal->captures.push_back({from.place == Place::Capture, from.hops != 0, from.slot});
+        r_.late_captures |= from.hops != 0;
     }
     return {Place::Capture, 0, slot, kNone};
 }

@@ -83,8 +83,8 @@ class Resolver {
     void resolve_block(BlockId id, const BlockScope& scope);
     void resolve_definition(const FunctionDefinition& f, const BlockScope& scope);
     void resolve_definition(const ModuleDefinition& m, const BlockScope& scope);
-    /// Lists of constants are made once: numbers the list where all its elements are known.
-    void number_constant(ExprId list);
+    /// Lists of constants are made once: marks the list where all its elements are known.
+    void mark_constant(ExprId list);
     /// Names of the arguments that calls of modules pass anywhere in the program.
     void gather_passed();
     void mark_repeated(std::span<const Argument> parameters);

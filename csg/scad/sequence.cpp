@@ -4,26 +4,38 @@
 
 namespace csg::scad {
 
-Sequence::Sequence(const Value& value, Evaluator& evaluator, const SourceRange& where) : value_(value) {
+std::size_t Sequence::count(const Range& range, Evaluator& evaluator, const SourceRange& where) {
     constexpr std::uint32_t kMaxSteps = 1'000'000;  // OpenSCAD's limit.
-    if (value.is_range()) {
-        size_ = value.range().count();
-        if (size_ >= kMaxSteps) {
-            evaluator.warn(where, fmt::format("Bad range parameter in for statement: too many elements ({})", size_));
-            size_ = 0;
-        }
-    } else if (value.is_vector()) {
-        size_ = value.elements().size();
-    } else if (value.is_string()) {
+    const std::uint32_t count = range.count();
+    if (count >= kMaxSteps) {
+        evaluator.warn(where, fmt::format("Bad range parameter in for statement: too many elements ({})", count));
+        return 0;
+    }
+    return count;
+}
+
+std::size_t Sequence::count(const Value& value, Evaluator& evaluator, const SourceRange& where) {
+    switch (value.type()) {
+        case ValueType::Range:
+            return count(value.range(), evaluator, where);
+        case ValueType::Vector:
+            return value.elements().size();
+        case ValueType::String:
+            return value.length();
+        case ValueType::Object:
+            return value.entries().size();
+        default:
+            return value.is_undef() ? 0 : 1;
+    }
+}
+
+Sequence::Sequence(const Value& value, Evaluator& evaluator, const SourceRange& where)
+    : value_(value), size_(count(value, evaluator, where)) {
+    if (value.is_string()) {
         const std::string_view text = value.string();
         for (std::size_t at = 0; at < text.size(); at += characters_.back().size()) {
             characters_.push_back(text.substr(at, code_point_bytes(text, at)));
         }
-        size_ = characters_.size();
-    } else if (value.is_object()) {
-        size_ = value.entries().size();
-    } else {
-        size_ = value.is_undef() ? 0 : 1;
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "csg/scad/ast.h"
 #include "csg/scad/diagnostics.h"
+#include "csg/scad/instruction.h"
 #include "csg/scad/value.h"
 
 namespace csg::scad {
@@ -23,8 +24,10 @@ struct ActiveStep {
     const SourceRange* where = nullptr;
     Symbol name = kNoSymbol;
     std::uint32_t assignment = 0;
-    std::span<const Argument> parameters;
-    const Value* values = nullptr;  ///< Of the parameters.
+    std::span<const Argument> parameters{};
+    const Value* values = nullptr;    ///< Of the parameters.
+    const Code* code = nullptr;       ///< Of an expression that runs.
+    const Instruction* at = nullptr;  ///< The one of `code` that is under way; null before the first that matters.
     const ActiveStep* outer = nullptr;
 };
 

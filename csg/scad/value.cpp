@@ -80,67 +80,62 @@ class ShortLists {
 
 thread_local ShortLists g_short_lists;
 
-/// The elements lie in a vector, or right behind the object.
+/// The elements lie right behind the object, or, once it has grown, in room of their own.
 struct VectorObject : ListObject {
-    explicit VectorObject(std::vector<Value> e) : counted(e.size()), own(std::move(e)) {
-        count_in(counted);
-        refer_to_own();
-    }
-    /// Room for the elements must be behind it: see `create`.
-    explicit VectorObject(std::span<Value> moved) : counted(moved.size()), behind(moved.size()) {
-        count_in(counted);
-        data = reinterpret_cast<Value*>(this + 1);
-        std::uninitialized_move(moved.begin(), moved.end(), data);
-        size = moved.size();
-    }
     static VectorObject* create(std::span<Value> moved) {
         const std::size_t bytes = sizeof(VectorObject) + moved.size_bytes();
+        count_in(moved.size());
         void* const room =
             moved.size() <= ShortLists::kLongest ? g_short_lists.take(moved.size(), bytes) : ::operator new(bytes);
-        try {
-            return new (room) VectorObject(moved);
-        } catch (...) {
-            ::operator delete(room);
-            throw;
-        }
+        return new (room) VectorObject(moved);
     }
     static void remove(VectorObject* vector) {
-        const std::size_t room = vector->behind;
+        const std::size_t behind = vector->behind;
         vector->~VectorObject();
-        if (room <= ShortLists::kLongest) {
-            g_short_lists.give(vector, room);
+        if (behind <= ShortLists::kLongest) {
+            g_short_lists.give(vector, behind);
         } else {
             ::operator delete(vector);
         }
     }
     void append(Value element) {
         count_in(1);
-        ++counted;
-        if (!owns()) {
-            own.reserve(2 * size + 1);
-            own.assign(std::make_move_iterator(data), std::make_move_iterator(data + size));
-            std::destroy(data, data + size);
+        if (size == room) {
+            grow();
         }
-        own.push_back(std::move(element));
-        refer_to_own();
+        new (data + size) Value(std::move(element));
+        ++size;
     }
     [[nodiscard]] std::span<Value> elements() const { return {data, size}; }
-    std::size_t counted;  // What live_elements() knows of.
 
   private:
+    explicit VectorObject(std::span<Value> moved)
+        : room(static_cast<std::uint32_t>(moved.size())), behind(static_cast<std::uint32_t>(moved.size())) {
+        data = first_behind();
+        size = moved.size();
+        std::uninitialized_move(moved.begin(), moved.end(), data);
+    }
     ~VectorObject() {
-        g_live_elements -= counted;
-        if (!owns()) {
-            std::destroy(data, data + size);
+        g_live_elements -= size;
+        std::destroy_n(data, size);
+        if (data != first_behind()) {
+            ::operator delete(data);
         }
     }
-    [[nodiscard]] bool owns() const { return data == own.data(); }
-    void refer_to_own() {
-        data = own.data();
-        size = own.size();
+    [[nodiscard]] Value* first_behind() { return reinterpret_cast<Value*>(this + 1); }
+    void grow() {
+        const std::size_t larger = 2 * size + 4;
+        auto* const moved = static_cast<Value*>(::operator new(larger * sizeof(Value)));
+        std::uninitialized_move_n(data, size, moved);
+        std::destroy_n(data, size);
+        if (data != first_behind()) {
+            ::operator delete(data);
+        }
+        data = moved;
+        room = static_cast<std::uint32_t>(larger);
     }
-    std::vector<Value> own;
-    std::size_t behind = 0;  // How many elements there is room for behind the object.
+    std::uint32_t room;          // How many elements fit where they lie.
+    const std::uint32_t behind;  // How many fit behind the object.
 };
 static_assert(sizeof(VectorObject) % alignof(Value) == 0);
 
@@ -215,7 +210,7 @@ std::uint32_t Range::count() const {
 }
 
 Value::Value(std::string text) : type_(ValueType::String), object_(new StringObject(std::move(text))) {}
-Value::Value(std::vector<Value> elements) : type_(ValueType::Vector), object_(new VectorObject(std::move(elements))) {}
+Value::Value(std::vector<Value> elements) : type_(ValueType::Vector), object_(VectorObject::create(elements)) {}
 Value Value::list(std::span<Value> elements) {
     Value value;
     value.object_ = VectorObject::create(elements);

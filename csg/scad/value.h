@@ -1,6 +1,8 @@
 // Values of the language: small, shared, immutable once shared.
 #pragma once
 
+#include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -97,13 +99,35 @@ class Value {
         }
     }
     Value(Value&& other) noexcept : type_(std::exchange(other.type_, ValueType::Undef)), bits_(other.bits_) {}
-    Value& operator=(Value other) noexcept {
-        swap(other);
+    Value& operator=(const Value& other) noexcept {
+        if (other.shared()) {
+            ++other.object_->references;
+        }
+        replace(other.type_, other.bits_);
+        return *this;
+    }
+    Value& operator=(Value&& other) noexcept {
+        replace(std::exchange(other.type_, ValueType::Undef), other.bits_);
+        return *this;
+    }
+    // Spare a temporary where most values go.
+    Value& operator=(std::same_as<double> auto number) noexcept {
+        replace(ValueType::Number, std::bit_cast<std::uint64_t>(number));
+        return *this;
+    }
+    Value& operator=(std::same_as<bool> auto b) noexcept {
+        replace(ValueType::Bool, b);
         return *this;
     }
     ~Value() {
         if (shared() && --object_->references == 0) {
             destroy(type_, object_);
+        }
+    }
+    /// Lets go of what it shares, if anything; the value is any then.
+    void drop() noexcept {
+        if (shared()) {
+            replace(ValueType::Undef, 0);
         }
     }
     void swap(Value& other) noexcept {
@@ -150,6 +174,16 @@ class Value {
   private:
     [[nodiscard]] bool shared() const { return type_ >= ValueType::String; }
     static void destroy(ValueType type, ValueObject* object);
+    void replace(ValueType type, std::uint64_t bits) noexcept {
+        const bool drops = shared();
+        const ValueType old_type = type_;
+        ValueObject* const old = object_;
+        type_ = type;
+        bits_ = bits;
+        if (drops && --old->references == 0) {
+            destroy(old_type, old);
+        }
+    }
 
     ValueType type_;
     union {
