@@ -98,16 +98,11 @@ Lexer::Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, co
 
 void Lexer::go_on(Place from, std::size_t at) {
     place_ = from;
-    const std::string_view passed = text_.substr(from.at, at - from.at);
-    if (passed.find('\r') == std::string_view::npos) {
-        for (std::size_t end = passed.find('\n'); end != std::string_view::npos; end = passed.find('\n', end + 1)) {
-            ++place_.line;
-            place_.line_start = from.at + end + 1;
-        }
-    } else {
-        while (place_.at < at) {
-            advance();
-        }
+    const char* const end = text_.data() + at;
+    for (const char* line = end_of_line(text_.data() + from.at, end); line != end; line = end_of_line(line, end)) {
+        line += line[0] == '\r' && line[1] == '\n' ? 2 : 1;
+        ++place_.line;
+        place_.line_start = static_cast<std::size_t>(line - text_.data());
     }
     place_.at = at;
 }
@@ -167,12 +162,7 @@ std::size_t Lexer::blank_bytes() const {
 bool Lexer::skip_comment() {
     const char* const end = text_.data() + text_.size();
     if (peek(1) == '/') {
-        const char* const begin = text_.data() + place_.at;
-        const auto find = [begin](char c, const char* before) {
-            const void* const found = std::memchr(begin, c, static_cast<std::size_t>(before - begin));
-            return found == nullptr ? before : static_cast<const char*>(found);
-        };
-        place_.at = static_cast<std::size_t>(find('\r', find('\n', end)) - text_.data());
+        place_.at = static_cast<std::size_t>(end_of_line(text_.data() + place_.at, end) - text_.data());
         return true;
     }
     place_.at += 2;
@@ -242,10 +232,7 @@ std::size_t Lexer::word_length() const {
     const char* const begin = text_.data() + place_.at;
     const char* const end = text_.data() + text_.size();
     const char* const first = begin != end && *begin == '$' ? begin + 1 : begin;
-    const char* at = first;
-    while (at != end && is_word(*at)) {
-        ++at;
-    }
+    const char* const at = end_of_word(first, end);
     return at > first ? static_cast<std::size_t>(at - begin) : 0;
 }
 

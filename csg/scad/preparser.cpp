@@ -1,21 +1,27 @@
 // Tokens, straight from the text. A string's text ends with a zero, which is none of them.
 #include "csg/scad/preparser.h"
 
-#include <algorithm>
+#include <bit>
 #include <cstring>
-
-#include "csg/scad/characters.h"
 
 namespace csg::scad {
 namespace {
 
-constexpr CharacterSet kBlanks(" \t\n\r\f\v");
-constexpr CharacterSet kWordBegin("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_$");
 constexpr CharacterSet kPlainEscapes("\\\"tnr");
 
-const char* find(const char* begin, const char* end, char c) {
-    const void* const found = std::memchr(begin, c, static_cast<std::size_t>(end - begin));
-    return found == nullptr ? end : static_cast<const char*>(found);
+/// Eight bytes are read at once where the text has as many.
+TokenKind kind_of(std::string_view word, const char* end) {
+    if constexpr (std::endian::native == std::endian::little) {
+        if (word.size() > 8) {
+            return TokenKind::Identifier;
+        }
+        if (end - word.data() >= 8) {
+            std::uint64_t bytes = 0;
+            std::memcpy(&bytes, word.data(), sizeof(bytes));
+            return word_kind(bytes & ~std::uint64_t{0} >> (64 - 8 * word.size()));
+        }
+    }
+    return word_kind(word);
 }
 
 std::size_t digits(const char* at) {
@@ -29,7 +35,7 @@ std::size_t digits(const char* at) {
 }  // namespace
 
 Preparser::Preparser(const std::string& text, SymbolTable& symbols, LazyBodies& notes)
-    : text_(text), symbols_(symbols), notes_(notes) {}
+    : text_(text), text_end_(text.data() + text.size()), symbols_(symbols), notes_(notes) {}
 
 void Preparser::start(std::size_t begin) {
     at_ = text_.data() + begin;
@@ -38,41 +44,42 @@ void Preparser::start(std::size_t begin) {
 }
 
 /// A comment without end, and blanks that are not ASCII, stay: nothing accepts them.
-void Preparser::skip_blanks() {
-    const char* const end = text_.data() + text_.size();
+void Preparser::skip_more_blanks() {
     for (;;) {
-        if (kBlanks.has(*at_)) {
-            ++at_;
-        } else if (*at_ != '/') {
-            return;
-        } else if (at_[1] == '/') {
-            at_ = find(at_, find(at_, end, '\n'), '\r');
-        } else if (at_[1] == '*') {
-            const std::size_t close = text_.find("*/", static_cast<std::size_t>(at_ + 2 - text_.data()));
-            if (close == std::string::npos) {
+        switch (*at_) {
+            case ' ':
+                at_ = end_of_spaces(at_ + 1, text_end_);
+                break;
+            case '\n':
+            case '\t':
+            case '\r':
+            case '\f':
+            case '\v':
+                ++at_;
+                break;
+            case '/':
+                if (at_[1] == '/') {
+                    at_ = end_of_line(at_, text_end_);
+                    break;
+                }
+                if (at_[1] == '*') {
+                    const std::size_t close = text_.find("*/", static_cast<std::size_t>(at_ + 2 - text_.data()));
+                    if (close == std::string::npos) {
+                        return;
+                    }
+                    at_ = text_.data() + close + 2;
+                    break;
+                }
                 return;
-            }
-            at_ = text_.data() + close + 2;
-        } else {
-            return;
+            default:
+                return;
         }
     }
 }
 
-bool Preparser::at_word() const {
-    return kWordBegin.has(*at_);
-}
-
-bool Preparser::at_number() const {
-    return is_digit(*at_) || (*at_ == '.' && is_digit(at_[1]));
-}
-
 TokenKind Preparser::word() {
     const char* const begin = at_;
-    ++at_;
-    while (is_word(*at_)) {
-        ++at_;
-    }
+    at_ = end_of_word(at_ + 1, text_end_);
     word_ = std::string_view(begin, static_cast<std::size_t>(at_ - begin));
     ++notes_.most.names;
     skip_blanks();
@@ -83,7 +90,7 @@ TokenKind Preparser::word() {
         symbols_.intern(word_);
         return TokenKind::Identifier;
     }
-    const TokenKind kind = word_kind(word_);
+    const TokenKind kind = kind_of(word_, text_end_);
     const bool names_file = kind == TokenKind::Identifier && *at_ == '<' && (word_ == "include" || word_ == "use");
     return names_file ? TokenKind::Error : kind;
 }
@@ -134,41 +141,6 @@ bool Preparser::string() {
     ++notes_.most.names;
     skip(1);
     return true;
-}
-
-/// Takes one where it is the next token.
-bool Preparser::binary_operator(bool& power) {
-    const char next = *at_ == '\0' ? '\0' : at_[1];
-    power = false;
-    switch (*at_) {
-        case '^':
-            power = true;
-            [[fallthrough]];
-        case '+':
-        case '-':
-        case '*':
-        case '/':
-        case '%':
-            skip(1);
-            return true;
-        case '<':
-        case '>':
-            skip(next == '=' || next == *at_ ? 2 : 1);
-            return true;
-        case '&':
-        case '|':
-            skip(next == *at_ ? 2 : 1);
-            return true;
-        case '=':
-        case '!':
-            if (next == '=') {
-                skip(2);
-                return true;
-            }
-            return false;
-        default:
-            return false;
-    }
 }
 
 }  // namespace csg::scad

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "csg/scad/characters.h"
 #include "csg/scad/lazy_body.h"
 #include "csg/scad/symbols.h"
 #include "csg/scad/token.h"
@@ -37,6 +38,8 @@ class Preparser {
     enum class Position : std::uint8_t { Plain, Element };
     enum class Level : std::uint8_t { Module, Children, Child };  ///< As Parser::Level, within a module.
 
+    static constexpr CharacterSet kMaybeBlank{" \t\n\r\f\v/"};
+    static constexpr CharacterSet kWordBegin{"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_$"};
     static constexpr int kMaxDepth = 60;
     static constexpr int kMaxChain = 8;  ///< Signs and powers of one operand.
 
@@ -56,7 +59,13 @@ class Preparser {
     // preparser.cpp: tokens. `at_` is always at the beginning of one.
 
     void start(std::size_t begin);
-    void skip_blanks();
+    void skip_blanks() {
+        at_ += *at_ == ' ' ? 1 : 0;  // What mostly stands between tokens, if anything does.
+        if (kMaybeBlank.has(*at_)) {
+            skip_more_blanks();
+        }
+    }
+    void skip_more_blanks();
     void skip(std::size_t bytes) {
         at_ += bytes;
         skip_blanks();
@@ -68,8 +77,8 @@ class Preparser {
         }
         return found;
     }
-    [[nodiscard]] bool at_word() const;
-    [[nodiscard]] bool at_number() const;
+    [[nodiscard]] bool at_word() const { return kWordBegin.has(*at_); }
+    [[nodiscard]] bool at_number() const { return is_digit(*at_) || (*at_ == '.' && is_digit(at_[1])); }
     [[nodiscard]] bool at_assign() const { return *at_ == '=' && at_[1] != '='; }
     [[nodiscard]] bool at_not() const { return *at_ == '!' && at_[1] != '='; }
     /// Takes a word; its text is in `word_`. Error where it is not beyond doubt.
@@ -78,7 +87,6 @@ class Preparser {
     bool accept_word(std::string_view expected);
     bool number();
     bool string();
-    bool binary_operator(bool& power);
 
     // preparser_expressions.cpp. `first`: a word taken before, with which the expression begins.
 
@@ -87,7 +95,8 @@ class Preparser {
     Outcome unconditional(Position position, TokenKind first);
     Outcome operation(Position position, bool has_operand);
     Outcome operand(Position position, int& chain);
-    bool postfixes();
+    enum class After : std::uint8_t { Refused, Operator, Power, Nothing };
+    After after_operand();
     bool assert_or_echo();
     bool vector_or_range();
     Outcome list_for();
@@ -113,6 +122,7 @@ class Preparser {
     bool children();
 
     const std::string& text_;
+    const char* const text_end_;
     SymbolTable& symbols_;
     LazyBodies& notes_;
     const char* at_ = nullptr;

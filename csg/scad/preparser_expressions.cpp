@@ -63,23 +63,19 @@ Preparser::Outcome Preparser::unconditional(Position position, TokenKind first) 
 
 /// Operands with operators between them; the first may have been taken before.
 Preparser::Outcome Preparser::operation(Position position, bool has_operand) {
-    int chain = 0;
-    for (bool power = false;;) {
+    for (int chain = 0;;) {
         if (!has_operand) {
             if (const Outcome outcome = operand(position, chain); outcome != Outcome::Value) {
                 return outcome;
             }
         }
-        if (!postfixes()) {
-            return Outcome::Refused;
+        const After after = after_operand();
+        if (after != After::Operator && after != After::Power) {
+            return after == After::Nothing ? Outcome::Value : Outcome::Refused;
         }
-        if (!binary_operator(power)) {
-            return Outcome::Value;
-        }
-        ++notes_.most.expressions;
         has_operand = false;
         position = Position::Plain;
-        chain = power ? chain + 1 : 0;
+        chain = after == After::Power ? chain + 1 : 0;
     }
 }
 
@@ -118,29 +114,58 @@ Preparser::Outcome Preparser::operand(Position position, int& chain) {
     }
 }
 
-bool Preparser::postfixes() {
+/// What is called, indexed or asked of an operand, and then an operator if there is one.
+Preparser::After Preparser::after_operand() {
     for (;; ++notes_.most.expressions) {
+        const char next = *at_ == '\0' ? '\0' : at_[1];
+        std::size_t bytes = 1;
         switch (*at_) {
             case '(':
                 if (!call_arguments()) {
-                    return false;
+                    return After::Refused;
                 }
-                break;
+                continue;
             case '[':
                 skip(1);
                 if (!value() || !accept(']')) {
-                    return false;
+                    return After::Refused;
                 }
-                break;
+                continue;
             case '.':
                 skip(1);
                 if (!at_word() || word() != TokenKind::Identifier) {
-                    return false;
+                    return After::Refused;
                 }
+                continue;
+            case '<':
+            case '>':
+                bytes = next == '=' || next == *at_ ? 2 : 1;
+                break;
+            case '&':
+            case '|':
+                bytes = next == *at_ ? 2 : 1;
+                break;
+            case '=':
+            case '!':
+                if (next != '=') {
+                    return After::Nothing;
+                }
+                bytes = 2;
+                break;
+            case '^':
+            case '+':
+            case '-':
+            case '*':
+            case '/':
+            case '%':
                 break;
             default:
-                return true;
+                return After::Nothing;
         }
+        const bool power = *at_ == '^';
+        skip(bytes);
+        ++notes_.most.expressions;
+        return power ? After::Power : After::Operator;
     }
 }
 

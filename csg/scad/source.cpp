@@ -1,16 +1,19 @@
 #include "csg/scad/source.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <mutex>
-#include <system_error>
 
 namespace csg::scad {
 
@@ -54,48 +57,91 @@ std::uint32_t SourceSet::add(SourceFile file) {
     return static_cast<std::uint32_t>(files_.size() - 1);
 }
 
+namespace {
+
+/// A file that is open for reading, or was to be.
+class InputFile {
+  public:
+    /// Does not wait for who might write into a pipe of that name.
+    explicit InputFile(const std::string& path) : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+    ~InputFile() {
+        if (descriptor_ >= 0) {
+            close(descriptor_);
+        }
+    }
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+
+    [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+    [[nodiscard]] bool status(struct stat& result) const { return fstat(descriptor_, &result) == 0; }
+    /// Appends up to `most` bytes to `text`. False where reading fails; nothing is appended at the end of the file.
+    [[nodiscard]] bool read_into(std::string& text, std::size_t most) const {
+        const std::size_t used = text.size();
+        text.reserve(used + most);
+        populate(text.data() + used, most);
+        text.resize(used + most);
+        ssize_t got = 0;
+        do {
+            got = read(descriptor_, text.data() + used, most);
+        } while (got < 0 && errno == EINTR);
+        text.resize(used + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        return got >= 0;
+    }
+
+  private:
+    /// Has the kernel give the pages of a large buffer at once: one by one, that takes longer than reading into them.
+    static void populate(char* data, std::size_t size) {
+#ifdef MADV_POPULATE_WRITE
+        constexpr std::uintptr_t kPage = 4096;
+        const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(data) + kPage - 1) & ~(kPage - 1);
+        const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(data) + size) & ~(kPage - 1);
+        if (end > begin + 4 * kPage) {
+            (void)madvise(reinterpret_cast<void*>(begin), end - begin, MADV_POPULATE_WRITE);  // If it can.
+        }
+#else
+        (void)data, (void)size;
+#endif
+    }
+
+    int descriptor_;
+};
+
+}  // namespace
+
 ReadResult read_source_file(const std::string& path) {
-    namespace fs = std::filesystem;
     const auto failed = [&](std::string_view why) {
         return ReadError{false, fmt::format("cannot read {}: {}", path, why)};
     };
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) {
-        return ReadError{true, fmt::format("cannot read {}: no such file", path)};
+    const InputFile file(path);
+    if (!file.is_open()) {
+        const bool missing = errno == ENOENT || errno == ENOTDIR;
+        return missing ? ReadError{true, fmt::format("cannot read {}: no such file", path)}
+                       : failed(std::strerror(errno));
     }
-    if (error) {
-        return failed(error.message());
-    }
-    if (status.type() == fs::file_type::directory) {
-        return failed("it is a directory");
-    }
-    if (status.type() != fs::file_type::regular) {
-        return failed("it is not a regular file");
-    }
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (file == nullptr) {
+    struct stat status {};
+    if (!file.status(status)) {
         return failed(std::strerror(errno));
     }
-    std::setbuf(file.get(), nullptr);  // Pieces are large.
+    if (S_ISDIR(status.st_mode)) {
+        return failed("it is a directory");
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return failed("it is not a regular file");
+    }
     std::string text;
-    const std::uintmax_t size = fs::file_size(path, error);
-    std::size_t piece = error || size > kMaxSourceBytes ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1;
-    for (std::size_t used = 0;; used = text.size(), piece = std::size_t{1} << 16) {
-        text.resize(used + piece);
-        const std::size_t got = std::fread(text.data() + used, 1, piece, file.get());
-        text.resize(used + got);
+    const auto size = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+    for (std::size_t piece = std::min(size, kMaxSourceBytes) + 1;; piece = std::size_t{1} << 16) {
+        const std::size_t used = text.size();
+        if (!file.read_into(text, piece)) {
+            return failed(std::strerror(errno));
+        }
         if (text.size() > kMaxSourceBytes) {
             return failed(fmt::format("it is larger than {} MiB", kMaxSourceBytes >> 20));
         }
-        if (got < piece) {
-            break;
+        if (text.size() == used || text.size() == size) {  // At its end, if it has not grown since.
+            return text;
         }
     }
-    if (std::ferror(file.get()) != 0) {
-        return failed(std::strerror(errno));
-    }
-    return text;
 }
 
 std::vector<std::string> source_candidates(std::string_view name, std::string_view from,

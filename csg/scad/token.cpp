@@ -35,6 +35,47 @@ constexpr std::array<Row, 33> kSigns{
      {TokenKind::And, "&&"},          {TokenKind::Or, "||"},        {TokenKind::BitAnd, "&"},
      {TokenKind::BitOr, "|"},         {TokenKind::ShiftLeft, "<<"}, {TokenKind::ShiftRight, ">>"}}};
 
+constexpr std::uint64_t packed(std::string_view word) {
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        bytes |= std::uint64_t{static_cast<unsigned char>(word[i])} << 8 * i;
+    }
+    return bytes;
+}
+
+/// The words by a hash that has a place for each.
+struct WordTable {
+    static constexpr std::size_t kSize = 64;
+    std::array<std::uint64_t, kSize> words{};
+    std::array<TokenKind, kSize> kinds{};
+    std::uint64_t multiplier = 0x9e3779b97f4a7c15U;
+
+    [[nodiscard]] constexpr std::size_t place(std::uint64_t word) const { return word * multiplier >> 58; }
+    constexpr WordTable() {
+        while (!fill()) {
+            multiplier += 2;
+        }
+    }
+
+  private:
+    constexpr bool fill() {
+        words.fill(0);
+        kinds.fill(TokenKind::Identifier);
+        for (const Row& row : kWords) {
+            const std::uint64_t word = packed(row.second);
+            const std::size_t at = place(word);
+            if (words[at] != 0) {
+                return false;
+            }
+            words[at] = word;
+            kinds[at] = row.first;
+        }
+        return true;
+    }
+};
+
+constexpr WordTable kWordTable;
+
 }  // namespace
 
 std::string_view token_text(TokenKind kind) {
@@ -71,6 +112,11 @@ TokenKind word_kind(std::string_view word) {
         default:
             return TokenKind::Identifier;
     }
+}
+
+TokenKind word_kind(std::uint64_t word) {
+    const std::size_t at = kWordTable.place(word);
+    return kWordTable.words[at] == word ? kWordTable.kinds[at] : TokenKind::Identifier;
 }
 
 }  // namespace csg::scad

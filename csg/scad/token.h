@@ -81,4 +81,7 @@ struct Token {
 /// The kind of a word; Identifier where it is none of the language's own.
 [[nodiscard]] TokenKind word_kind(std::string_view word);
 
+/// The same of a word of up to eight bytes: the first byte is the lowest of `word`, and behind the last are zeros.
+[[nodiscard]] TokenKind word_kind(std::uint64_t word);
+
 }  // namespace csg::scad
