@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "tests/bench/floor.h"
@@ -13,15 +12,6 @@
 namespace bench {
 
 namespace {
-
-/// Models with more leaves, or literals over all products, take minutes with engines that need a pass a layer or a
-/// literal.
-constexpr std::size_t kMostLeavesOfPasses = 1500, kMostLiteralsOfPasses = 6000;
-
-bool too_much_for_passes(const ui::Model& model) {
-    return !model.over_budget.empty() || model.statistics.leaves > kMostLeavesOfPasses ||
-           model.statistics.literals > kMostLiteralsOfPasses;
-}
 
 double peak_megabytes() {
     rusage usage{};
@@ -34,9 +24,11 @@ class FirstSurfaces {
   public:
     FirstSurfaces(const ui::Model& model, const gl::View& view) : diagonal_(model.geometry.box.diagonal()) {
         const truth::RayCaster caster(model.scene, model.geometry, view);
-        // A step that is prime to the width visits all columns.
+        // A step that is prime to the width visits all columns. A ray costs as many steps as there are leaves.
         const int pixels = view.size().x * view.size().y;
-        const int step = std::max(1, pixels / 1500) | 1;
+        const std::size_t rays =
+            std::clamp<std::size_t>(3'000'000 / std::max<std::size_t>(1, model.statistics.leaves), 60, 1500);
+        const int step = std::max(1, pixels / static_cast<int>(rays)) | 1;
         for (int i = step / 2; i < pixels; i += step) {
             const truth::Ray ray = caster.cast(i % view.size().x, i / view.size().x);
             if (ray.decided) {
@@ -46,10 +38,10 @@ class FirstSurfaces {
             }
         }
     }
-    /// `distance(pixel)`: what an engine found. Off by more than a thousandth of the scene is wrong.
-    [[nodiscard]] double wrong_percent(const std::function<double(std::size_t)>& distance) const {
+    /// `distances`: what an engine found, by pixel. Off by more than a thousandth of the scene is wrong.
+    [[nodiscard]] double wrong_percent(const std::vector<double>& distances) const {
         const auto wrong = std::count_if(samples_.begin(), samples_.end(), [&](const auto& sample) {
-            const double found = distance(sample.first), expected = sample.second;
+            const double found = distances[sample.first], expected = sample.second;
             return std::isfinite(found) != std::isfinite(expected) ||
                    (std::isfinite(found) && std::abs(found - expected) > 1e-3 * diagonal_);
         });
@@ -64,15 +56,10 @@ class FirstSurfaces {
 }  // namespace
 
 Comparison::Comparison(gl::Context& context, int largest, int repeat)
-    : context_(context), repeat_(repeat), peeler_(context.functions()) {
-    auto made = opencsg::create(glm::ivec2(largest));
-    opencsg_ = std::move(made.engine);
-    missing_ = opencsg_ ? "" : "OpenCSG: " + made.reason;
-}
+    : context_(context), repeat_(repeat), drawers_(context, largest) {}
 
 std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     context_.make_current();
-    const gl::Functions& gl = context_.functions();
     const ui::Model& model = *subject.model;
     const gl::View view(subject.camera, glm::ivec2(side), model.geometry.box.lo, model.geometry.box.hi);
     const FirstSurfaces truth(model, view);
@@ -93,59 +80,47 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
         rows.back().engine = engine;
         return rows.back();
     };
-    {
-        Compared& row = add("floor");
-        Floor floor(gl, model.geometry, glm::ivec2(side));
-        row.time = median(4 * repeat_, [&] { floor.draw(view); });
+    const auto drawn = [&](Compared& row, const Time& time, Drawer& drawer) {
         row.drawn = true;
+        row.time = time;
         row.peak = peak_megabytes();
-    }
-    const auto peel = [&](const std::string& name, goldfeather::EngineKind kind, int layers) {
-        Compared& row = add(name);
-        const bool walk = goldfeather::needs_products(kind);
-        if (walk && too_much_for_passes(model)) {
-            return;
-        }
-        peel::PeelModel peel_model(gl, model.scene, model.geometry, model.products, kind);
-        peel::WalkStats stats;
-        goldfeather::LayerStack stack;
-        row.time = median(repeat_, [&] {
-            peeler_.give_back(std::move(stack));
-            stack = peeler_.peel(view, peel_model, layers, stats);
-            gl.Finish();
-        });
-        if (!stats.fallback.empty()) {
-            return;  // Another engine has drawn.
-        }
-        row.drawn = true;
-        row.peak = peak_megabytes();
-        const goldfeather::HostLayers host = goldfeather::read_back(gl, stack);
-        row.wrong = truth.wrong_percent([&](std::size_t i) {
-            const auto depth = static_cast<double>(host.surfaces[i].depth);
-            return depth > 0 ? view.distance(depth) : std::numeric_limits<double>::infinity();
-        });
+        row.wrong = truth.wrong_percent(drawer.distances());
     };
-    peel("lists-cpu", goldfeather::EngineKind::ListsCpu, 1);
-    peel("lists-cpu all", goldfeather::EngineKind::ListsCpu, peel::kAllLayers);
-    peel("lists", goldfeather::EngineKind::Lists, 1);
-    peel("lists all", goldfeather::EngineKind::Lists, peel::kAllLayers);
-    peel("goldfeather", goldfeather::EngineKind::Goldfeather, 1);
-    peel("scs", goldfeather::EngineKind::Scs, 1);
-    if (!opencsg::built()) {
-        return rows;
+    {
+        // The floor and the quickest engine in turn: their ratios are what counts most.
+        Floor floor(context_.functions(), model.geometry, glm::ivec2(side));
+        const auto one = drawers_.make("lists-cpu", model), all = drawers_.make("lists-cpu", model);
+        one->prepare(view);
+        all->prepare(view);
+        const std::vector<Time> times =
+            interleaved(2 * repeat_, {[&] { floor.draw(view); }, [&] { (void)one->draw(view, 1); },
+                                      [&] { (void)all->draw(view, peel::kAllLayers); }});
+        Compared& row = add("floor");
+        row.drawn = true;
+        row.time = times[0];
+        drawn(add("lists-cpu"), times[1], *one);
+        drawn(add("lists-cpu all"), times[2], *all);
     }
-    for (const auto& [name, algorithm] : {std::pair("OpenCSG Goldfeather", opencsg::Algorithm::Goldfeather),
-                                          std::pair("OpenCSG SCS", opencsg::Algorithm::Scs)}) {
-        Compared& row = add(name);
-        if (!opencsg_ || too_much_for_passes(model)) {
+    for (const std::string& name : DrawerSet::names()) {
+        if (name == "lists-cpu" || (name.starts_with("OpenCSG") && !opencsg::built())) {
             continue;
         }
-        opencsg_->load(model.geometry, model.products, view, algorithm);
-        row.time = median(repeat_, [&] { opencsg_->draw(); });
-        row.drawn = true;
-        row.peak = peak_megabytes();
-        const opencsg::Picture picture = opencsg_->read();
-        row.wrong = truth.wrong_percent([&](std::size_t i) { return picture.distance[i]; });
+        const auto drawer = drawers_.make(name, model);
+        for (const int layers : {1, peel::kAllLayers}) {
+            if (layers != 1 && name != "lists") {
+                continue;
+            }
+            Compared& row = add(layers == 1 ? name : name + " all");
+            if (!drawer) {
+                continue;
+            }
+            drawer->prepare(view);
+            bool whole = true;
+            const Time time = median(repeat_, [&] { whole = drawer->draw(view, layers) && whole; });
+            if (whole) {
+                drawn(row, time, *drawer);
+            }
+        }
     }
     context_.make_current();
     return rows;

@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "gl/context.h"
-#include "peel/peeler.h"
+#include "tests/bench/drawer.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/subject.h"
-#include "tests/opencsg/opencsg.h"
 
 namespace bench {
 
@@ -32,17 +30,16 @@ class Comparison {
     /// `largest`: side of the largest picture.
     Comparison(gl::Context& context, int largest, int repeat);
 
-    /// Measures all engines; every frame ends with the first surface, "all" with all of them, in textures.
+    /// Measures all engines; every frame ends with the first surface, "all" with all of them: in textures, or in main
+    /// memory, where those that the CPU finds are painted from.
     [[nodiscard]] std::vector<Compared> run(const Subject& subject, int side);
     /// What is left out here, and why.
-    [[nodiscard]] const std::string& missing() const { return missing_; }
+    [[nodiscard]] const std::string& missing() const { return drawers_.missing(); }
 
   private:
     gl::Context& context_;
     int repeat_;
-    peel::Peeler peeler_;
-    std::unique_ptr<opencsg::OpenCsg> opencsg_;
-    std::string missing_;
+    DrawerSet drawers_;
 };
 
 [[nodiscard]] nlohmann::ordered_json to_json(const std::vector<Compared>& rows);

@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "tests/bench/compare.h"
-#include "tests/stability/family.h"
+#include "tests/bench/growth.h"
 #include "tests/support/output.h"
 #include "ui/pipeline/heap.h"
 
@@ -17,11 +17,10 @@ using test_support::write_output;
 
 struct Settings {
     std::string models = "models", json, markdown, plots;
-    std::vector<std::string> only;
-    std::vector<std::string> families{"holes in a plate", "intersections under a difference", "spheres", "menger",
-                                      "leaves"};
+    std::vector<std::string> only, families;
     std::vector<int> sizes{512};
     int repeat = 5;
+    std::size_t most_leaves = 1'000'000;
 };
 
 std::vector<std::string> model_files(const Settings& settings) {
@@ -42,8 +41,9 @@ std::vector<bench::Compared> run(const Settings& settings, gl::Context& context)
         std::cerr << "left out: " << comparison.missing() << '\n';
     }
     std::vector<bench::Compared> rows;
-    const auto measure = [&](const bench::Subject& subject) {
-        for (const int size : settings.sizes) {
+    const std::vector<int> family_sizes{settings.sizes.front()};
+    const auto measure = [&](const bench::Subject& subject, const std::vector<int>& sizes) {
+        for (const int size : sizes) {
             for (auto& row : comparison.run(subject, size)) {
                 std::cerr << fmt::format("{} {:g}, {}², {}: {}\n", row.model, row.family_size, size, row.engine,
                                          row.drawn
@@ -54,13 +54,18 @@ std::vector<bench::Compared> run(const Settings& settings, gl::Context& context)
         }
     };
     for (const std::string& file : model_files(settings)) {
-        measure(bench::from_file(file));
+        measure(bench::from_file(file), settings.sizes);
     }
-    for (const stability::Family& family : stability::families()) {
-        if (std::find(settings.families.begin(), settings.families.end(), family.name) != settings.families.end()) {
-            for (const double level : family.levels) {
-                stability::Case shown = family.make(level);
-                measure(bench::from_tree(family.name, level, std::move(shown.tree), shown.camera));
+    for (const stability::Family& family : bench::growing_families()) {
+        if (!settings.families.empty() &&
+            std::find(settings.families.begin(), settings.families.end(), family.name) == settings.families.end()) {
+            continue;
+        }
+        for (const double level : family.levels) {
+            stability::Case shown = family.make(level);
+            const bench::Subject subject = bench::from_tree(family.name, level, std::move(shown.tree), shown.camera);
+            if (subject.model->statistics.leaves <= settings.most_leaves) {
+                measure(subject, family_sizes);
             }
         }
     }
@@ -75,8 +80,11 @@ int main(int argc, char** argv) {
     CLI::App app("CPU time and error of the engines and of OpenCSG, beside one plain z-buffer draw of all leaves.");
     app.add_option("--models", settings.models, "Folder with manifest.json")->capture_default_str();
     app.add_option("--only", settings.only, "Names of models of the gallery instead of all")->delimiter(',');
-    app.add_option("--families", settings.families, "Names of families; none: ''")->delimiter(';');
-    app.add_option("--sizes", settings.sizes, "Sides of the picture in pixels")->delimiter(',')->capture_default_str();
+    app.add_option("--families", settings.families, "Names of families instead of all; none")->delimiter(';');
+    app.add_option("--most-leaves", settings.most_leaves, "Leave out models of families with more leaves");
+    app.add_option("--sizes", settings.sizes, "Sides of the picture in pixels; families at the first")
+        ->delimiter(',')
+        ->capture_default_str();
     app.add_option("--repeat", settings.repeat, "Frames per figure")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--json", settings.json, "Write JSON; - is standard output");
     app.add_option("--markdown", settings.markdown, "Write tables; - is standard output");

@@ -67,6 +67,30 @@ std::string means(const std::vector<Compared>& rows) {
     return text;
 }
 
+/// How cost grows with size over the last step of each family: the exponent of leaves that gives it.
+std::string growth(const std::vector<Compared>& rows) {
+    std::string text = "| family | engine | leaves | CPU ms | exponent |\n| --- | --- | --- | --- | --- |\n";
+    for (const std::string& model : distinct(rows, &Compared::model)) {
+        for (const std::string& engine : engines(rows)) {
+            std::vector<const Compared*> grown;
+            for (const Compared& r : rows) {
+                if (r.model == model && r.engine == engine && r.drawn && r.family_size > 0) {
+                    grown.push_back(&r);
+                }
+            }
+            if (grown.size() < 2) {
+                continue;
+            }
+            const Compared &to = *grown.back(), &from = *grown[grown.size() - 2];
+            text += fmt::format("| {} | {} | {} … {} | {:.3g} … {:.3g} | {:.2f} |\n", model, engine, from.leaves,
+                                to.leaves, from.time.cpu, to.time.cpu,
+                                std::log(ratio(to.time, from.time)) /
+                                    std::log(static_cast<double>(to.leaves) / static_cast<double>(from.leaves)));
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 nlohmann::ordered_json to_json(const std::vector<Compared>& rows) {
@@ -114,7 +138,7 @@ std::string to_markdown(const std::vector<Compared>& rows) {
         }
         text += "\n";
     }
-    return text;
+    return text + "\nCost against size, over the last step of each family (1 is linear):\n\n" + growth(rows);
 }
 
 std::vector<std::pair<std::string, std::string>> to_plots(const std::vector<Compared>& rows) {
@@ -140,12 +164,12 @@ std::vector<std::pair<std::string, std::string>> to_plots(const std::vector<Comp
     }
     plots.emplace_back("speed_against_error.svg", plot::to_svg(scatter));
     for (const std::string& model : distinct(rows, &Compared::model)) {
-        plot::Plot cost{model, {"n", true, false}, {"CPU ms", true, false}, {}, true, 640, 340};
+        plot::Plot cost{model, {"leaves", true, false}, {"CPU ms", true, false}, {}, true, 640, 340};
         for (const std::string& engine : engines(rows)) {
             plot::Series series{engine, {}};
             for (const Compared& r : rows) {
                 if (r.model == model && r.engine == engine && r.drawn && r.family_size > 0) {
-                    series.points.emplace_back(r.family_size, r.time.cpu);
+                    series.points.emplace_back(static_cast<double>(r.leaves), r.time.cpu);
                 }
             }
             if (!series.points.empty()) {

@@ -8,6 +8,9 @@ namespace bench {
 
 namespace {
 
+/// Milliseconds after which no further round begins.
+constexpr double kLongest = 10000;
+
 double milliseconds(clockid_t clock) {
     timespec t{};
     clock_gettime(clock, &t);
@@ -35,7 +38,8 @@ std::vector<Time> interleaved(int repeat, const std::vector<std::function<void()
         work();
     }
     std::vector<std::vector<double>> wall(works.size()), cpu(works.size());
-    for (int round = 0; round < repeat; ++round) {
+    const double end = now().wall + kLongest;
+    for (int round = 0; round == 0 || (round < repeat && now().wall < end); ++round) {
         for (std::size_t i = 0; i < works.size(); ++i) {
             const Time start = now();
             works[i]();
