@@ -115,9 +115,14 @@ std::string to_svg(const Plot& plot) {
         const Series& s = plot.series[i];
         const char* color = kColors[i % kColors.size()];
         std::string path;
-        for (const auto& [x, y] : s.points) {
+        for (std::size_t k = 0; k < s.points.size(); ++k) {
+            const auto& [x, y] = s.points[k];
             path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", px(x), py(y));
             svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>", px(x), py(y), color);
+            if (k < s.labels.size()) {
+                svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"8\" fill=\"{}\">{}</text>", px(x) + 3,
+                                   py(y) - 3, color, escaped(s.labels[k]));
+            }
         }
         if (plot.joined && !path.empty()) {
             svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>", path, color);

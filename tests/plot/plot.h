@@ -9,6 +9,7 @@ namespace plot {
 struct Series {
     std::string name;
     std::vector<std::pair<double, double>> points;  ///< In the order in which they are joined.
+    std::vector<std::string> labels{};              ///< Of the points, small; or none.
 };
 
 struct Axis {

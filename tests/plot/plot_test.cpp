@@ -18,6 +18,13 @@ TEST(Plot, KeepsZeroOnALogarithmicAxisAndEscapesText) {
     EXPECT_NE(svg.find("M62.0 214.0L"), std::string::npos) << svg;
 }
 
+TEST(Plot, LabelsPoints) {
+    plot::Plot p{"t", {"x", false, false}, {"y", false, false}, {{"s", {{0, 0}, {1, 1}}, {"first", "<2>"}}}};
+    const std::string svg = plot::to_svg(p);
+    EXPECT_NE(svg.find("y=\"211.0\" font-size=\"8\" fill=\"#1f4e9e\">first<"), std::string::npos) << svg;
+    EXPECT_NE(svg.find(">&lt;2&gt;<"), std::string::npos);
+}
+
 TEST(Plot, OfNothingIsAPicture) {
     EXPECT_NE(plot::to_svg({"", {}, {}, {}, true, 420, 260}).find("</svg>"), std::string::npos);
 }
