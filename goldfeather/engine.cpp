@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "gl/stop.h"
 #include "goldfeather/goldfeather_shaders.h"
 #include "goldfeather/screen_triangles.h"
 
@@ -11,11 +12,6 @@ namespace {
 
 /// Binding points of the storage buffers, as in goldfeather/*.glsl.
 enum Binding : GLuint { kPixels = 2, kInsideBits, kToggledBits, kProducts, kEntries, kTileProducts, kTileLeaves = 9 };
-
-/// OpenGL's DrawArraysIndirectCommand.
-struct DrawCommand {
-    GLuint count, instances, first, base_instance;
-};
 
 struct LeafSlotRow {
     PixelBox box;
@@ -45,6 +41,9 @@ gl::ShaderLibrary shaders() {
     return library;
 }
 
+/// Tiles that are resolved at once where it may have to stop in between.
+constexpr GLuint kPieceTiles = 64;
+
 /// Can the near plane be inside a leaf?
 bool eye_among(const gl::View& view, const ScreenPlan& plan, std::span<const csg::Box> boxes) {
     return std::any_of(plan.leaves.begin(), plan.leaves.end(),
@@ -59,7 +58,6 @@ struct Goldfeather::Band {
     int first_row = 0;
     glm::ivec2 picture;
     std::uint32_t words = 0;
-    GLsizei tiles = 0;
     bool count_inside = false;
 };
 
@@ -73,8 +71,9 @@ Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget)
       leaf_array_(gl),
       tile_array_(gl),
       draw_ids_(gl),
-      draw_commands_(gl),
       tiles_(gl),
+      leaf_draws_(gl),
+      tile_draws_(gl),
       products_(gl),
       entries_(gl),
       tile_products_(gl),
@@ -109,12 +108,11 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves) {
         const LeafBuffers::Range range = leaves.ranges()[leaf.leaf];
         if (range.vertex_count == 0)
             continue;
-        commands.push_back({range.vertex_count, 1, range.first_vertex, static_cast<GLuint>(ids.size())});
+        add_triangles(commands, range.first_vertex, range.vertex_count, static_cast<GLuint>(ids.size()));
         ids.emplace_back(leaf.leaf, leaf.slot);
     }
-    draw_count_ = static_cast<GLsizei>(commands.size());
     draw_ids_.upload<glm::uvec2>(ids, GL_STREAM_DRAW);
-    draw_commands_.upload<DrawCommand>(commands, GL_STREAM_DRAW);
+    leaf_draws_.upload(commands, kPieceVertices);
     gl_.VertexArrayVertexBuffer(leaf_array_.id(), 0, draw_ids_.id(), 0, sizeof(glm::uvec2));
 
     std::vector<ProductRow> products;
@@ -131,11 +129,17 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves) {
     tile_products_.upload<std::uint32_t>(plan.tile_products, GL_STREAM_DRAW);
     tile_leaves_.upload<LeafSlotRow>(tile_leaves, GL_STREAM_DRAW);
     tiles_.upload<TileRow>(tiles, GL_STREAM_DRAW);
+    commands.clear();
+    const auto tile_count = static_cast<GLuint>(tiles.size());
+    for (GLuint first = 0; first < tile_count; first += kPieceTiles)
+        commands.push_back({4, std::min(kPieceTiles, tile_count - first), 0, first});
+    tile_draws_.upload(commands, 1);
     gl_.VertexArrayVertexBuffer(tile_array_.id(), 0, tiles_.id(), 0, sizeof(TileRow));
 }
 
 LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const PartProducts& part,
-                             std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats) {
+                             std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats,
+                             const std::stop_token& stop) {
     const ScreenPlan screen = plan(view, part.products, part.leaf_boxes);
     LayerStack stack;
     stack.size = view.size();
@@ -154,7 +158,7 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
     upload(screen, leaves);
     view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
     view_block_.bind();
-    leaves.project(view, prepare_);
+    leaves.project(view, prepare_, stop);
     leaves.bind();
     gl_.VertexArrayVertexBuffer(leaf_array_.id(), 1, leaves.positions().id(), 0, sizeof(glm::vec4));
 
@@ -168,9 +172,8 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
         band.size = {view.size().x, std::min(rows, static_cast<int>(screen.box.y1) - first)};
         band.picture = view.size();
         band.words = screen.words();
-        band.tiles = static_cast<GLsizei>(screen.tiles.size());
         band.count_inside = eye_among(view, screen, part.leaf_boxes);
-        most = std::max(most, draw_band(band, stack, max_layers, stats));
+        most = std::max(most, draw_band(band, stack, max_layers, stats, stop));
         ++stats.bands;
     }
     stack.complete = max_layers == kAllLayers || most < max_layers;
@@ -182,7 +185,8 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
     return stack;
 }
 
-int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats) {
+int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats,
+                           const std::stop_token& stop) {
     const auto pixel_count = static_cast<std::size_t>(band.size.x) * static_cast<std::size_t>(band.size.y);
     const auto reserve = [&](gl::Buffer& buffer, std::size_t bytes, GLuint binding) {
         if (buffer.size() != bytes)
@@ -224,7 +228,6 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_TRUE);
-    gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, draw_commands_.id());
 
     for (bool starting = true;; starting = false) {
         // Toggle the event that each pixel stands at, and find the next one.
@@ -237,8 +240,9 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
         geometry_.set("starting", starting);
         leaf_array_.bind();
         candidates_.begin();
-        gl_.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, draw_count_, 0);
+        leaf_draws_.draw(GL_TRIANGLES, stop);
         candidates_.end();
+        gl::end_if_asked(stop);
         gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
         ++stats.passes;
 
@@ -254,8 +258,9 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
         resolve_.set("layer_capacity", static_cast<unsigned>(stack.layers));
         tile_array_.bind();
         filled_.begin();
-        gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, band.tiles);
+        tile_draws_.draw(GL_TRIANGLE_STRIP, stop);
         filled_.end();
+        gl::end_if_asked(stop);
         gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                           GL_TEXTURE_FETCH_BARRIER_BIT);
 

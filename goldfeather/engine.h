@@ -18,6 +18,7 @@
 #include "gl/context.h"
 #include "gl/program.h"
 #include "gl/view_block.h"
+#include "goldfeather/draw_commands.h"
 #include "goldfeather/layer_stack.h"
 #include "goldfeather/leaf_buffers.h"
 #include "goldfeather/part_products.h"
@@ -35,13 +36,15 @@ class Goldfeather {
 
     /// Fills a stack with the first `max_layers` surfaces of the part (kAllLayers: all of them).
     /// `leaves` holds the scene's leaves, `tables` what the ids stand for.
+    /// Throws gl::Stopped where `stop` asked for it.
     [[nodiscard]] LayerStack walk(const gl::View& view, LeafBuffers& leaves, const PartProducts& part,
-                                  std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats);
+                                  std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats,
+                                  const std::stop_token& stop = {});
 
   private:
     struct Band;
     /// Gives the most layers that a pixel of the band has.
-    int draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats);
+    int draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats, const std::stop_token& stop);
     [[nodiscard]] int most_layers(std::size_t pixel_count) const;
     void upload(const ScreenPlan& plan, const LeafBuffers& leaves);
 
@@ -50,14 +53,14 @@ class Goldfeather {
     gl::Program prepare_, geometry_, resolve_;
     gl::ViewBlock view_block_;
     gl::VertexArray leaf_array_, tile_array_;
-    gl::Buffer draw_ids_, draw_commands_, tiles_;
+    gl::Buffer draw_ids_, tiles_;
+    DrawCommands leaf_draws_, tile_draws_;
     gl::Buffer products_, entries_, tile_products_, tile_leaves_;
     gl::Buffer pixels_, inside_bits_, toggled_bits_;
     gl::Texture next_depth_;
     gl::Framebuffer geometry_target_, resolve_target_;
     gl::Texture resolve_color_;
     gl::Query candidates_, filled_;
-    GLsizei draw_count_ = 0;
 };
 
 }  // namespace goldfeather

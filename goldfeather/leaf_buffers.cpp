@@ -1,6 +1,16 @@
 #include "goldfeather/leaf_buffers.h"
 
+#include <algorithm>
+
+#include "gl/stop.h"
+
 namespace goldfeather {
+namespace {
+
+/// That are projected at once where it may have to stop in between; a multiple of the shader's groups.
+constexpr unsigned kPieceTriangles = 1U << 16;
+
+}  // namespace
 
 LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry, const glm::dvec3& local_centre)
     : gl_(gl),
@@ -30,7 +40,7 @@ LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& ge
     triangles_.reserve(triangle_count_ * 2 * sizeof(glm::vec4), GL_DYNAMIC_COPY);  // as TriangleRow
 }
 
-void LeafBuffers::project(const gl::View& view, const gl::Program& prepare) {
+void LeafBuffers::project(const gl::View& view, const gl::Program& prepare, const std::stop_token& stop) {
     scratch_.clear();
     for (const csg::solid::Plane& plane : planes_) {
         const gl::View::PlaneDepth d = view.plane_depth(plane.normal, plane.offset);
@@ -43,7 +53,15 @@ void LeafBuffers::project(const gl::View& view, const gl::Program& prepare) {
     const auto count = static_cast<unsigned>(triangle_count_);
     prepare.set("triangle_count", count);
     prepare.use();
-    gl_.DispatchCompute((count + 63) / 64, 1, 1);
+    const unsigned piece = stop.stop_possible() ? kPieceTriangles : count;
+    for (unsigned first = 0; first < count; first += piece) {
+        gl::end_if_asked(stop);
+        prepare.set("first_triangle", first);
+        gl_.DispatchCompute((std::min(piece, count - first) + 63) / 64, 1, 1);
+        if (stop.stop_possible()) {
+            gl_.Finish();
+        }
+    }
     gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

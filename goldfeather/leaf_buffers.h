@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "csg/solid/placed.h"
@@ -24,8 +25,9 @@ class LeafBuffers {
     [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }
 
     /// Computes the depth functions of all planes (in double precision) and projects all triangles for `view` with
-    /// `prepare` (goldfeather/prepare.comp); gl/view.glsl's block must be bound. Uses storage blocks 2 to 6.
-    void project(const gl::View& view, const gl::Program& prepare);
+    /// `prepare` (goldfeather/prepare.comp); gl/view.glsl's block must be bound. Uses storage blocks 2 to 6. Throws
+    /// gl::Stopped where `stop` asked for it.
+    void project(const gl::View& view, const gl::Program& prepare, const std::stop_token& stop = {});
 
     /// Binds the rows of the projected triangles to storage block 8; goldfeather/leaf.vert's attribute 1 comes from
     /// `positions()`.

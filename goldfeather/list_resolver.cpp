@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gl/error.h"
+#include "gl/stop.h"
 #include "goldfeather/goldfeather_shaders.h"
 
 namespace goldfeather {
@@ -56,9 +57,10 @@ ListStatus ListResolver::status(const ListBuffers& buffers) const {
 }
 
 ListStatus ListResolver::resolve(const ListBuffers& buffers, const BlistBuffer& blist, const ListTarget& target,
-                                 const std::array<std::uint32_t, kListClasses>& class_sizes,
-                                 std::uint32_t class_stride) const {
+                                 const std::array<std::uint32_t, kListClasses>& class_sizes, std::uint32_t class_stride,
+                                 const std::stop_token& stop) const {
     constexpr std::uint32_t kGroup = 64, kMostGroups = 32768;  // Every OpenGL 4.5 takes 65535 a dimension.
+    constexpr std::uint32_t kPieceJobs = 1U << 14;             // At once, where it may have to stop in between.
     const std::uint32_t pause_after = target.pause_after != 0 ? target.pause_after
                                       : most_work_ == ~0U     ? ~0U
                                                               : most_work_ / 8;
@@ -76,27 +78,36 @@ ListStatus ListResolver::resolve(const ListBuffers& buffers, const BlistBuffer& 
         program.set("layer_limit", target.layer_limit);
         program.set("layer_capacity", static_cast<unsigned>(target.stack.layers));
         program.set("count_inside", target.count_inside);
-        program.set("first_job", static_cast<unsigned>(c) * class_stride);
-        program.set("job_count", class_sizes[c]);
         program.set("pause_after", pause_after);
         program.set("most_work", most_work_);
         program.use();
-        const std::uint32_t groups = (class_sizes[c] + kGroup - 1) / kGroup;
-        for (bool going_on = false;; going_on = true) {
-            program.set("going_on", going_on);
-            gl_.DispatchCompute(std::min(groups, kMostGroups), (groups + kMostGroups - 1) / kMostGroups, 1);
-            gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
-                              GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                              GL_TEXTURE_UPDATE_BARRIER_BIT);
-            if (pause_after == ~0U) {
-                break;
+        const std::uint32_t piece = stop.stop_possible() ? kPieceJobs : class_sizes[c];
+        for (std::uint32_t first = 0; first < class_sizes[c]; first += piece) {
+            gl::end_if_asked(stop);
+            const std::uint32_t jobs = std::min(piece, class_sizes[c] - first);
+            program.set("first_job", static_cast<unsigned>(c) * class_stride + first);
+            program.set("job_count", jobs);
+            const std::uint32_t groups = (jobs + kGroup - 1) / kGroup;
+            for (bool going_on = false;; going_on = true) {
+                program.set("going_on", going_on);
+                gl_.DispatchCompute(std::min(groups, kMostGroups), (groups + kMostGroups - 1) / kMostGroups, 1);
+                gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                                  GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                  GL_TEXTURE_UPDATE_BARRIER_BIT);
+                if (pause_after == ~0U) {
+                    break;
+                }
+                after = status(buffers);
+                if (after.unfinished == 0 || after.overlong != 0) {
+                    break;
+                }
+                gl::end_if_asked(stop);
+                after.unfinished = 0;
+                gl_.NamedBufferSubData(buffers.status.id(), 0, sizeof after, &after);
             }
-            after = status(buffers);
-            if (after.unfinished == 0 || after.overlong != 0) {
-                break;
+            if (stop.stop_possible()) {
+                gl_.Finish();
             }
-            after.unfinished = 0;
-            gl_.NamedBufferSubData(buffers.status.id(), 0, sizeof after, &after);
         }
     }
     after = status(buffers);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <stop_token>
 #include <cstdint>
 
 #include "gl/program.h"
@@ -58,10 +59,10 @@ class ListResolver {
 
     /// Resolves `class_sizes[c]` jobs from job c · `class_stride` on, and gives the status after that. The buffers and
     /// the rows of the triangles (block 8) are bound. Throws gl::Error where a list was not filled to its end, or where
-    /// an event takes more work than the driver's loops do.
+    /// an event takes more work than the driver's loops do; gl::Stopped where `stop` asked for it.
     [[nodiscard]] ListStatus resolve(const ListBuffers& buffers, const BlistBuffer& blist, const ListTarget& target,
                                      const std::array<std::uint32_t, kListClasses>& class_sizes,
-                                     std::uint32_t class_stride) const;
+                                     std::uint32_t class_stride, const std::stop_token& stop = {}) const;
 
     /// goldfeather's and gl's shader files.
     [[nodiscard]] static gl::ShaderLibrary shaders();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "gl/error.h"
+#include "gl/stop.h"
 #include "goldfeather/list_self_test.h"
 #include "goldfeather/screen_triangles.h"
 
@@ -16,11 +17,6 @@ constexpr std::size_t kEntryBytes = sizeof(glm::uvec2);
 constexpr std::size_t kPixelBytes = sizeof(PixelList), kJobBytes = kListClasses * sizeof(glm::uvec2) + 2 * kEntryBytes;
 /// A long list has as much room again, for the leaves that hold the point.
 constexpr std::size_t kListBytes = 2 * kEntryBytes;
-
-/// OpenGL's DrawArraysIndirectCommand.
-struct DrawCommand {
-    GLuint count, instances, first, base_instance;
-};
 
 gl::Defines class_limits() {
     return {{"kShortest", std::to_string(kShortLists[0]) + "u"}, {"kShort", std::to_string(kShortLists[1]) + "u"}};
@@ -42,6 +38,7 @@ struct Lists::Job {
     LayerStack& stack;
     WalkStats& stats;
     std::uint32_t layer_limit;
+    const std::stop_token& stop;
     std::vector<LeafBuffers::Range> ranges{};
     bool count_inside = false;
     int first_row = 0;
@@ -61,7 +58,7 @@ Lists::Lists(const gl::Functions& gl, std::size_t memory_budget)
       buffers_(gl),
       view_block_(gl),
       leaf_array_(gl),
-      draw_commands_(gl),
+      draws_(gl),
       target_(gl),
       surfaces_(gl, GL_SAMPLES_PASSED) {
     LeafBuffers::describe_positions(gl, leaf_array_);
@@ -71,14 +68,15 @@ Lists::Lists(const gl::Functions& gl, std::size_t memory_budget)
 }
 
 LayerStack Lists::peel(const gl::View& view, const csg::solid::Geometry& geometry, LeafBuffers& leaves,
-                       ListsScene& scene, std::shared_ptr<const SurfaceTables> tables, int max_layers,
-                       WalkStats& stats) {
+                       ListsScene& scene, std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats,
+                       const std::stop_token& stop) {
     LayerStack stack;
     stack.size = view.size();
     stack.tables = std::move(tables);
     const bool all = max_layers == kAllLayers;
     Job job{view,  leaves, scene,
-            stack, stats,  all ? std::numeric_limits<std::uint32_t>::max() : static_cast<std::uint32_t>(max_layers)};
+            stack, stats,  all ? std::numeric_limits<std::uint32_t>::max() : static_cast<std::uint32_t>(max_layers),
+            stop};
 
     std::vector<char> behind(geometry.leaves.size(), 0);
     for (csg::LeafId id = 0; id < geometry.leaves.size(); ++id) {
@@ -106,7 +104,7 @@ LayerStack Lists::peel(const gl::View& view, const csg::solid::Geometry& geometr
     scene.blist.count_from_behind(behind);
     view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
     view_block_.bind();
-    leaves.project(view, prepare_);
+    leaves.project(view, prepare_, stop);
     leaves.bind();
     gl_.VertexArrayVertexBuffer(leaf_array_.id(), 1, leaves.positions().id(), 0, sizeof(glm::vec4));
     upload_draws(job);
@@ -133,9 +131,9 @@ LayerStack Lists::peel(const gl::View& view, const csg::solid::Geometry& geometr
 void Lists::upload_draws(const Job& job) {
     std::vector<DrawCommand> commands;
     for (const LeafBuffers::Range& range : job.ranges) {
-        commands.push_back({range.vertex_count, 1, range.first_vertex, 0});
+        add_triangles(commands, range.first_vertex, range.vertex_count, 0);
     }
-    draw_commands_.upload<DrawCommand>(commands, GL_STREAM_DRAW);
+    draws_.upload(commands, kPieceVertices);
 }
 
 void Lists::draw(const Job& job, const gl::Program& program) const {
@@ -146,12 +144,11 @@ void Lists::draw(const Job& job, const gl::Program& program) const {
     gl_.Disable(GL_CULL_FACE);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, draw_commands_.id());
     program.set("band_size", job.band_size);
     program.set("first_row", static_cast<float>(job.first_row));
     program.use();
     leaf_array_.bind();
-    gl_.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, static_cast<GLsizei>(job.ranges.size()), 0);
+    draws_.draw(GL_TRIANGLES, job.stop);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     ++job.stats.passes;
@@ -172,6 +169,7 @@ void Lists::peel_band(Job& job) {
     surfaces_.begin();
     draw(job, count_);
     surfaces_.end();
+    gl::end_if_asked(job.stop);
     const std::uint64_t surfaces = surfaces_.result();
     job.stats.fragments += surfaces;
     if (surfaces == 0) {
@@ -256,11 +254,12 @@ void Lists::peel_rectangle(Job& job, const Rectangle& rectangle) {
     gl_.Scissor(rectangle.first.x, rectangle.first.y, rectangle.size.x, rectangle.size.y);
     draw(job, fill_);
     gl_.Disable(GL_SCISSOR_TEST);
+    gl::end_if_asked(job.stop);
 
     for (;;) {
         const ListStatus resolved = resolver_.resolve(
             buffers_, job.scene.blist, {job.stack, job.first_row, job.band_size, job.layer_limit, job.count_inside, 0},
-            allocated.class_sizes, static_cast<std::uint32_t>(rectangle.pixels()));
+            allocated.class_sizes, static_cast<std::uint32_t>(rectangle.pixels()), job.stop);
         const auto found = static_cast<int>(resolved.most_layers);
         job.most_layers = std::max(job.most_layers, found);
         if (found <= job.stack.layers) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "gl/view_block.h"
+#include "goldfeather/draw_commands.h"
 #include "goldfeather/leaf_buffers.h"
 #include "goldfeather/list_resolver.h"
 #include "goldfeather/walk_stats.h"
@@ -38,10 +39,11 @@ class Lists {
 
     /// Fills a stack with the first `max_layers` surfaces of the whole scene (kAllLayers: all of them). `leaves` holds
     /// the leaves of `geometry`, `tables` what the ids stand for. Throws gl::Error where a single pixel has more
-    /// surfaces than OpenGL can hold, or where two passes over the same triangles disagree.
+    /// surfaces than OpenGL can hold, or where two passes over the same triangles disagree; gl::Stopped where `stop`
+    /// asked for it.
     [[nodiscard]] LayerStack peel(const gl::View& view, const csg::solid::Geometry& geometry, LeafBuffers& leaves,
                                   ListsScene& scene, std::shared_ptr<const SurfaceTables> tables, int max_layers,
-                                  WalkStats& stats);
+                                  WalkStats& stats, const std::stop_token& stop = {});
 
   private:
     /// Pixels of a band, from its lower left corner.
@@ -66,7 +68,7 @@ class Lists {
     ListBuffers buffers_;
     gl::ViewBlock view_block_;
     gl::VertexArray leaf_array_;
-    gl::Buffer draw_commands_;
+    DrawCommands draws_;
     gl::Framebuffer target_;
     gl::Texture target_color_;
     gl::Query surfaces_;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "gl/stop.h"
 #include "goldfeather/tile_worker.h"
 
 namespace goldfeather {
@@ -25,7 +26,19 @@ TileRange tiles_of(const ScreenTriangle& t, glm::ivec2 tiles) {
             std::min(y1 >> kShift, tiles.y - 1)};
 }
 
-Bins make_bins(const std::vector<ScreenTriangle>& triangles, glm::ivec2 size) {
+/// Calls action(i) for the indices of so many things, and looks now and then whether it is to stop.
+template <typename Action>
+void for_each_until(std::size_t count, const std::stop_token& stop, const Action& action) {
+    constexpr std::size_t kBetween = 4096;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % kBetween == 0) {
+            gl::end_if_asked(stop);
+        }
+        action(static_cast<std::uint32_t>(i));
+    }
+}
+
+Bins make_bins(const std::vector<ScreenTriangle>& triangles, glm::ivec2 size, const std::stop_token& stop) {
     Bins bins;
     bins.tiles = (size + TileSpans::kSide - 1) / TileSpans::kSide;
     bins.starts.assign(static_cast<std::size_t>(bins.tiles.x) * static_cast<std::size_t>(bins.tiles.y) + 1, 0);
@@ -37,17 +50,17 @@ Bins make_bins(const std::vector<ScreenTriangle>& triangles, glm::ivec2 size) {
             }
         }
     };
-    for (const ScreenTriangle& t : triangles) {
-        for_each_tile(t, [&](std::size_t tile) { ++bins.starts[tile + 1]; });
-    }
+    for_each_until(triangles.size(), stop, [&](std::uint32_t i) {
+        for_each_tile(triangles[i], [&](std::size_t tile) { ++bins.starts[tile + 1]; });
+    });
     for (std::size_t i = 1; i < bins.starts.size(); ++i) {
         bins.starts[i] += bins.starts[i - 1];
     }
     bins.triangles.resize(bins.starts.back());
     std::vector<std::uint32_t> next(bins.starts.begin(), bins.starts.end() - 1);
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    for_each_until(triangles.size(), stop, [&](std::uint32_t i) {
         for_each_tile(triangles[i], [&](std::size_t tile) { bins.triangles[next[tile]++] = i; });
-    }
+    });
     return bins;
 }
 
@@ -61,13 +74,14 @@ void CpuLayers::reserve(std::size_t count) {
 }
 
 void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, unsigned threads, CpuLayers& out,
-                ListsStats& stats) {
-    ListsJob job{model, view.size(), max_layers, out};
+                ListsStats& stats, const std::stop_token& stop) {
+    ListsJob job{model, view.size(), max_layers, out, stop};
     for (const csg::solid::Plane& plane : model.geometry.planes.planes()) {
         job.planes.push_back(view.exact_plane_depth(plane.normal, plane.offset));
     }
     job.counted_from_behind.assign(model.geometry.leaves.size(), 0);
     for (csg::LeafId id = 0; id < model.geometry.leaves.size(); ++id) {
+        gl::end_if_asked(stop);
         const csg::solid::PlacedLeaf& leaf = model.geometry.leaves[id];
         if (leaf.box.empty() || view.screen_box(leaf.box.lo, leaf.box.hi).empty()) {
             ++stats.skipped_leaves;
@@ -81,7 +95,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         const std::size_t kept = std::min(job.triangles.size() - before, leaf.triangles.size());
         stats.skipped_triangles += leaf.triangles.size() - kept;
     }
-    job.bins = make_bins(job.triangles, job.size);
+    job.bins = make_bins(job.triangles, job.size, stop);
     const int tiles = job.bins.tiles.x * job.bins.tiles.y;
     if (out.size != view.size()) {
         out = {};
@@ -95,7 +109,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     int most = 0;
     const auto work = [&] {
         TileWorker worker(job);
-        for (int tile = next++; tile < tiles; tile = next++) {
+        for (int tile = next++; tile < tiles && !stop.stop_requested(); tile = next++) {
             worker.run(tile);
         }
         const std::lock_guard lock(adding);
@@ -111,6 +125,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         }
         work();
     }
+    gl::end_if_asked(stop);
     out.reserve(1);
     out.layers = std::max(most, 1);
     out.complete = max_layers == 0 || most < max_layers;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <glm/glm.hpp>
+#include <stop_token>
 #include <vector>
 
 #include "csg/solid/placed.h"
@@ -58,9 +59,9 @@ struct ListsStats {
 };
 
 /// Fills `out` (whose memory is used again) with the first `max_layers` surfaces of the whole scene (0: all).
-/// `threads`: 0 for one a core.
+/// `threads`: 0 for one a core. Throws gl::Stopped where `stop` asked for it; `out` can be filled again.
 void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, unsigned threads, CpuLayers& out,
-                ListsStats& stats);
+                ListsStats& stats, const std::stop_token& stop = {});
 
 /// Counts a picture drawn from lists among those that a walk drew.
 void add(WalkStats& walk, const ListsStats& lists);

@@ -10,10 +10,11 @@ layout(std430, binding = 4) readonly buffer PlaneDepths { vec4 plane_depths[]; }
 layout(std430, binding = 5) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = 6) writeonly buffer Triangles { TriangleRow triangles[]; };
 
-uniform uint triangle_count;
+uniform uint first_triangle;
+uniform uint triangle_count;  // of all
 
 void main() {
-    uint triangle = gl_GlobalInvocationID.x;
+    uint triangle = first_triangle + gl_GlobalInvocationID.x;
     if (triangle >= triangle_count)
         return;
     float nearest = 0.0, farthest = 1.0;

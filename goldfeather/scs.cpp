@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gl/stop.h"
 #include "goldfeather/list_resolver.h"
 #include "goldfeather/screen_triangles.h"
 
@@ -48,6 +49,7 @@ struct Scs::Band {
     const LeafBuffers& leaves;
     int first_row = 0;
     glm::ivec2 size{0};
+    const std::stop_token& stop;  ///< Once it is asked for, nothing is drawn any more.
 };
 
 Scs::Scs(const gl::Functions& gl, std::size_t memory_budget)
@@ -133,7 +135,7 @@ std::vector<Scs::PlannedProduct> Scs::plan(const gl::View& view, const PartProdu
 }
 
 LayerStack Scs::peel(const gl::View& view, LeafBuffers& leaves, const PartProducts& part,
-                     std::shared_ptr<const SurfaceTables> tables, WalkStats& stats) {
+                     std::shared_ptr<const SurfaceTables> tables, WalkStats& stats, const std::stop_token& stop) {
     LayerStack stack;
     stack.size = view.size();
     stack.tables = std::move(tables);
@@ -145,7 +147,7 @@ LayerStack Scs::peel(const gl::View& view, LeafBuffers& leaves, const PartProduc
     }
     view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
     view_block_.bind();
-    leaves.project(view, prepare_);
+    leaves.project(view, prepare_, stop);
     leaves.bind();
     gl_.VertexArrayVertexBuffer(leaf_array_.id(), 1, leaves.positions().id(), 0, sizeof(glm::vec4));
 
@@ -153,7 +155,7 @@ LayerStack Scs::peel(const gl::View& view, LeafBuffers& leaves, const PartProduc
     const int rows =
         static_cast<int>(std::clamp<std::size_t>(memory_budget_ / row, 1, static_cast<std::size_t>(view.size().y)));
     for (int first = 0; first < view.size().y; first += rows) {
-        const Band band{view, leaves, first, {view.size().x, std::min(rows, view.size().y - first)}};
+        const Band band{view, leaves, first, {view.size().x, std::min(rows, view.size().y - first)}, stop};
         if (!target_color_ || target_color_.size() != band.size) {
             target_color_ = gl::Texture::make_2d(gl_, GL_R8, band.size);
             target_.attach({&target_color_});
@@ -163,6 +165,10 @@ LayerStack Scs::peel(const gl::View& view, LeafBuffers& leaves, const PartProduc
         gl_.ClearNamedBufferData(pixels_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
         for (const PlannedProduct& product : products) {
             draw_product(product, band, stats);
+            if (stop.stop_possible()) {
+                gl_.Finish();
+                gl::end_if_asked(stop);
+            }
         }
         gl_.BindImageTexture(0, stack.depth.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
         gl_.BindImageTexture(1, stack.surface.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32UI);
@@ -221,6 +227,9 @@ void Scs::subtract(const PlannedProduct& product, const Band& band, WalkStats& s
 
 void Scs::draw_leaves(const gl::Program& program, std::span<const csg::LeafId> ids, const Band& band,
                       WalkStats& stats) const {
+    if (band.stop.stop_requested()) {
+        return;
+    }
     target_.bind();
     gl_.Viewport(0, -band.first_row, band.view.size().x, band.view.size().y);
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);

@@ -35,9 +35,10 @@ class Scs {
                                               std::span<const Product> products, int max_layers);
 
     /// Fills a stack with the first surfaces of the part; there must be no obstacle. `leaves` holds the scene's leaves,
-    /// `tables` what the ids stand for.
+    /// `tables` what the ids stand for. Throws gl::Stopped where `stop` asked for it.
     [[nodiscard]] LayerStack peel(const gl::View& view, LeafBuffers& leaves, const PartProducts& part,
-                                  std::shared_ptr<const SurfaceTables> tables, WalkStats& stats);
+                                  std::shared_ptr<const SurfaceTables> tables, WalkStats& stats,
+                                  const std::stop_token& stop = {});
 
   private:
     struct Rectangle;

@@ -54,6 +54,11 @@ void TileWorker::run(int tile) {
         fill(box, triangles);
     }
     int& held = job_.out.held[static_cast<std::size_t>(tile)];
+    if (job_.stop.stop_requested()) {
+        give_up(box);
+        held = room();
+        return;
+    }
     if (std::max(held, tile_layers_) > 0) {
         reserve(static_cast<std::size_t>(std::max(held, tile_layers_)));
         count_layers(box);
@@ -66,6 +71,9 @@ void TileWorker::fill(const TileBox& box, std::span<const std::uint32_t> triangl
     const int height = box.y1 - box.y0;
     spans_.start(box, height == 1 ? std::numeric_limits<std::size_t>::max() : kMostSpans);
     for (const std::uint32_t t : triangles) {
+        if (job_.stop.stop_requested()) {
+            return;
+        }
         if (spans_.add(t)) {
             continue;
         }
@@ -75,9 +83,22 @@ void TileWorker::fill(const TileBox& box, std::span<const std::uint32_t> triangl
         fill(second, triangles);
         return;
     }
-    for (int y = box.y0; y < box.y1; ++y) {
+    for (int y = box.y0; y < box.y1 && !job_.stop.stop_requested(); ++y) {
         row(box, y);
     }
+}
+
+/// What has been written is not known any more: the next picture is to clear all of it.
+void TileWorker::give_up(const TileBox& box) {
+    for (int y = box.y0; y < box.y1; ++y) {
+        const auto row = static_cast<std::ptrdiff_t>(y) * job_.size.x;
+        std::fill(job_.out.counts.begin() + row + box.x0, job_.out.counts.begin() + row + box.x1, room());
+    }
+}
+
+int TileWorker::room() const {
+    const std::lock_guard lock(job_.growing);
+    return static_cast<int>(job_.out.planes.size());
 }
 
 void TileWorker::row(const TileBox& box, int y) {

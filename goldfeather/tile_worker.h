@@ -31,6 +31,7 @@ struct ListsJob {
     glm::ivec2 size;
     int max_layers;
     CpuLayers& out;
+    const std::stop_token& stop;
     std::vector<ScreenTriangle> triangles{};
     std::vector<gl::View::ExactPlaneDepth> planes{};
     std::vector<char> counted_from_behind{};
@@ -44,7 +45,8 @@ class TileWorker {
   public:
     explicit TileWorker(ListsJob& job);
 
-    /// Writes every pixel of the tile, in all layers that hold or held anything there.
+    /// Writes every pixel of the tile, in all layers that hold or held anything there. Where the job is stopped the
+    /// tile is taken to hold something in every layer.
     void run(int tile);
 
     [[nodiscard]] std::uint64_t fragments() const { return fragments_; }
@@ -80,6 +82,9 @@ class TileWorker {
     void count_layers(const TileBox& box);
     void clear(std::size_t pixel, int first, int end);
     void reserve(std::size_t layers);
+    void give_up(const TileBox& box);
+    /// Layers that the job's output has room for.
+    [[nodiscard]] int room() const;
 
     ListsJob& job_;
     double half_width_, half_height_;  ///< Of the picture, in pixels.

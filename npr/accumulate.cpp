@@ -76,7 +76,8 @@ peel::LayerStack Accumulator::draw_sample(Style& style, const Picture& picture, 
     samples_ = static_cast<int>(sample) + 1;
     const gl::View view(picture.camera, picture.size, picture.lo, picture.hi, sample_offsets(picture.samples)[sample]);
     peel::LayerStack layers = peel(view);
-    style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_});
+    style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_,
+                picture.stop});
     sum_target_.bind();
     gl_.Viewport(0, 0, picture.size.x, picture.size.y);
     gl_.Disable(GL_DEPTH_TEST);

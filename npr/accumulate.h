@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <stop_token>
 
 #include "gl/camera.h"
 #include "gl/image.h"
@@ -29,6 +30,7 @@ struct Picture {
     const ColorScheme& scheme;
     bool transparent_background = false;
     int samples = 1;
+    std::stop_token stop{};  ///< Where it is asked for, drawing throws gl::Stopped: begin with the first sample again.
 };
 
 /// The layers as seen from a view; called once per sample.

@@ -15,7 +15,8 @@ void CpuAccumulator::paint_sample(const Paint& paint, const peel::SurfaceRows& r
     }
     samples_ = static_cast<int>(sample) + 1;
     const gl::View view(picture.camera, picture.size, picture.lo, picture.hi, sample_offsets(picture.samples)[sample]);
-    paint({view, peel(view), rows, picture.parameters, picture.scheme, picture.transparent_background, sum_});
+    paint({view, peel(view), rows, picture.parameters, picture.scheme, picture.transparent_background, sum_,
+           picture.stop});
 }
 
 gl::Image CpuAccumulator::image() const {

@@ -160,11 +160,14 @@ class TileSearch {
 
 CpuEdges find_edges(const CpuFrame& frame, const EdgeSettings& settings) {
     CpuEdges edges(static_cast<std::size_t>(Tiles(frame.layers).count()));
-    gl::for_each_index(static_cast<int>(edges.size()), [&] {
-        return [&edges, search = TileSearch(frame, settings)](int tile) mutable {
-            search.run(tile, edges[static_cast<std::size_t>(tile)]);
-        };
-    });
+    gl::for_each_index(
+        static_cast<int>(edges.size()),
+        [&] {
+            return [&edges, search = TileSearch(frame, settings)](int tile) mutable {
+                search.run(tile, edges[static_cast<std::size_t>(tile)]);
+            };
+        },
+        0, frame.stop);
     return edges;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <span>
+#include <stop_token>
 
 #include "gl/camera.h"
 #include "npr/color_scheme.h"
@@ -22,6 +23,7 @@ struct CpuFrame {
     bool transparent_background = false;
     /// By pixel, rows from bottom to top: linear light, premultiplied alpha. The sample is added to what is there.
     std::span<glm::vec4> sum;
+    std::stop_token stop{};  ///< Where it is asked for, the style throws gl::Stopped; the sum is undefined then.
 };
 
 /// Paints a frame on all cores: what the style of the same name draws with OpenGL, up to rounding. The bytes depend

@@ -39,16 +39,19 @@ void CpuOvershoot::draw(const CpuFrame& frame, const EdgeIndex& edges, const Ske
     size_ = frame.layers.size;
     points_.assign(2 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), 0);
     marks_.resize(size_);
-    gl::for_each_index(static_cast<int>(edges.edges().size()), [&] {
-        return [&, rules = Continuations(frame, edges, settings.overshoot, *this)](int tile) mutable {
-            for (const CpuEdge& e : edges.edges()[static_cast<std::size_t>(tile)]) {
-                marks_.mark(e.lower, 1U << e.layer);
-                if (e.layer == 0 && settings.overshoot > 0) {
-                    rules.draw_on_link(e.lower, e.axis);
+    gl::for_each_index(
+        static_cast<int>(edges.edges().size()),
+        [&] {
+            return [&, rules = Continuations(frame, edges, settings.overshoot, *this)](int tile) mutable {
+                for (const CpuEdge& e : edges.edges()[static_cast<std::size_t>(tile)]) {
+                    marks_.mark(e.lower, 1U << e.layer);
+                    if (e.layer == 0 && settings.overshoot > 0) {
+                        rules.draw_on_link(e.lower, e.axis);
+                    }
                 }
-            }
-        };
-    });
+            };
+        },
+        0, frame.stop);
     marks_.spread(widest_stroke(settings));
 }
 

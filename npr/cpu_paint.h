@@ -25,30 +25,33 @@ struct LinedFrame : shader::Frame {
     [[nodiscard]] float line_ink(int layer) const { return ink.ink(layer, at); }
 };
 
-/// Adds every pixel of the frame. `make()` gives each thread its painter:
+/// Adds every pixel of the frame, or throws gl::Stopped. `make()` gives each thread its painter:
 ///   begin(tile)         before the tile's pixels
 ///   pixel(p)            the colour
 ///   as_left(p)          whether it is sure to be that of the pixel on the left, of the same tile
 template <typename Make>
 void paint_tiles(const CpuFrame& frame, const Make& make) {
     const Tiles tiles(frame.layers);
-    gl::for_each_index(tiles.count(), [&] {
-        return [&tiles, &frame, painter = make()](int tile) mutable {
-            const TileBounds box = tiles.bounds(tile);
-            painter.begin(tile);
-            for (int y = box.lo.y; y < box.hi.y; ++y) {
-                glm::vec4* row =
-                    &frame.sum[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.layers.size.x)];
-                glm::vec4 color(0);
-                for (int x = box.lo.x; x < box.hi.x; ++x) {
-                    if (x == box.lo.x || !painter.as_left({x, y})) {
-                        color = painter.pixel({x, y});
+    gl::for_each_index(
+        tiles.count(),
+        [&] {
+            return [&tiles, &frame, painter = make()](int tile) mutable {
+                const TileBounds box = tiles.bounds(tile);
+                painter.begin(tile);
+                for (int y = box.lo.y; y < box.hi.y; ++y) {
+                    glm::vec4* row =
+                        &frame.sum[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.layers.size.x)];
+                    glm::vec4 color(0);
+                    for (int x = box.lo.x; x < box.hi.x; ++x) {
+                        if (x == box.lo.x || !painter.as_left({x, y})) {
+                            color = painter.pixel({x, y});
+                        }
+                        row[x] += color;
                     }
-                    row[x] += color;
                 }
-            }
-        };
-    });
+            };
+        },
+        0, frame.stop);
 }
 
 }  // namespace npr

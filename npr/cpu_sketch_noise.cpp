@@ -51,15 +51,18 @@ void CpuSketchNoise::draw(const CpuFrame& frame, const SketchSettings& settings)
     const auto width = static_cast<std::size_t>(size.x), pixels = width * static_cast<std::size_t>(size.y);
     strokes_.resize(pixels);
     grain_.resize(pixels);
-    gl::for_each_index(size.y, [&] {
-        return [&, rules = NoisePixels(frame, settings)](int y) mutable {
-            const std::size_t row = static_cast<std::size_t>(y) * width;
-            for (int x = 0; x < size.x; ++x) {
-                strokes_[row + static_cast<std::size_t>(x)] = rules.sketch_noise({x, y});
-                grain_[row + static_cast<std::size_t>(x)] = rules.paper_grain({x, y}, settings.seed);
-            }
-        };
-    });
+    gl::for_each_index(
+        size.y,
+        [&] {
+            return [&, rules = NoisePixels(frame, settings)](int y) mutable {
+                const std::size_t row = static_cast<std::size_t>(y) * width;
+                for (int x = 0; x < size.x; ++x) {
+                    strokes_[row + static_cast<std::size_t>(x)] = rules.sketch_noise({x, y});
+                    grain_[row + static_cast<std::size_t>(x)] = rules.paper_grain({x, y}, settings.seed);
+                }
+            };
+        },
+        0, frame.stop);
     key_ = key;
 }
 

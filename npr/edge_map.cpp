@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "gl/stop.h"
+
 namespace npr {
 namespace {
 
@@ -79,7 +81,9 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
         search->program().set("visible_only", settings.visible_only);
     }
     find_candidates_.program().set("crease_cosine", std::cos(glm::radians(settings.crease_degrees)));
+    gl::end_if_asked(frame.stop);
     link_count_ = list_links(frame);
+    gl::end_if_asked(frame.stop);
     std::uint32_t count = link_count_ > 0 ? list_candidates(frame, link_count_) : 0;
     if (count > room_) {
         room_ = count + count / 4;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 #include "gl/camera.h"
@@ -23,6 +24,7 @@ struct Frame {
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
     /// Of the size of the stack, one RGBA32F attachment: linear light, premultiplied alpha. Undefined before.
     const gl::Framebuffer& target;
+    std::stop_token stop{};  ///< Where it is asked for, the style throws gl::Stopped; the target is undefined then.
 };
 
 /// A way to draw layers. Made once per context, which must be current in every call and outlive the style.

@@ -1,6 +1,14 @@
 #include "npr/style_pass.h"
 
+#include "gl/stop.h"
+
 namespace npr {
+namespace {
+
+/// That are drawn at once where it may have to stop in between.
+constexpr int kPieceRows = 32;
+
+}  // namespace
 
 StylePass::StylePass(const gl::Functions& gl, std::string_view fragment, const gl::Defines& defines)
     : gl_(gl), program_(gl, {"peel/fullscreen.vert", fragment}, defines), empty_array_(gl) {}
@@ -14,7 +22,18 @@ void StylePass::draw(const Frame& frame, const gl::Framebuffer& target) {
     gl_.Disable(GL_CULL_FACE);
     gl_.Disable(GL_SCISSOR_TEST);
     empty_array_.bind();
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    if (!frame.stop.stop_possible()) {
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+        return;
+    }
+    gl_.Enable(GL_SCISSOR_TEST);
+    for (int row = 0; row < frame.layers.size.y && !frame.stop.stop_requested(); row += kPieceRows) {
+        gl_.Scissor(0, row, frame.layers.size.x, kPieceRows);
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+        gl_.Finish();
+    }
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl::end_if_asked(frame.stop);
 }
 
 }  // namespace npr

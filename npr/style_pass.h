@@ -13,6 +13,7 @@ class StylePass {
 
     /// For the fragment program's own uniforms.
     [[nodiscard]] const gl::Program& program() const { return program_.program(); }
+    /// Throws gl::Stopped where the frame is asked to.
     void draw(const Frame& frame) { draw(frame, frame.target); }
     /// Into another target of the picture's size.
     void draw(const Frame& frame, const gl::Framebuffer& target);

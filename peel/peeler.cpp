@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gl/error.h"
+#include "gl/stop.h"
 
 namespace peel {
 namespace {
@@ -40,28 +41,30 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
 Peeler::Peeler(const gl::Functions& gl, std::size_t memory_budget)
     : gl_(gl), memory_budget_(memory_budget), empty_array_(gl), target_(gl), upload_(gl) {}
 
-LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
+LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                        const std::stop_token& stop) {
     if (model.engine == EngineKind::ListsCpu) {
-        return peel_lists_cpu(view, model, max_layers, stats);
+        return peel_lists_cpu(view, model, max_layers, stats, stop);
     }
     upload_.forget();
     if (model.engine == EngineKind::Lists) {
-        auto stack = peel_lists(view, model, max_layers, stats);
-        return stack ? std::move(*stack) : peel_lists_cpu(view, model, max_layers, stats);
+        auto stack = peel_lists(view, model, max_layers, stats, stop);
+        return stack ? std::move(*stack) : peel_lists_cpu(view, model, max_layers, stats, stop);
     }
     if (model.engine == EngineKind::Scs) {
         for (const auto& products : model.products) {
             const std::string obstacle = goldfeather::Scs::obstacle(view, model.lists.geometry, products, max_layers);
             if (!obstacle.empty()) {
                 stats.fallback = obstacle;
-                return peel_lists_cpu(view, model, max_layers, stats);
+                return peel_lists_cpu(view, model, max_layers, stats, stop);
             }
         }
     }
-    return peel_parts(view, model, max_layers, stats);
+    return peel_parts(view, model, max_layers, stats, stop);
 }
 
-std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
+std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                                             const std::stop_token& stop) {
     if (!lists_ && lists_fault_.empty()) {
         try {
             lists_.emplace(gl_, memory_budget_);
@@ -72,7 +75,7 @@ std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& mo
     if (lists_) {
         try {
             return lists_->peel(view, model.lists.geometry, *model.leaves, *model.lists_scene, model.tables, max_layers,
-                                stats);
+                                stats, stop);
         } catch (const gl::Error& error) {
             stats.fallback = error.what();  // Of this picture.
         }
@@ -83,9 +86,10 @@ std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& mo
     return std::nullopt;
 }
 
-LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats) {
+LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats,
+                                  const std::stop_token& stop) {
     goldfeather::ListsStats lists;
-    goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists);
+    goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists, stop);
     goldfeather::add(stats, lists);
 
     LayerStack stack = upload_.upload(cpu_layers_);
@@ -93,7 +97,8 @@ LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, 
     return stack;
 }
 
-LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats) {
+LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                              const std::stop_token& stop) {
     const bool scs = model.engine == EngineKind::Scs;
     if (scs && !scs_)
         scs_.emplace(gl_, memory_budget_);
@@ -101,8 +106,8 @@ LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_la
         engine_.emplace(gl_, memory_budget_);
     const auto walk = [&](std::span<const goldfeather::Product> products) {
         if (scs)
-            return scs_->peel(view, *model.leaves, {products, model.leaf_boxes}, model.tables, stats);
-        return engine_->walk(view, *model.leaves, {products, model.leaf_boxes}, model.tables, max_layers, stats);
+            return scs_->peel(view, *model.leaves, {products, model.leaf_boxes}, model.tables, stats, stop);
+        return engine_->walk(view, *model.leaves, {products, model.leaf_boxes}, model.tables, max_layers, stats, stop);
     };
     if (model.products.empty())
         return walk({});
@@ -110,6 +115,7 @@ LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_la
     std::optional<LayerStack> plain, highlighted;
     for (std::size_t part = 0; part < model.products.size(); ++part) {
         std::optional<LayerStack>& kind = model.kinds[part] == csg::PartKind::Highlight ? highlighted : plain;
+        gl::end_if_asked(stop);
         LayerStack next = walk(model.products[part]);
         kind = kind ? merge(*kind, next, max_layers) : std::move(next);
     }

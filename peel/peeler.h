@@ -50,17 +50,20 @@ class Peeler {
     /// Throws gl::Error where a program does not compile. The first `max_layers` surfaces of the whole scene
     /// (kAllLayers: all). Where surfaces of two parts coincide, a highlighted part comes first, and otherwise the part
     /// with the smaller id.
-    [[nodiscard]] LayerStack peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
+    /// Throws gl::Stopped where `stop` asked for it.
+    [[nodiscard]] LayerStack peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                                  const std::stop_token& stop = {});
 
     /// Hands a stack back that nobody reads any more: the next one may use its textures again.
     void give_back(LayerStack stack) { upload_.give_back(std::move(stack)); }
 
   private:
-    [[nodiscard]] LayerStack peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats);
+    [[nodiscard]] LayerStack peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                                        const std::stop_token& stop);
     [[nodiscard]] std::optional<LayerStack> peel_lists(const gl::View& view, PeelModel& model, int max_layers,
-                                                       WalkStats& stats);
+                                                       WalkStats& stats, const std::stop_token& stop);
     [[nodiscard]] LayerStack peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers,
-                                            WalkStats& stats);
+                                            WalkStats& stats, const std::stop_token& stop);
     [[nodiscard]] LayerStack merge(const LayerStack& front, const LayerStack& back, int max_layers);
 
     const gl::Functions& gl_;

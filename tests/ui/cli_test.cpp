@@ -78,6 +78,20 @@ TEST_F(Cli, EveryStyleDoesWithoutOpenGl) {
     EXPECT_NE(run("m.scad -o x.png --context none --engine goldfeather").status, 0);
 }
 
+TEST_F(Cli, TheTimeLimitEndsDrawing) {
+    // Quick to evaluate, and many seconds to draw.
+    folder_.write(
+        "heavy.scad",
+        "difference() { cube(20); for (x = [0:19], y = [0:19], z = [0:4]) translate([x, y, z] + [.5, .5, .5]) "
+        "sphere(.7, $fn = 24); }\n");
+    const Result result =
+        run("heavy.scad -o h.png --imgsize=3000,3000 --layers 1 --style sketch --samples 16 --time-limit 0.5");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("--time-limit: not done after 0.5 seconds"), std::string::npos) << result.err;
+    EXPECT_TRUE(folder_.read("h.png").empty());
+    EXPECT_EQ(run("m.scad -o m.png --imgsize=48,48 --time-limit 60").status, 0);
+}
+
 TEST_F(Cli, OptionsOfThePictureChangeIt) {
     ASSERT_EQ(run("m.scad -o a.png --imgsize=48,48").status, 0);
     for (const std::string options : {"--colorscheme Sunset", "--camera 0,0,0,0,0,0,60", "--projection o",

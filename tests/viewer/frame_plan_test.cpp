@@ -61,6 +61,33 @@ TEST_F(Plan, TheFirstLookIsCheapWhateverTheModel) {
     EXPECT_EQ(draw(), (PictureStep{6, 0}));
 }
 
+TEST_F(Plan, AVerySlowPictureFollowsSoonWhereItCanBeStopped) {
+    whole_ = 20;
+    plan_.set_stoppable(true);
+    ASSERT_TRUE(draw().has_value());
+    const double looked_at = now_;
+    std::optional<PictureStep> step;
+    while ((step = plan_.next(now_)) != PictureStep{1, 0}) {
+        if (!draw()) {
+            now_ += 0.01;
+        }
+        ASSERT_LT(now_, looked_at + 1.5);
+    }
+}
+
+TEST_F(Plan, StepsHinderWhereACoarserOneWouldBeDrawnNow) {
+    draw_until_rest();
+    EXPECT_FALSE(plan_.hinders({1, 3})) << "nothing has changed";
+    plan_.moved(now_);
+    EXPECT_TRUE(plan_.hinders({1, 0}));
+    EXPECT_TRUE(plan_.hinders({6, 1})) << "a further sample";
+    // What is drawn while things move is as coarse as it can be: were it stopped, nothing would be seen.
+    const auto step = plan_.next(now_);
+    ASSERT_TRUE(step.has_value());
+    EXPECT_GT(step->divisor, 1);
+    EXPECT_FALSE(plan_.hinders(*step));
+}
+
 TEST_F(Plan, AVerySlowPictureIsFinishedOnlyWhenNothingHasHappenedForAWhile) {
     whole_ = 20;
     const auto step = draw();

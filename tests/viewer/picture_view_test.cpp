@@ -96,6 +96,24 @@ TEST_P(PictureViewTest, AllSamplesMakeThePictureOfTheCommandLine) {
     }
 }
 
+TEST_P(PictureViewTest, AStepThatIsStoppedShowsNothingAndTheNextIsRight) {
+    const auto expected = drawn(true, 1);
+    PictureView view = make(true);
+    PictureRequest large = request_;
+    large.size = {2000, 2000};
+    for (int i = 0; i < 3; ++i) {
+        view.draw(model_, large, {1, 0}, 1);
+        std::this_thread::sleep_for(i * 5ms);
+        view.stop_drawing();
+        EXPECT_TRUE(wait<DrawnStep>(view).stopped);
+    }
+    EXPECT_EQ(shown(view, {8, 8})[0], 128) << "nothing is drawn yet";
+    request_.samples = 4;
+    view.draw(model_, request_, {1, 0}, 2);
+    EXPECT_FALSE(wait<DrawnStep>(view).stopped);
+    EXPECT_EQ(shown(view, request_.size), expected);
+}
+
 TEST_P(PictureViewTest, ACoarsePictureFillsItsPlace) {
     for (const bool threaded : {false, true}) {
         PictureView view = make(threaded);

@@ -5,13 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <condition_variable>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
 #include <new>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -20,36 +16,13 @@
 #include "csg/scad/value.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/parameters.h"
+#include "ui/command_line/time_limit.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
 
 namespace {
-
-/// Asks for a stop once the time is over, unless it is destroyed before.
-class TimeLimit {
-  public:
-    TimeLimit(double seconds, std::stop_source stop) {
-        if (seconds > 0) {
-            thread_ = std::jthread([this, seconds, stop = std::move(stop)](const std::stop_token& done) mutable {
-                std::unique_lock lock(mutex_);
-                std::condition_variable_any never;
-                if (!never.wait_for(lock, done, std::chrono::duration<double>(seconds), [] { return false; }) &&
-                    !done.stop_requested()) {
-                    passed_ = true;
-                    stop.request_stop();
-                }
-            });
-        }
-    }
-    [[nodiscard]] bool passed() const { return passed_; }
-
-  private:
-    std::mutex mutex_;
-    std::atomic<bool> passed_ = false;
-    std::jthread thread_;
-};
 
 /// What the process holds now of what RLIMIT_DATA limits.
 std::size_t data_bytes() {
@@ -201,7 +174,10 @@ bool LanguageRun::evaluate() {
     std::stop_source stop;
     request_.stop = stop.get_token();
     bool stopped_by_warning = false;
-    const TimeLimit limit(options_.time_limit, stop);
+    std::optional<TimeLimit> limit;
+    if (options_.time_limit > 0) {
+        limit.emplace(options_.time_limit, stop);
+    }
     evaluation_ = csg::scad::evaluate(request_, [&](const auto& message, const auto& sources) {
         if (stopped_by_warning) {
             return;  // The stopped evaluation says so; the warning has said why.
@@ -214,8 +190,8 @@ bool LanguageRun::evaluate() {
         }
     });
     evaluate_ms_ = watch.lap();
-    if (limit.passed() && evaluation_.stopped) {
-        print_error(fmt::format("--time-limit: not done after {} seconds", options_.time_limit));
+    if (limit && limit->passed() && evaluation_.stopped) {
+        print_error(time_limit_passed(options_.time_limit));
     }
     if (options_.memory_limit != 0 && evaluation_.out_of_memory) {
         print_error(fmt::format("--memory-limit: the evaluation needs more than {} MiB", options_.memory_limit));

@@ -189,7 +189,7 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
 
     const char* const checks = "Limits and checks";
-    text("--time-limit", raw.time_limit, "End the evaluation with an error after that time", "SECONDS", checks);
+    text("--time-limit", raw.time_limit, "End evaluation and drawing with an error after that time", "SECONDS", checks);
     text("--memory-limit", raw.memory_limit, "End with an error where more memory would be needed", "MIB", checks);
     text("--check-parameters", raw.check_parameters,
          "Warn of arguments that user-defined functions and modules do not take: on or off (on)", "BOOL", checks);

@@ -56,7 +56,7 @@ struct Options {
     std::string make_command;                 ///< -m; empty: none.
     std::string cache;                        ///< Folder that keeps meshes; empty: none.
     std::string frames_log;                   ///< The window's log; empty: none.
-    double time_limit = 0;                    ///< Seconds for the evaluation; 0: none.
+    double time_limit = 0;                    ///< Seconds for evaluation and drawing together; 0: none.
     int memory_limit = 0;                     ///< MiB for the run; 0: none.
     int trace_depth = 12;
     bool trace_parameters = true;

@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 
 #include "gl/error.h"
+#include "gl/stop.h"
 #include "ui/command_line/compare.h"
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/summary.h"
+#include "ui/command_line/time_limit.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/exact_bounds.h"
 #include "ui/pipeline/measures.h"
@@ -42,8 +44,18 @@ class Run {
   public:
     explicit Run(Options options) : options_(std::move(options)), language_(options_, make_measures()) {}
 
-    /// False where an error in the file ended it; the messages have said why.
+    /// False where an error in the file or the time ended it; the messages have said why.
     bool operator()() {
+        try {
+            return run();
+        } catch (const gl::Stopped&) {
+            print_error(time_limit_passed(options_.time_limit));
+            return false;
+        }
+    }
+
+  private:
+    bool run() {
         check();
         language_.read();
         if (!language_()) {
@@ -51,6 +63,11 @@ class Run {
         }
         if (language_.evaluation().tree == nullptr) {
             return true;  // Nothing needed to run, or an error is what the console was to show.
+        }
+        // What the evaluation has left of the time.
+        std::optional<TimeLimit> limit;
+        if (options_.time_limit > 0) {
+            limit.emplace(options_.time_limit - std::chrono::duration<double>(Clock::now() - start_).count(), stop_);
         }
         if (needs_geometry(options_) || wants(options_, Format::Png) || options_.statistics || options_.summary ||
             options_.summary_file) {
@@ -69,7 +86,6 @@ class Run {
         return true;
     }
 
-  private:
     void check() const {
         std::vector<std::string> to_standard_output;
         for (const Output& output : options_.outputs) {
@@ -95,7 +111,8 @@ class Run {
         if (!options_.preview) {
             builder_.show(csg::Showing::Result);
         }
-        model_ = builder_.build(language_.evaluation().tree);
+        model_ = builder_.build(language_.evaluation().tree, stop_.get_token());
+        gl::end_if_asked(stop_.get_token());
         for (const std::string& warning : model_->warnings) {
             language_.messages().warn(warning);
         }
@@ -137,7 +154,7 @@ class Run {
         Renderer renderer =
             context ? Renderer(*context, options_.engine, painter()) : Renderer(options_.engine, painter());
         const double context_ms = watch.lap();
-        const gl::Image image = renderer.render(*model_, picture_request(camera_));
+        const gl::Image image = renderer.render(*model_, picture_request(camera_), stop());
         if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }
@@ -166,6 +183,11 @@ class Run {
         if (options_.summary && !options_.quiet) {
             fmt::print(stderr, "{}\n", summary().dump(2));
         }
+    }
+
+    /// For what draws in pieces where it may have to stop.
+    [[nodiscard]] std::stop_token stop() const {
+        return options_.time_limit > 0 ? stop_.get_token() : std::stop_token();
     }
 
     [[nodiscard]] Json statistics() const {
@@ -204,6 +226,7 @@ class Run {
 
     using Clock = std::chrono::steady_clock;
     Clock::time_point start_ = Clock::now();
+    std::stop_source stop_;  ///< Asked for when the time is over.
     Options options_;
     LanguageRun language_;
     ModelBuilder builder_;

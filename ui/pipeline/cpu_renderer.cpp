@@ -23,7 +23,8 @@ const npr::Paint& CpuRenderer::paint(const npr::StyleInfo& style) {
     return made;
 }
 
-void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
+void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample,
+                              const std::stop_token& stop) {
     const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
         statistics_ = {};
@@ -32,11 +33,11 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
     hold(model);
     statistics_.upload_ms += watch.lap();
     const int layers = request.layers >= 0 ? request.layers : checked.style.layers(model_->translucent);
-    accumulator_.paint_sample(paint(checked.style), model_->rows, checked.picture(model, request),
+    accumulator_.paint_sample(paint(checked.style), model_->rows, checked.picture(model, request, stop),
                               static_cast<std::size_t>(sample), [&](const gl::View& view) -> const peel::CpuLayers& {
                                   statistics_.style_ms += watch.lap();
                                   goldfeather::ListsStats stats;
-                                  goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats);
+                                  goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats, stop);
                                   statistics_.peel_ms += watch.lap();
                                   ++statistics_.samples;
                                   goldfeather::add(statistics_.walk, stats);

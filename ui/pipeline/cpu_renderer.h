@@ -16,7 +16,7 @@ namespace ui {
 class CpuRenderer {
   public:
     /// See Renderer.
-    void draw_sample(const Model& model, const PictureRequest& request, int sample);
+    void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
     [[nodiscard]] gl::Image image() const { return accumulator_.image(); }
     [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera);
     /// Its choice of an engine is left to the caller.

@@ -33,7 +33,8 @@ npr::Style& GlRenderer::style(const npr::StyleInfo& info) {
     return *made;
 }
 
-void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
+void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample,
+                             const std::stop_token& stop) {
     const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
         statistics_ = {};
@@ -47,12 +48,12 @@ void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, 
     statistics_.upload_ms += held ? 0 : upload;
 
     const int layers = request.layers >= 0 ? request.layers : checked.style.layers(translucent_);
-    const npr::Picture picture = checked.picture(model, request);
+    const npr::Picture picture = checked.picture(model, request, stop);
     peeler_.give_back(
         accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const gl::View& view) {
             (void)watch.lap();
             peel::LayerStack stack =
-                peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk);
+                peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk, stop);
             gl_.Finish();
             statistics_.peel_ms += watch.lap();
             ++statistics_.samples;

@@ -29,7 +29,7 @@ class GlRenderer {
     explicit GlRenderer(const gl::Context& context, const goldfeather::EngineOptions& engine = {});
 
     /// See Renderer.
-    void draw_sample(const Model& model, const PictureRequest& request, int sample);
+    void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
     void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
     [[nodiscard]] gl::Image image() { return accumulator_.image(); }
     [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera);

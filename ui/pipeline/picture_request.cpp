@@ -91,9 +91,17 @@ CheckedRequest::CheckedRequest(const PictureRequest& request, bool flat)
     }
 }
 
-npr::Picture CheckedRequest::picture(const Model& model, const PictureRequest& request) const {
-    return {request.camera, request.size, model.geometry.box.lo,          model.geometry.box.hi,
-            parameters,     scheme,       request.transparent_background, request.samples};
+npr::Picture CheckedRequest::picture(const Model& model, const PictureRequest& request,
+                                     const std::stop_token& stop) const {
+    return {request.camera,
+            request.size,
+            model.geometry.box.lo,
+            model.geometry.box.hi,
+            parameters,
+            scheme,
+            request.transparent_background,
+            request.samples,
+            stop};
 }
 
 }  // namespace ui

@@ -37,7 +37,8 @@ struct CheckedRequest {
     /// between lines of two pixels.
     explicit CheckedRequest(const PictureRequest& request, bool flat = false);
     /// Refers to this and to both arguments.
-    [[nodiscard]] npr::Picture picture(const Model& model, const PictureRequest& request) const;
+    [[nodiscard]] npr::Picture picture(const Model& model, const PictureRequest& request,
+                                       const std::stop_token& stop = {}) const;
 };
 
 /// Does anything show what is behind it?

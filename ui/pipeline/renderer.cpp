@@ -34,14 +34,14 @@ bool Renderer::choose_cpu(const Model& model) {
     return possible && painter_ != Painter::OpenGl && software;
 }
 
-void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample) {
+void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop) {
     on_cpu_ = choose_cpu(model);
     if (on_cpu_) {
-        cpu_.draw_sample(model, request, sample);
+        cpu_.draw_sample(model, request, sample, stop);
         statistics_ = cpu_.statistics();
         statistics_.engine = choice_;
     } else {
-        with_opengl().draw_sample(model, request, sample);
+        with_opengl().draw_sample(model, request, sample, stop);
         statistics_ = gl_->statistics();
         statistics_.opengl = true;
     }
@@ -55,9 +55,9 @@ std::optional<glm::dvec3> Renderer::pick(const Model& model, const gl::Camera& c
     return choose_cpu(model) ? cpu_.pick(model, camera) : with_opengl().pick(model, camera);
 }
 
-gl::Image Renderer::render(const Model& model, const PictureRequest& request) {
+gl::Image Renderer::render(const Model& model, const PictureRequest& request, const std::stop_token& stop) {
     for (std::size_t sample = 0; sample < npr::sample_offsets(request.samples).size(); ++sample) {
-        draw_sample(model, request, static_cast<int>(sample));
+        draw_sample(model, request, static_cast<int>(sample), stop);
     }
     Stopwatch watch;
     gl::Image result = image();

@@ -20,7 +20,8 @@ enum class Painter {
 };
 
 /// Holds one model, ready to be drawn by OpenGL or without it. Throws gl::Error where OpenGL cannot give what a picture
-/// needs, and ModelError where the engine asked for cannot draw the model.
+/// needs, ModelError where the engine asked for cannot draw the model, and gl::Stopped some milliseconds after a stop
+/// is asked for; the picture must be begun anew then.
 class Renderer {
   public:
     /// With a context, which must be current whenever the renderer is used, and outlive it.
@@ -30,11 +31,11 @@ class Renderer {
     explicit Renderer(const goldfeather::EngineOptions& engine = {}, Painter painter = Painter::Auto);
 
     /// The picture in main memory.
-    [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request);
+    [[nodiscard]] gl::Image render(const Model& model, const PictureRequest& request, const std::stop_token& stop = {});
 
     /// The same step by step, so that the caller may look after other things in between: draws one of the picture's
     /// `samples`, the first (0) of a new picture; then `image` gives the mean of those drawn so far …
-    void draw_sample(const Model& model, const PictureRequest& request, int sample);
+    void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
     [[nodiscard]] gl::Image image();
     /// … or, where OpenGL drew them, `resolve` writes it into `target`.
     [[nodiscard]] bool drawn_with_opengl() const { return !on_cpu_; }

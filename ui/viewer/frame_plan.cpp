@@ -61,8 +61,15 @@ std::optional<PictureStep> FramePlan::next(double now) const {
     if (shown_.divisor == 1) {
         return PictureStep{1, shown_.sample + 1};
     }
-    const int finer = still < kIdle ? affordable(kRestBudget) : 1;
-    return finer < shown_.divisor ? std::optional(PictureStep{finer, 0}) : std::nullopt;
+    const int finer = affordable(kRestBudget);
+    if (still < kIdle && finer < shown_.divisor) {
+        return PictureStep{finer, 0};
+    }
+    return still >= kIdle || stoppable_ ? std::optional(PictureStep{1, 0}) : std::nullopt;
+}
+
+bool FramePlan::hinders(const PictureStep& step) const {
+    return begin_ && (step.sample > 0 || step.divisor < affordable(replaced_ ? kLookBudget : kMotionBudget));
 }
 
 void FramePlan::drawn(const PictureStep& step, double seconds) {

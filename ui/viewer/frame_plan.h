@@ -21,6 +21,8 @@ class FramePlan {
     /// Something else has changed, such as the model or the style: what a picture costs is only a guess now.
     void replaced(double now);
     void set_samples(int samples) { samples_ = samples; }
+    /// Steps can be stopped, so that those that take long need not wait until nothing is likely to change.
+    void set_stoppable(bool stoppable) { stoppable_ = stoppable; }
 
     /// The next step; none where the picture is finished, or where it rests until the motion ends.
     [[nodiscard]] std::optional<PictureStep> next(double now) const;
@@ -28,6 +30,9 @@ class FramePlan {
     void drawn(const PictureStep& step, double seconds);
     /// The same for a step of a picture that is not wanted any more: only its cost is of use.
     void measured(const PictureStep& step, double seconds) { cost_[step.divisor] = seconds; }
+    /// Is the step, which is being drawn, to be stopped for the sake of the picture that is wanted now? Not where it is
+    /// as quick as what would be drawn in its place: something is to be seen while things move.
+    [[nodiscard]] bool hinders(const PictureStep& step) const;
     /// The picture cannot be drawn; there is nothing to do until something changes.
     void give_up();
 
@@ -41,6 +46,7 @@ class FramePlan {
     [[nodiscard]] double predicted(int divisor) const;
 
     int samples_ = 1;
+    bool stoppable_ = false;
     bool begin_ = true;     ///< Nothing of the wanted picture is drawn yet.
     bool replaced_ = true;  ///< … and it is another than before, not another view of it.
     double changed_at_ = 0;

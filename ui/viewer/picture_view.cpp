@@ -5,6 +5,7 @@
 
 #include "gl/error.h"
 #include "gl/file.h"
+#include "gl/stop.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -42,11 +43,15 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
                        std::uint64_t version) {
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
     const bool threaded = thread_ != nullptr;
-    run([this, threaded, model = std::move(model), request = std::move(request), step, version](Renderer& renderer) {
-        DrawnStep done{step, version, 0, {}, {}};
+    drawing_ = std::stop_source();
+    // Where nobody could ask for a stop meanwhile, drawing need not look for it.
+    const std::stop_token stop = threaded ? drawing_.get_token() : std::stop_token();
+    run([this, threaded, stop, model = std::move(model), request = std::move(request), step,
+         version](Renderer& renderer) {
+        DrawnStep done{step, version, 0, {}, {}, false};
         Stopwatch watch;
         try {
-            renderer.draw_sample(*model, request, step.sample);
+            renderer.draw_sample(*model, request, step.sample, stop);
             if (threaded || !renderer.drawn_with_opengl()) {
                 gl::Image image = renderer.image();
                 std::scoped_lock lock(mutex_);
@@ -57,6 +62,8 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
                 gl_.Finish();
                 drawn_ = true;
             }
+        } catch (const gl::Stopped&) {
+            done.stopped = true;
         } catch (const std::exception& error) {
             done.error = error.what();
         }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,7 +22,8 @@ struct DrawnStep {
     std::uint64_t version = 0;  ///< As it was given to draw().
     double seconds = 0;         ///< That it took.
     PictureStatistics statistics;
-    std::string error;  ///< Why it could not be drawn; empty where it was.
+    std::string error;     ///< Why it could not be drawn; empty where it was.
+    bool stopped = false;  ///< It was stopped: nothing new is to be seen, and the picture is to be begun anew.
 };
 
 struct SavedPicture {
@@ -50,6 +52,10 @@ class PictureView {
     /// One step of the picture that `request` asks for.
     void draw(std::shared_ptr<const Model> model, PictureRequest request, const PictureStep& step,
               std::uint64_t version);
+    /// Ends the step that a thread is drawing, some milliseconds later, if it draws one.
+    void stop_drawing() { drawing_.request_stop(); }
+    /// Steps are drawn by a thread, and can be stopped.
+    [[nodiscard]] bool threaded() const { return thread_ != nullptr; }
     /// Writes a picture of its own. The picture that is shown must be begun anew afterwards.
     void save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path);
     /// See Renderer::pick.
@@ -77,6 +83,7 @@ class PictureView {
     std::vector<PictureResult> results_;
     std::optional<gl::Image> image_;  ///< Drawn by the thread, not in the texture yet.
     std::optional<Renderer> renderer_;
+    std::stop_source drawing_;              ///< Of the step asked for last.
     std::unique_ptr<RenderThread> thread_;  ///< Last: its tasks use the above.
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr double kPollSeconds = 0.2;
-/// How long the end waits for the picture that is being drawn.
+/// How long the end waits for the picture that is being drawn and was stopped.
 constexpr double kLastPictureSeconds = 1;
 /// ImGui needs a second frame until its panels have followed what happened.
 constexpr int kFramesAfterInput = 2;
@@ -54,6 +54,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       session_(options, make_evaluate(), GlfwWindow::wake),
       save_form_(proposed_picture(options.source), options.picture.transparent_background) {
     console_height_ = 150 * window_.interface_scale();
+    plan_.set_stoppable(picture_.threaded());
 }
 
 double WindowLoop::seconds() const {
@@ -86,10 +87,11 @@ void WindowLoop::finish() {
         (void)window_.wait(kPollSeconds);
         (void)receive();
     }
+    picture_.stop_drawing();
     for (const double end = seconds() + kLastPictureSeconds; picture_.busy();) {
         (void)window_.wait(0.02);
         if (seconds() > end) {
-            // Engines cannot be interrupted, and nobody waits for this picture any more. Nothing else is left to do.
+            // A model that is made ready for drawing cannot be stopped, and nobody waits for its picture any more.
             std::_Exit(0);
         }
     }
@@ -215,6 +217,10 @@ void WindowLoop::receive(const PickedPoint& picked) {
 }
 
 void WindowLoop::receive(const DrawnStep& drawn) {
+    drawing_.reset();
+    if (drawn.stopped) {
+        return;
+    }
     const bool wanted = drawn.version == wanted_version_;
     if (!drawn.error.empty()) {
         if (wanted) {
@@ -251,6 +257,9 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     wanted_model_ = model;
     ++wanted_version_;
     info_.error.clear();
+    if (drawing_ && plan_.hinders(*drawing_)) {
+        picture_.stop_drawing();
+    }
 }
 
 void WindowLoop::draw_picture() {
@@ -263,6 +272,7 @@ void WindowLoop::draw_picture() {
         return;
     }
     if (const auto step = busy ? std::nullopt : plan_.next(seconds())) {
+        drawing_ = *step;
         picture_.draw(wanted_model_, wanted_, *step, wanted_version_);
         news |= receive();
     }

@@ -47,6 +47,7 @@ class WindowLoop {
     Navigator navigator_;
     SaveForm save_form_;
     FramePlan plan_;
+    std::optional<PictureStep> drawing_;  ///< Asked of picture_, and not received yet.
     PictureRequest wanted_;
     std::shared_ptr<const Model> wanted_model_;
     PictureInfo info_;
