@@ -56,6 +56,6 @@ struct FunctionEntry {
 [[nodiscard]] bool check_count(std::string_view name, std::span<const Value> arguments, std::size_t at_least,
                                std::size_t at_most, std::string_view expected, FunctionHost& host);
 [[nodiscard]] bool check_type(std::string_view name, std::span<const Value> arguments, std::size_t index,
-                              ValueType expected, FunctionHost& host);
+                              ValueType expected, FunctionHost& host, std::string_view what = "argument");
 
 }  // namespace csg::scad

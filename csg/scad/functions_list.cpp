@@ -123,7 +123,8 @@ Value lookup(std::string_view name, std::span<const Value> a, FunctionHost& host
     }
     using Entry = std::array<double, 2>;
     const auto entry = [](const Value& v) -> std::optional<Entry> {
-        if (!v.is_vector() || v.elements().size() < 2 || !v.elements()[0].is_number() || !v.elements()[1].is_number()) {
+        if (!v.is_vector() || v.elements().size() != 2 || !v.elements()[0].is_number() ||
+            !v.elements()[1].is_number()) {
             return std::nullopt;
         }
         return Entry{v.elements()[0].number(), v.elements()[1].number()};
@@ -184,11 +185,12 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
     if (!check_count(name, a, 2, 4, "between 2 and 4", host)) {
         return {};
     }
+    // Cast as C does on the usual machines: negative numbers become large ones.
     const auto natural = [&](std::size_t i, std::size_t otherwise) {
-        return i < a.size() && a[i].is_number() && a[i].number() >= 0 && a[i].number() < 4294967296.0
-                   ? static_cast<std::size_t>(a[i].number())
-               : i < a.size() ? 0
-                              : otherwise;
+        const bool small = i < a.size() && a[i].is_number() && std::abs(a[i].number()) < 0x1p63;
+        return i >= a.size() ? otherwise
+               : small       ? static_cast<std::uint32_t>(static_cast<std::int64_t>(a[i].number()))
+                             : 0;
     };
     const std::size_t per_match = natural(2, 1), column = natural(3, 0);
     const Value &sought = a[0], &table = a[1];
@@ -223,21 +225,24 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
         }
         return result;
     }
-    for (std::size_t row = 0; row < rows.size() && !sought.string().empty(); ++row) {
-        if (!rows[row].is_vector() || rows[row].elements().size() <= column) {
-            host.warn(
-                fmt::format("Invalid entry in search vector at index {}, required number of values in the entry: "
-                            "{}. Invalid entry: {}",
-                            row, column + 1, rows[row].echo_text()));
-            return std::vector<Value>();
-        }
-    }
+    std::optional<std::size_t> too_short;
     for (const std::string_view c : characters(sought.string())) {
         search_one(result, rows.size(), per_match, false, [&](std::size_t row) {
+            if (too_short || !rows[row].is_vector() || rows[row].elements().size() <= column) {
+                too_short = too_short.value_or(row);
+                return false;
+            }
             const Value& cell = rows[row].elements()[column];
             return cell.is_string() && !cell.string().empty() &&
                    std::string_view(cell.string()).substr(0, code_point_bytes(cell.string(), 0)) == c;
         });
+        if (too_short) {
+            host.warn(
+                fmt::format("Invalid entry in search vector at index {}, required number of values in the entry: "
+                            "{}. Invalid entry: {}",
+                            *too_short, static_cast<std::uint32_t>(column + 1), rows[*too_short].echo_text()));
+            return std::vector<Value>();
+        }
     }
     return result;
 }
@@ -248,13 +253,14 @@ Value version(std::string_view, std::span<const Value>, FunctionHost&) {
 
 Value version_num(std::string_view name, std::span<const Value> a, FunctionHost& host) {
     const Value v = a.empty() ? version(name, a, host) : a[0];
-    const auto part = [&](std::size_t i) {
-        return v.is_vector() && i < v.elements().size() && v.elements()[i].is_number() ? v.elements()[i].number() : 0;
-    };
     if (!v.is_vector() || v.elements().size() < 2 || v.elements().size() > 3) {
         return {};
     }
-    return part(0) * 10000 + part(1) * 100 + part(2);
+    const auto parts = v.elements();
+    if (!std::all_of(parts.begin(), parts.end(), [](const Value& part) { return part.is_number(); })) {
+        return {};
+    }
+    return parts[0].number() * 10000 + parts[1].number() * 100 + (parts.size() == 3 ? parts[2].number() : 0);
 }
 
 Value parent_module(std::string_view name, std::span<const Value> a, FunctionHost& host) {

@@ -24,12 +24,12 @@ bool check_count(std::string_view name, std::span<const Value> arguments, std::s
 }
 
 bool check_type(std::string_view name, std::span<const Value> arguments, std::size_t index, ValueType expected,
-                FunctionHost& host) {
+                FunctionHost& host, std::string_view what) {
     const Value& value = arguments[index];
     if (value.type() == expected) {
         return true;
     }
-    host.warn(fmt::format("{}() parameter could not be converted: argument {}: expected {}, found {} ({})", name, index,
+    host.warn(fmt::format("{}() parameter could not be converted: {} {}: expected {}, found {} ({})", name, what, index,
                           type_name(expected), type_name(value.type()), value.echo_text()));
     return false;
 }
@@ -99,8 +99,10 @@ Value extreme(std::string_view name, std::span<const Value> a, FunctionHost& hos
     if (!check_count(name, a, 1, kAny, "at least 1", host)) {
         return {};
     }
+    std::string_view what = "argument";
     if (a.size() == 1 && a[0].is_vector()) {
         a = a[0].elements();
+        what = "vector element";
         if (a.empty()) {
             host.warn(fmt::format(
                 "{}() number of parameters does not match: expected at least 1 vector element, found 0", name));
@@ -109,7 +111,7 @@ Value extreme(std::string_view name, std::span<const Value> a, FunctionHost& hos
     }
     double best = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (!check_type(name, a, i, ValueType::Number, host)) {
+        if (!check_type(name, a, i, ValueType::Number, host, what)) {
             return {};
         }
         const double x = a[i].number();
@@ -139,26 +141,27 @@ Value cross(std::string_view name, std::span<const Value> a, FunctionHost& host)
         return {};
     }
     const auto v = a[0].elements(), w = a[1].elements();
-    const bool flat = v.size() == 2 && w.size() == 2;
-    if (!flat && (v.size() != 3 || w.size() != 3)) {
+    if (v.size() == 2 && w.size() == 2) {  // Taken as they are: what is no number counts as 0.
+        const auto number = [](const Value& e) { return e.is_number() ? e.number() : 0.0; };
+        return number(v[0]) * number(w[1]) - number(v[1]) * number(w[0]);
+    }
+    if (v.size() != 3 || w.size() != 3) {
         host.warn("Invalid vector size of parameter for cross()");
         return {};
     }
-    std::array<std::array<double, 3>, 2> n{};
-    for (std::size_t i = 0; i < 2 * v.size(); ++i) {
-        const Value& e = i % 2 == 0 ? v[i / 2] : w[i / 2];
-        if (!e.is_number() || !std::isfinite(e.number())) {
-            host.warn(fmt::format("Invalid value{} in parameter vector for cross()", !e.is_number() ? ""
-                                                                                     : std::isnan(e.number())
-                                                                                         ? " (NaN)"
-                                                                                         : " (INF)"));
+    std::array<double, 3> p{}, q{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!v[i].is_number() || !w[i].is_number()) {
+            host.warn("Invalid value in parameter vector for cross()");
             return {};
         }
-        n[i % 2][i / 2] = e.number();
-    }
-    const auto& [p, q] = n;
-    if (flat) {
-        return p[0] * q[1] - p[1] * q[0];
+        p[i] = v[i].number();
+        q[i] = w[i].number();
+        if (!std::isfinite(p[i]) || !std::isfinite(q[i])) {
+            host.warn(fmt::format("Invalid value ({}) in parameter vector for cross()",
+                                  std::isnan(p[i]) || std::isnan(q[i]) ? "NaN" : "INF"));
+            return {};
+        }
     }
     return std::vector<Value>{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }

@@ -31,8 +31,8 @@ class ForLoop {
                 r.assignment_slots[static_cast<std::size_t>(&a - evaluator_.program().assignments.data())];
             const bool loop_variable = std::any_of(arguments_.begin(), arguments_.end(),
                                                    [&](const Argument& argument) { return argument.name == a.name; });
-            if (!loop_variable && !evaluator_.dynamic_name(a.name)) {
-                inner_slots_.push_back(slot);
+            if (!evaluator_.dynamic_name(a.name)) {
+                (loop_variable ? shared_slots_ : inner_slots_).push_back(slot);
             }
         }
     }
@@ -49,7 +49,14 @@ class ForLoop {
             for (const std::uint32_t slot : inner_slots_) {
                 frame_.get()->slots[slot] = Value::unset();
             }
+            std::vector<Value> values;
+            for (const std::uint32_t slot : shared_slots_) {
+                values.push_back(frame_.get()->slots[slot]);
+            }
             evaluator_.run_block(block_, frame_.get(), out_);
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                frame_.get()->slots[shared_slots_[i]] = std::move(values[i]);
+            }
             return;
         }
         const Argument& a = arguments_[variable];
@@ -70,7 +77,8 @@ class ForLoop {
     const BlockId block_;
     const std::span<const Argument> arguments_;
     const Evaluator::BlockFrame frame_;
-    std::vector<std::uint32_t> inner_slots_;  ///< Of the block's own variables, which each round begins without.
+    std::vector<std::uint32_t> inner_slots_;   ///< Of the block's own variables, which each round begins without.
+    std::vector<std::uint32_t> shared_slots_;  ///< Of the loop's variables that the block gives other values.
     Nodes& out_;
 };
 

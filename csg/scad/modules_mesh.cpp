@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "csg/scad/builtin_modules.h"
 #include "csg/tree/finite.h"
@@ -162,23 +163,30 @@ void run_hull(const ModuleContext& c, Nodes& out) {
     add_mesh(c, Hull{}, out);
 }
 
+/// As it is given, cut off to a whole number: nothing but the .csg text shows it.
+int convexity_of(const ModuleArguments& arguments, int otherwise) {
+    const double number = arguments.number("convexity").value_or(otherwise);
+    constexpr double kMost = std::numeric_limits<int>::max();
+    return std::abs(number) <= kMost ? static_cast<int>(number) : std::numeric_limits<int>::min();
+}
+
 void run_minkowski(const ModuleContext& c, Nodes& out) {
     static constexpr std::array<Names, 1> kParameters{"convexity"};
     const ModuleArguments arguments(c, kParameters);
-    add_mesh(c, Minkowski{whole(arguments.number("convexity"), 0)}, out);
+    add_mesh(c, Minkowski{convexity_of(arguments, 0)}, out);
 }
 
 void run_projection(const ModuleContext& c, Nodes& out) {
     static constexpr std::array<Names, 1> kParameters{"cut"};
     static constexpr std::array<Names, 1> kNamed{"convexity"};
     const ModuleArguments arguments(c, kParameters, kNamed);
-    add_mesh(c, Projection{is_true(arguments["cut"]), whole(arguments.number("convexity"), 0)}, out);
+    add_mesh(c, Projection{is_true(arguments["cut"]), convexity_of(arguments, 0)}, out);
 }
 
 void run_render(const ModuleContext& c, Nodes& out) {
     static constexpr std::array<Names, 1> kParameters{"convexity"};
     const ModuleArguments arguments(c, kParameters);
-    add_mesh(c, Render{whole(arguments.number("convexity"), 1)}, out);
+    add_mesh(c, Render{convexity_of(arguments, 1)}, out);
 }
 
 void run_resize(const ModuleContext& c, Nodes& out) {
@@ -196,12 +204,12 @@ void run_resize(const ModuleContext& c, Nodes& out) {
     if (automatic.is_vector()) {
         const auto given = automatic.elements();
         for (std::size_t i = 0; i < std::min<std::size_t>(given.size(), 3); ++i) {
-            resize.automatic[i] = is_true(given[i]);
+            resize.automatic[i] = static_cast<bool>(given[i]);
         }
     } else {
         resize.automatic.fill(is_true(automatic));
     }
-    resize.convexity = whole(arguments.number("convexity"), 0);
+    resize.convexity = convexity_of(arguments, 0);
     add_mesh(c, resize, out);
 }
 

@@ -79,7 +79,7 @@ void run_mirror(const ModuleContext& c, Nodes& out) {
     Axes axes = identity();
     // I - 2 n nᵀ. Divided by the square of the length, so that whole numbers stay exact.
     const double square = n.x * n.x + n.y * n.y + n.z * n.z;
-    if (square > 0) {
+    if (n != glm::dvec3(0.0)) {
         for (std::size_t column = 0; column < 3; ++column) {
             for (std::size_t row = 0; row < 3; ++row) {
                 const auto i = static_cast<int>(row), j = static_cast<int>(column);
@@ -117,14 +117,16 @@ Axes about(const glm::dvec3& axis, double degrees) {
 }
 
 /// Angles about x, then y, then z. False where something is no finite number, or there are more than three. Numbers
-/// that are not finite give a matrix that is not, which leaves the object out, as in OpenSCAD.
+/// that are not finite give a matrix that is not, which leaves the object out, and what is no number is taken to be the
+/// angle after it, both as in OpenSCAD.
 bool rotate_about_axes(std::span<const Value> angles, Axes& axes) {
     bool good = angles.size() <= 3;
     std::array<double, 3> degrees{};
-    for (std::size_t i = 0; i < std::min<std::size_t>(angles.size(), 3); ++i) {
-        const bool usable = angles[i].is_number() && std::isfinite(angles[i].number());
-        good = good && usable;
-        degrees[i] = angles[i].is_number() ? angles[i].number() : 0;
+    double last = 0;
+    for (std::size_t i = std::min<std::size_t>(angles.size(), 3); i-- > 0;) {
+        last = angles[i].is_number() ? angles[i].number() : last;
+        good = good && angles[i].is_number() && std::isfinite(last);
+        degrees[i] = last;
     }
     const auto [sx, sy, sz] = std::array{sine(degrees[0]), sine(degrees[1]), sine(degrees[2])};
     const auto [cx, cy, cz] = std::array{cosine(degrees[0]), cosine(degrees[1]), cosine(degrees[2])};
@@ -140,9 +142,8 @@ void run_rotate(const ModuleContext& c, Nodes& out) {
     const Value &a = arguments["a"], &v = arguments["v"];
     Axes axes = identity();
     if (a.is_vector()) {
-        glm::dvec3 unused;
         if (!rotate_about_axes(a.elements(), axes)) {
-            c.warn(v.is_undef() || to_vec3(v, unused, 0)
+            c.warn(v.is_undef()
                        ? fmt::format("Problem converting rotate(a={}) parameter", a.echo_text())
                        : fmt::format("Problem converting rotate(a={}, v={}) parameter", a.echo_text(), v.echo_text()));
         } else if (!v.is_undef()) {

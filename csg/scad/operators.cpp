@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "csg/scad/object.h"
+#include "csg/scad/vector_product.h"
 
 namespace csg::scad {
 
@@ -17,10 +18,6 @@ Value undefined(Operator op, const Value& a, const Value& b, std::string& proble
     problem =
         fmt::format("undefined operation ({} {} {})", type_name(a.type()), operator_text(op), type_name(b.type()));
     return {};
-}
-
-bool all_numbers(std::span<const Value> v) {
-    return std::all_of(v.begin(), v.end(), [](const Value& e) { return e.is_number(); });
 }
 
 /// Less, equal or greater as -1, 0, 1; 2 for unordered numbers; nothing where the types do not compare. `steps` counts
@@ -105,89 +102,6 @@ Value map(std::span<const Value> elements, F&& f) {
     result.reserve(elements.size());
     for (const Value& e : elements) {
         result.push_back(f(e));
-    }
-    return result;
-}
-
-Value dot(std::span<const Value> a, std::span<const Value> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (!a[i].is_number() || !b[i].is_number()) {
-            return {};
-        }
-        sum += a[i].number() * b[i].number();
-    }
-    return sum;
-}
-
-/// A row vector times a matrix, which has `v.size()` rows.
-Value times_matrix(std::span<const Value> v, std::span<const Value> matrix, std::string& problem) {
-    const std::size_t columns = matrix[0].is_vector() ? matrix[0].elements().size() : 0;
-    std::vector<Value> result(columns, Value(0.0));
-    for (std::size_t row = 0; row < matrix.size(); ++row) {
-        if (!matrix[row].is_vector() || matrix[row].elements().size() != columns) {
-            problem = "Matrix must be rectangular";
-            return {};
-        }
-        for (std::size_t column = 0; column < columns; ++column) {
-            const Value& m = matrix[row].elements()[column];
-            if (!v[row].is_number() || !m.is_number()) {
-                problem = fmt::format("Matrix must contain only numbers. Problem at row {}, col {}", row, column);
-                return {};
-            }
-            result[column] = result[column].number() + v[row].number() * m.number();
-        }
-    }
-    return result;
-}
-
-Value multiply_vectors(const Value& a, const Value& b, std::string& problem) {
-    const auto x = a.elements(), y = b.elements();
-    if (x.empty() || y.empty()) {
-        problem = "Multiplication is undefined on empty vectors";
-        return {};
-    }
-    const auto mismatch = [&problem](std::string_view text, std::size_t m, std::size_t n) {
-        problem = fmt::format("{} ({} != {})", text, m, n);
-        return Value();
-    };
-    const auto is_matrix = [](std::span<const Value> v) { return v[0].is_vector(); };
-    if (!is_matrix(x) && !is_matrix(y)) {
-        if (x.size() != y.size()) {
-            return mismatch("vector*vector requires matching lengths", x.size(), y.size());
-        }
-        return all_numbers(x) && all_numbers(y) ? dot(x, y) : undefined(Operator::Multiply, a, b, problem);
-    }
-    if (!is_matrix(x)) {
-        return x.size() == y.size()
-                   ? times_matrix(x, y, problem)
-                   : mismatch("vector*matrix requires vector length to match matrix row count", x.size(), y.size());
-    }
-    const std::size_t columns = x[0].elements().size();
-    if (columns != y.size()) {
-        return is_matrix(y)
-                   ? mismatch("matrix*matrix requires left operand column count to match right operand row count",
-                              columns, y.size())
-                   : mismatch("matrix*vector requires matrix column count to match vector length", columns, y.size());
-    }
-    std::vector<Value> result;
-    for (const Value& row : x) {
-        const std::size_t length = row.is_vector() ? row.elements().size() : 0;
-        if (!row.is_vector() || length != columns) {
-            problem = is_matrix(y) ? fmt::format(
-                                         "matrix*matrix left operand row length does not match right operand "
-                                         "row count ({} != {}) at row {}",
-                                         length, y.size(), result.size())
-                                   : "Matrix must be rectangular";
-            return {};
-        }
-        result.push_back(is_matrix(y) ? times_matrix(row.elements(), y, problem) : dot(row.elements(), y));
-        if (result.back().is_undef()) {
-            if (problem.empty()) {
-                problem = "Matrix must contain only numbers";
-            }
-            return {};
-        }
     }
     return result;
 }
@@ -328,10 +242,11 @@ Value element_of(const Value& value, const Value& index) {
     if (value.is_object() && index.is_string()) {
         return member_of_object(value, index.string());
     }
-    if (!index.is_number() || !(index.number() >= 0) || index.number() > 4294967295.0) {
+    // Numbers are cut off to whole ones: above -1 means the first element.
+    if (!index.is_number() || !(index.number() > -1) || index.number() > 4294967295.0) {
         return {};
     }
-    const auto i = static_cast<std::size_t>(index.number());
+    const auto i = static_cast<std::size_t>(std::max(index.number(), 0.0));
     if (value.is_vector()) {
         return i < value.elements().size() ? value.elements()[i] : Value();
     }

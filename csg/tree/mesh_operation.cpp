@@ -28,17 +28,19 @@ struct Hasher {
     }
     std::uint64_t operator()(const Fill&) const { return seed; }
     std::uint64_t operator()(const Projection& p) const {
-        return csg::mix(seed, std::uint64_t{p.convexity} << 1 | std::uint64_t{p.cut});
+        return csg::mix(seed, static_cast<std::uint64_t>(p.convexity) << 1 | std::uint64_t{p.cut});
     }
     std::uint64_t operator()(const Hull&) const { return seed; }
-    std::uint64_t operator()(const Minkowski& m) const { return csg::mix(seed, std::uint64_t{m.convexity}); }
+    std::uint64_t operator()(const Minkowski& m) const {
+        return csg::mix(seed, static_cast<std::uint64_t>(m.convexity));
+    }
     std::uint64_t operator()(const Resize& r) const {
         std::uint64_t h = csg::mix(seed, r.size);
         for (const bool automatic : r.automatic)
             h = csg::mix(h, std::uint64_t{automatic});
-        return csg::mix(h, std::uint64_t{r.convexity});
+        return csg::mix(h, static_cast<std::uint64_t>(r.convexity));
     }
-    std::uint64_t operator()(const Render& r) const { return csg::mix(seed, std::uint64_t{r.convexity}); }
+    std::uint64_t operator()(const Render& r) const { return csg::mix(seed, static_cast<std::uint64_t>(r.convexity)); }
     std::uint64_t operator()(const Roof& r) const {
         return mix(csg::mix(csg::mix(seed, std::string_view(r.method)), std::uint64_t{r.convexity}), r.fineness);
     }

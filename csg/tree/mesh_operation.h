@@ -47,25 +47,25 @@ struct Fill {};
 /// The shadow of solids on the plane z = 0, or their cut by it.
 struct Projection {
     bool cut = false;
-    unsigned convexity = 0;
+    int convexity = 0;
 };
 
 struct Hull {};
 
 struct Minkowski {
-    unsigned convexity = 0;
+    int convexity = 0;
 };
 
 /// Scales to given dimensions; a dimension of 0 stays, or follows the others where `automatic`.
 struct Resize {
     glm::dvec3 size{0.0};
     std::array<bool, 3> automatic{};
-    unsigned convexity = 0;
+    int convexity = 0;
 };
 
 /// render(): for pictures no more than a group.
 struct Render {
-    unsigned convexity = 1;
+    int convexity = 1;
 };
 
 /// A roof over outlines, rising at 45 degrees from their edges.
