@@ -26,6 +26,12 @@ using Line = Loop;
 using Entity = DxfEntity;
 using Block = DxfFile::Blocks::value_type;
 
+/// Of a polyline: a point, and what the way from it to the next one is bent by.
+struct Corner {
+    glm::dvec2 at;
+    double bulge;
+};
+
 /// An arc between two points: `bulge` is the tangent of a quarter of its angle.
 void add_bulge(Line& line, const glm::dvec2& from, const glm::dvec2& to, double bulge, const Fineness& fineness) {
     if (bulge == 0 || from == to) {
@@ -62,18 +68,21 @@ class Drawing {
 
   private:
     void draw(const std::vector<Entity>& entities, const glm::dmat4& placed) {
-        Line polyline;
+        std::vector<Corner> polyline;
         bool closed = false, wanted = true;
         for (const Entity& e : entities) {
             if (lines_.size() > kMostLines)
                 return;
+            constexpr int kFrame = 16;  // Of a spline, which has its points beside it.
             if (e.kind == "VERTEX") {
-                polyline.push_back(e.point(10));
+                if ((static_cast<int>(e.number(70)) & kFrame) != 0)
+                    continue;
+                polyline.push_back({e.point(10), e.number(42)});
                 continue;
             }
             if (e.kind == "SEQEND") {
                 if (wanted)
-                    add(polyline, closed, placed);
+                    add_polyline(polyline, closed, placed);
                 polyline.clear();
                 continue;
             }
@@ -159,10 +168,6 @@ class Drawing {
     }
 
     void light_polyline(const Entity& e, const glm::dmat4& placed) {
-        struct Corner {
-            glm::dvec2 at;
-            double bulge;
-        };
         std::vector<Corner> corners;
         for (const auto& [code, number] : e.series) {
             if (code == 10)
@@ -170,9 +175,12 @@ class Drawing {
             else if (!corners.empty() && (code == 20 || code == 42))
                 (code == 20 ? corners.back().at.y : corners.back().bulge) = number;
         }
+        add_polyline(corners, (static_cast<int>(e.number(70)) & 1) != 0, placed);
+    }
+
+    void add_polyline(const std::vector<Corner>& corners, bool closed, const glm::dmat4& placed) {
         if (corners.empty())
             return;
-        const bool closed = (static_cast<int>(e.number(70)) & 1) != 0;
         Line line{corners[0].at};
         for (std::size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i)
             add_bulge(line, corners[i].at, corners[(i + 1) % corners.size()].at, corners[i].bulge, import_.fineness);
@@ -321,7 +329,7 @@ class Joining {
         }
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             if (used_[i] == 0)
-                follow(i);
+                follow(i, true);
         }
         return std::move(loops_);
     }
@@ -340,7 +348,9 @@ class Joining {
         }
     }
 
-    void follow(std::size_t i) {
+    /// `closed`: the chain's last point is taken to be its first one, as OpenSCAD does, though it ends elsewhere where
+    /// an odd number of lines meet.
+    void follow(std::size_t i, bool closed = false) {
         use(i);
         Loop loop = std::move(lines_[i]);
         const std::uint32_t begin = ends_[i][0];
@@ -359,7 +369,7 @@ class Joining {
                 end = ends_[taken][1];
             }
         }
-        if (begin == end)
+        if (closed || begin == end)
             loop.pop_back();
         if (loop.size() > 2)
             loops_.push_back(std::move(loop));

@@ -232,6 +232,10 @@ TEST(Import, DxfEntities) {
     // Two half circles of radius 10: 30 segments.
     EXPECT_NEAR(dxf_area("0\nLWPOLYLINE\n70\n1\n10\n-10\n20\n0\n42\n1\n10\n10\n20\n0\n42\n1\n"),
                 0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180), 1e-6);
+    // The same as an old polyline, and a control point of a spline's frame between, which counts for nothing.
+    EXPECT_NEAR(dxf_area("0\nPOLYLINE\n66\n1\n70\n1\n0\nVERTEX\n10\n-10\n20\n0\n42\n1\n"
+                         "0\nVERTEX\n70\n16\n10\n99\n20\n99\n0\nVERTEX\n10\n10\n20\n0\n42\n1\n0\nSEQEND\n"),
+                0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180), 1e-6);
     EXPECT_NEAR(dxf_area("0\nCIRCLE\n10\n5\n20\n5\n40\n10\n"), 0.5 * 100 * 30 * std::sin(12 * 3.14159265358979 / 180),
                 1e-6);
 }
@@ -333,6 +337,12 @@ TEST(Import, DxfChainsGoOnThroughTheirBeginning) {
         loops_of({{0, 0, 2, 1}, {2, 1, 2, -1}, {2, -1, 0, 0}, {0, 0, -2, 1}, {-2, 1, -2, -1}, {-2, -1, 0, 0}});
     ASSERT_EQ(bow.size(), 1u);
     EXPECT_EQ(bow[0].size(), 6u);
+    // Corners 0 and 2 of a square with a diagonal have three lines each: the chain ends at one of them without its
+    // start.
+    const auto diagonal = loops_of({{0, 0, 2, 0}, {2, 0, 2, 2}, {2, 2, 0, 2}, {0, 2, 0, 0}, {0, 0, 2, 2}});
+    ASSERT_EQ(diagonal.size(), 1u);
+    EXPECT_EQ(diagonal[0].size(), 5u);
+    EXPECT_EQ(diagonal[0].back(), glm::dvec2(0, 0));
     const auto open = loops_of({{2, 0, 2, 2}, {2, 2, 0, 2}, {0, 0, 2, 0}});
     ASSERT_EQ(open.size(), 1u);
     EXPECT_EQ(open[0].front(), glm::dvec2(0, 2));
