@@ -16,6 +16,10 @@ constexpr std::size_t kMostLeavesOfTheWalk = 300;
 /// The same for OpenCSG, over all products.
 constexpr std::size_t kMostLiteralsOfOpenCsg = 5000;
 
+/// A ray costs as many steps as there are leaves. With more leaves than this, some of the pixels are tested.
+constexpr std::size_t kMostLeavesOfAllRays = 20000;
+constexpr int kStepOfRays = 11;  ///< Prime to the usual widths: visits all columns.
+
 double now_ms() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -24,17 +28,21 @@ double now_ms() {
 struct Truth {
     Truth(const Subject& subject, const gl::View& v) : view(v), diagonal(subject.geometry.box.diagonal()) {
         const truth::RayCaster caster(subject.scene, subject.geometry, view);
-        for (int y = 0; y < view.size().y; ++y) {
-            for (int x = 0; x < view.size().x; ++x) {
-                rays.push_back(caster.cast(x, y));
-                pixels += rays.back().hit ? 1 : 0;
-                undecided += rays.back().decided ? 0 : 1;
-            }
+        const int step = subject.scene.leaves.size() > kMostLeavesOfAllRays ? kStepOfRays : 1;
+        for (int i = 0; i < view.size().x * view.size().y; i += step) {
+            const glm::ivec2 pixel(i % view.size().x, i / view.size().x);
+            rays.push_back({pixel, caster.cast(pixel.x, pixel.y)});
+            pixels += rays.back().ray.hit ? 1 : 0;
+            undecided += rays.back().ray.decided ? 0 : 1;
         }
     }
+    struct PixelRay {
+        glm::ivec2 pixel;
+        truth::Ray ray;
+    };
     gl::View view;
     double diagonal;
-    std::vector<truth::Ray> rays;
+    std::vector<PixelRay> rays;
     std::size_t pixels = 0, undecided = 0;
 };
 
@@ -64,12 +72,12 @@ Errors compare(const Subject& subject, const Truth& truth, const HostLayers& sta
     errors.drawn = true;
     DepthErrors depth(truth.diagonal);
     const auto& planes = subject.geometry.planes.planes();
-    for (std::size_t i = 0; i < truth.rays.size(); ++i) {
-        truth::Ray ray = truth.rays[i];
+    for (const Truth::PixelRay& cast : truth.rays) {
+        truth::Ray ray = cast.ray;
         if (most_layers != peel::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most_layers)) {
             ray.surfaces.resize(static_cast<std::size_t>(most_layers));
         }
-        const int x = static_cast<int>(i) % stack.size.x, y = static_cast<int>(i) / stack.size.x;
+        const int x = cast.pixel.x, y = cast.pixel.y;
         std::vector<goldfeather::Surface> actual;
         for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
             actual.push_back(stack.at(layer, x, y));
@@ -112,15 +120,17 @@ Errors compare(const Truth& truth, const opencsg::Picture& picture) {
     Errors errors;
     errors.drawn = true;
     DepthErrors depth(truth.diagonal);
-    for (std::size_t i = 0; i < truth.rays.size(); ++i) {
-        const truth::Ray& ray = truth.rays[i];
-        const bool hit = std::isfinite(picture.distance[i]);
+    for (const Truth::PixelRay& cast : truth.rays) {
+        const truth::Ray& ray = cast.ray;
+        const double distance =
+            picture.distance[static_cast<std::size_t>(cast.pixel.y * picture.size.x + cast.pixel.x)];
+        const bool hit = std::isfinite(distance);
         const bool covered = hit == !ray.surfaces.empty();
         errors.coverage += covered ? 0 : 1;
         bool same = covered;
         if (hit && !ray.surfaces.empty()) {
-            depth.add(picture.distance[i], ray.surfaces[0].distance);
-            same = std::abs(picture.distance[i] - ray.surfaces[0].distance) <= 1e-3 * truth.diagonal;
+            depth.add(distance, ray.surfaces[0].distance);
+            same = std::abs(distance - ray.surfaces[0].distance) <= 1e-3 * truth.diagonal;
         }
         errors.wrong += ray.decided && !same ? 1 : 0;
     }
