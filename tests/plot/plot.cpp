@@ -11,9 +11,10 @@ namespace plot {
 
 namespace {
 
-constexpr std::array<const char*, 8> kColors{"#1f4e9e", "#c0392b", "#2e8b57", "#8e44ad",
-                                             "#d68910", "#444444", "#17a2b8", "#e75480"};
-constexpr int kLeft = 62, kRight = 14, kTop = 30, kBottom = 46;
+constexpr std::array<const char*, 10> kColors{"#1f4e9e", "#c0392b", "#2e8b57", "#8e44ad", "#d68910",
+                                              "#444444", "#17a2b8", "#e75480", "#7a5230", "#8aa000"};
+constexpr int kLeft = 62, kRight = 14, kTop = 30;
+constexpr int kAxisHeight = 32, kLegendLine = 14;  ///< Below the axis: its numbers and label, and names of series.
 
 std::string escaped(const std::string& text) {
     std::string result;
@@ -76,6 +77,28 @@ class Scale {
     double lo_ = 0, hi_ = 1;
 };
 
+/// Where a name stands in the legend.
+struct LegendPlace {
+    int x, line;
+};
+
+/// Names of series one after the other, as many in a line as there is room for.
+std::vector<LegendPlace> legend(const Plot& plot) {
+    constexpr int kLetter = 6, kGap = 16;  // About, at this size.
+    std::vector<LegendPlace> places;
+    int x = kLeft, line = 0;
+    for (const Series& s : plot.series) {
+        const int width = kLetter * static_cast<int>(s.name.size());
+        if (x > kLeft && x + width > plot.width - kRight) {
+            x = kLeft;
+            ++line;
+        }
+        places.push_back({x, line});
+        x += width + kGap;
+    }
+    return places;
+}
+
 }  // namespace
 
 std::string to_svg(const Plot& plot) {
@@ -87,7 +110,10 @@ std::string to_svg(const Plot& plot) {
         }
     }
     const Scale x_scale(plot.x, xs), y_scale(plot.y, ys);
-    const double w = plot.width - kLeft - kRight, h = plot.height - kTop - kBottom;
+    const std::vector<LegendPlace> names = legend(plot);
+    const int lines = names.empty() ? 1 : names.back().line + 1;
+    const int bottom = kAxisHeight + kLegendLine * lines;
+    const double w = plot.width - kLeft - kRight, h = plot.height - kTop - bottom;
     const auto px = [&](double x) { return kLeft + w * x_scale.at(x); };
     const auto py = [&](double y) { return kTop + h * (1 - y_scale.at(y)); };
     std::string svg = fmt::format(
@@ -99,7 +125,7 @@ std::string to_svg(const Plot& plot) {
         svg += fmt::format(
             "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}"
             "</text>\n",
-            px(value), kTop, plot.height - kBottom, plot.height - kBottom + 14, text);
+            px(value), kTop, plot.height - bottom, plot.height - bottom + 14, text);
     }
     for (const auto& [value, text] : y_scale.ticks()) {
         svg += fmt::format(
@@ -110,7 +136,7 @@ std::string to_svg(const Plot& plot) {
     svg += fmt::format(
         "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n<text transform=\"translate(12 {}) rotate(-90)\" "
         "text-anchor=\"middle\">{}</text>\n",
-        kLeft + w / 2, plot.height - kBottom + 30, escaped(plot.x.label), kTop + h / 2, escaped(plot.y.label));
+        kLeft + w / 2, plot.height - bottom + 30, escaped(plot.x.label), kTop + h / 2, escaped(plot.y.label));
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
         const Series& s = plot.series[i];
         const char* color = kColors[i % kColors.size()];
@@ -127,9 +153,8 @@ std::string to_svg(const Plot& plot) {
         if (plot.joined && !path.empty()) {
             svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>", path, color);
         }
-        svg += fmt::format("\n<text x=\"{:.0f}\" y=\"{}\" fill=\"{}\">{}</text>\n",
-                           kLeft + static_cast<double>(i) * w / static_cast<double>(plot.series.size()),
-                           plot.height - 4, color, escaped(s.name));
+        svg += fmt::format("\n<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", names[i].x,
+                           plot.height - 4 - kLegendLine * (lines - 1 - names[i].line), color, escaped(s.name));
     }
     return svg + "</svg>\n";
 }

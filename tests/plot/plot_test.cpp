@@ -25,6 +25,19 @@ TEST(Plot, LabelsPoints) {
     EXPECT_NE(svg.find(">&lt;2&gt;<"), std::string::npos);
 }
 
+TEST(Plot, NamesOfSeriesDoNotOverlap) {
+    const std::string name(30, 'n');
+    plot::Plot p{"t", {"x", false, false}, {"y", false, false}, {}};
+    for (int i = 0; i < 3; ++i) {
+        p.series.push_back({name, {{0, 0}}});
+    }
+    const std::string svg = plot::to_svg(p);
+    // Each takes half of the width: one in a line.
+    for (const char* y : {"x=\"62\" y=\"228\"", "x=\"62\" y=\"242\"", "x=\"62\" y=\"256\""}) {
+        EXPECT_NE(svg.find(y), std::string::npos) << y << '\n' << svg;
+    }
+}
+
 TEST(Plot, OfNothingIsAPicture) {
     EXPECT_NE(plot::to_svg({"", {}, {}, {}, true, 420, 260}).find("</svg>"), std::string::npos);
 }
