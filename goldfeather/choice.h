@@ -31,6 +31,9 @@ struct EngineOptions {
     EngineOptions(EngineKind wanted) : kind(wanted) {}
     std::optional<EngineKind> kind;                    ///< Absent: chosen for each model.
     std::size_t memory_budget = kDefaultMemoryBudget;  ///< Bytes of per-pixel state on OpenGL at once.
+    /// Layers that fewer than this share of the pixels have may be left out; 0: none. Goldfeather saves passes, and
+    /// lists on the CPU what styles do with them.
+    double minimal_fraction = 0;
 };
 
 /// What is known before a scene is drawn.

@@ -61,9 +61,10 @@ struct Goldfeather::Band {
     bool count_inside = false;
 };
 
-Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget)
+Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget, double minimal_fraction)
     : gl_(gl),
       memory_budget_(memory_budget),
+      minimal_fraction_(minimal_fraction),
       prepare_(gl, shaders(), {"goldfeather/prepare.comp"}),
       geometry_(gl, shaders(), {"goldfeather/leaf.vert", "goldfeather/walk.frag"}),
       resolve_(gl, shaders(), {"goldfeather/tile.vert", "goldfeather/resolve.frag"}),
@@ -176,7 +177,7 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
         most = std::max(most, draw_band(band, stack, max_layers, stats, stop));
         ++stats.bands;
     }
-    stack.complete = max_layers == kAllLayers || most < max_layers;
+    stack.complete = stack.complete && (max_layers == kAllLayers || most < max_layers);
     if (max_layers == kAllLayers)
         stack.layers = std::max(most, 1);
     stats.layers = std::max(stats.layers, most);
@@ -268,8 +269,11 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
         stats.fragments += ahead;
         if (max_layers == kAllLayers && filled_.result() > 0)
             grow(gl_, stack, 2 * stack.layers);
-        if (ahead == 0)
+        // As many pixels as fragments ahead, at most. The few that are left out end the stack early.
+        if (static_cast<double>(ahead) < minimal_fraction_ * static_cast<double>(pixel_count) || ahead == 0) {
+            stack.complete = stack.complete && ahead == 0;
             break;
+        }
     }
     return most_layers(pixel_count);
 }

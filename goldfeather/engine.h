@@ -30,8 +30,10 @@ namespace goldfeather {
 class Goldfeather {
   public:
     /// Compiles its programs; throws gl::Error. `gl` must outlive the engine. `memory_budget`: bytes of per-pixel
-    /// state before the picture is split into bands.
-    explicit Goldfeather(const gl::Functions& gl, std::size_t memory_budget = kDefaultMemoryBudget);
+    /// state before the picture is split into bands. `minimal_fraction`: a walk ends where fewer than that share of
+    /// the pixels have anything ahead, and what is there is left out (Nienhaus 2005, 5.2).
+    explicit Goldfeather(const gl::Functions& gl, std::size_t memory_budget = kDefaultMemoryBudget,
+                         double minimal_fraction = 0);
     ~Goldfeather();
 
     /// Fills a stack with the first `max_layers` surfaces of the part (kAllLayers: all of them).
@@ -50,6 +52,7 @@ class Goldfeather {
 
     const gl::Functions& gl_;
     std::size_t memory_budget_;
+    double minimal_fraction_;
     gl::Program prepare_, geometry_, resolve_;
     gl::ViewBlock view_block_;
     gl::VertexArray leaf_array_, tile_array_;

@@ -133,6 +133,26 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     stats.layers = std::max(stats.layers, most);
 }
 
+void leave_out_sparse_layers(CpuLayers& layers, double minimal_fraction) {
+    if (!(minimal_fraction > 0)) {
+        return;
+    }
+    std::vector<std::size_t> pixels(static_cast<std::size_t>(layers.layers) + 1, 0);  // By number of layers.
+    for (const int count : layers.counts) {
+        ++pixels[static_cast<std::size_t>(std::min(count, layers.layers))];
+    }
+    const double least = minimal_fraction * static_cast<double>(layers.counts.size());
+    std::size_t holding = 0;  // Pixels that hold a surface in the last layer.
+    while (layers.layers > 1) {
+        holding += pixels[static_cast<std::size_t>(layers.layers)];
+        if (static_cast<double>(holding) >= least) {
+            break;
+        }
+        --layers.layers;
+        layers.complete = false;
+    }
+}
+
 HostLayers to_host(const CpuLayers& layers) {
     HostLayers host{layers.size, layers.layers, {}};
     for (int layer = 0; layer < layers.layers; ++layer) {

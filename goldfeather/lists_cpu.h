@@ -63,6 +63,10 @@ struct ListsStats {
 void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, unsigned threads, CpuLayers& out,
                 ListsStats& stats, const std::stop_token& stop = {});
 
+/// Leaves out the layers, from the last on, in which fewer than this share of the pixels hold a surface (Nienhaus 2005,
+/// 5.2); the first one stays. What was walked is not saved, but everything that is done by layers later on.
+void leave_out_sparse_layers(CpuLayers& layers, double minimal_fraction);
+
 /// Counts a picture drawn from lists among those that a walk drew.
 void add(WalkStats& walk, const ListsStats& lists);
 

@@ -38,8 +38,13 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
         kinds.push_back(part.kind);
 }
 
-Peeler::Peeler(const gl::Functions& gl, std::size_t memory_budget)
-    : gl_(gl), memory_budget_(memory_budget), empty_array_(gl), target_(gl), upload_(gl) {}
+Peeler::Peeler(const gl::Functions& gl, std::size_t memory_budget, double minimal_fraction)
+    : gl_(gl),
+      memory_budget_(memory_budget),
+      minimal_fraction_(minimal_fraction),
+      empty_array_(gl),
+      target_(gl),
+      upload_(gl) {}
 
 LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
                         const std::stop_token& stop) {
@@ -91,6 +96,7 @@ LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, 
     goldfeather::ListsStats lists;
     goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists, stop);
     goldfeather::add(stats, lists);
+    goldfeather::leave_out_sparse_layers(cpu_layers_, minimal_fraction_);
 
     LayerStack stack = upload_.upload(cpu_layers_);
     stack.tables = model.tables;
@@ -103,7 +109,7 @@ LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_la
     if (scs && !scs_)
         scs_.emplace(gl_, memory_budget_);
     if (!scs && !engine_)
-        engine_.emplace(gl_, memory_budget_);
+        engine_.emplace(gl_, memory_budget_, minimal_fraction_);
     const auto walk = [&](std::span<const goldfeather::Product> products) {
         if (scs)
             return scs_->peel(view, *model.leaves, {products, model.leaf_boxes}, model.tables, stats, stop);

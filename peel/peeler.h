@@ -45,7 +45,9 @@ struct PeelModel {
 class Peeler {
   public:
     /// `gl` must outlive the peeler.
-    explicit Peeler(const gl::Functions& gl, std::size_t memory_budget = goldfeather::kDefaultMemoryBudget);
+    /// `minimal_fraction`: see goldfeather::EngineOptions.
+    explicit Peeler(const gl::Functions& gl, std::size_t memory_budget = goldfeather::kDefaultMemoryBudget,
+                    double minimal_fraction = 0);
 
     /// Throws gl::Error where a program does not compile. The first `max_layers` surfaces of the whole scene
     /// (kAllLayers: all). Where surfaces of two parts coincide, a highlighted part comes first, and otherwise the part
@@ -68,6 +70,7 @@ class Peeler {
 
     const gl::Functions& gl_;
     std::size_t memory_budget_;
+    double minimal_fraction_;
     std::optional<goldfeather::Goldfeather> engine_;  ///< Made when first used: its programs take time to compile.
     std::optional<goldfeather::Lists> lists_;         ///< Likewise.
     std::optional<goldfeather::Scs> scs_;             ///< Likewise.

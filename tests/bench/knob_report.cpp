@@ -108,6 +108,10 @@ const std::vector<KnobInfo>& knobs() {
          "side"},
         {"samples", "Samples a pixel, first surface.", "area wrongly covered", true, "samples"},
         {"layers", "Layers asked for.", "surfaces left out", true, "layers"},
+        {"minimal fraction",
+         "The least share of the pixels for which peeling goes on (--minimal-fraction): whole frames of blueprints of "
+         "all layers, of the models with the most.",
+         "pixels that differ", true, "share"},
         {"tessellation", "Sides of curved leaves ($fn), first surface.", "area that differs from 512 sides", true,
          "sides"},
         {"depth", "Bits of depth (16 and 24 fixed point, 32 float, 53 double), all layers.", "wrong pixels", false,

@@ -47,6 +47,10 @@ void turn_tessellation(DrawerSet& drawers, const KnobOptions& options, std::vect
 /// caster.
 void turn_depth(const Subject& subject, std::vector<KnobRow>& rows);
 
+/// The least share of pixels for which peeling goes on (--minimal-fraction), blueprints of all layers, against 0.
+void turn_minimal_fraction(gl::Context& context, const Subject& subject, const KnobOptions& options,
+                           std::vector<KnobRow>& rows);
+
 [[nodiscard]] const std::vector<KnobInfo>& knobs();
 [[nodiscard]] nlohmann::ordered_json to_json(const std::vector<KnobRow>& rows);
 /// A table and a plot for each knob. `plots`: where the text finds them.

@@ -14,7 +14,7 @@ using test_support::write_output;
 
 struct Settings {
     std::string models = "models", json, markdown, plots, plots_in_text = "pictures/performance";
-    std::vector<std::string> only{"widget", "spanner", "pipe_tee", "torture"}, knobs;
+    std::vector<std::string> only{"widget", "spanner", "pipe_tee", "torture"}, deep{"padlock", "gears"}, knobs;
     bench::KnobOptions options;
 };
 
@@ -28,10 +28,12 @@ std::vector<bench::KnobRow> run(const Settings& settings, gl::Context& context) 
                std::find(settings.knobs.begin(), settings.knobs.end(), knob) != settings.knobs.end();
     };
     std::vector<bench::KnobRow> rows;
-    for (const std::string& name : settings.only) {
+    const auto read = [&](const std::string& name) {
         std::cerr << name << '\n';
-        const bench::Subject subject =
-            bench::from_file((std::filesystem::path(settings.models) / (name + ".scad")).string());
+        return bench::from_file((std::filesystem::path(settings.models) / (name + ".scad")).string());
+    };
+    for (const std::string& name : settings.only) {
+        const bench::Subject subject = read(name);
         if (wanted("resolution")) {
             turn_resolution(drawers, subject, settings.options, rows);
         }
@@ -43,6 +45,11 @@ std::vector<bench::KnobRow> run(const Settings& settings, gl::Context& context) 
         }
         if (wanted("depth")) {
             turn_depth(subject, rows);
+        }
+    }
+    for (const std::string& name : settings.deep) {
+        if (wanted("minimal fraction")) {
+            turn_minimal_fraction(context, read(name), settings.options, rows);
         }
     }
     if (wanted("tessellation")) {
@@ -60,7 +67,12 @@ int main(int argc, char** argv) {
     CLI::App app("CPU time and error of the engines and of OpenCSG, as one knob after the other is turned.");
     app.add_option("--models", settings.models, "Folder of models")->capture_default_str();
     app.add_option("--only", settings.only, "Names of models")->delimiter(',')->capture_default_str();
-    app.add_option("--knobs", settings.knobs, "resolution, samples, layers, tessellation, depth (all)")->delimiter(',');
+    app.add_option("--deep", settings.deep, "Names of models for the minimal fraction")
+        ->delimiter(',')
+        ->capture_default_str();
+    app.add_option("--knobs", settings.knobs,
+                   "resolution, samples, layers, minimal fraction, tessellation, depth (all)")
+        ->delimiter(',');
     app.add_option("--side", settings.options.side, "Of pictures, in pixels: a power of two from 64 to 2048")
         ->capture_default_str()
         ->check(CLI::IsMember({64, 128, 256, 512, 1024, 2048}));

@@ -23,7 +23,7 @@ struct Time {
     return a.cpu / std::max(b.cpu, 1e-3);
 }
 
-/// Runs `work` once to warm up and then `repeat` times, fewer where that takes longer than ten seconds; the medians of
+/// Runs `work` once to warm up and then `repeat` times, fewer where that takes longer than five seconds; the medians of
 /// wall and of CPU time.
 [[nodiscard]] Time median(int repeat, const std::function<void()>& work);
 

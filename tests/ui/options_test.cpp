@@ -96,6 +96,11 @@ TEST(Options, EnginesByName) {
     EXPECT_EQ(read({"m.scad"}).engine.memory_budget, std::size_t{128} << 20);
     EXPECT_EQ(read({"m.scad", "--memory-budget", "3"}).engine.memory_budget, std::size_t{3} << 20);
     EXPECT_NE(error({"m.scad", "--memory-budget", "0"}).find("--memory-budget"), std::string::npos);
+    EXPECT_EQ(read({"m.scad"}).engine.minimal_fraction, 0);
+    EXPECT_EQ(read({"m.scad", "--minimal-fraction", "0.001"}).engine.minimal_fraction, 0.001);
+    for (const char* wrong : {"-0.1", "1.5", "few"}) {
+        EXPECT_NE(error({"m.scad", "--minimal-fraction", wrong}).find("--minimal-fraction"), std::string::npos);
+    }
     EXPECT_NE(error({"m.scad", "--engine", "raytracer"}).find("--engine"), std::string::npos);
 }
 

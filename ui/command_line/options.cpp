@@ -139,7 +139,8 @@ gl::Camera camera_of_numbers(std::string_view text) {
 struct Raw {
     std::vector<std::string> inputs, outputs, settings, export_options;
     std::string export_format, camera, size, layers, samples, view, csg_limit, backend, render, preview, scheme;
-    std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget;
+    std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget,
+        minimal_fraction;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::vector<std::string> summary, features;
     bool version = false, help_export = false;
@@ -223,6 +224,8 @@ void declare(CLI::App& app, Options& o, Raw& raw) {
     text("--engine", raw.engine, "auto, goldfeather, lists, lists-cpu or scs (auto)", "NAME", engine);
     text("--context", raw.context, "OpenGL from: auto, egl, osmesa or none (auto)", "NAME", engine);
     text("--memory-budget", raw.memory_budget, "Per-pixel state of the engines on OpenGL at once (128)", "MIB", engine);
+    text("--minimal-fraction", raw.minimal_fraction,
+         "Leave out layers that fewer than this share of the pixels have (0)", "SHARE", engine);
     text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
 
     const char* const other = "Other";
@@ -330,6 +333,12 @@ void interpret(Options& o, const Raw& raw) {
         constexpr int kMostMebibytes = 1 << 20;
         o.engine.memory_budget =
             static_cast<std::size_t>(read_integer("--memory-budget", raw.memory_budget, 1, kMostMebibytes)) << 20;
+    }
+    if (!raw.minimal_fraction.empty()) {
+        o.engine.minimal_fraction = read_numbers("--minimal-fraction", raw.minimal_fraction, {1}, "a share")[0];
+        if (o.engine.minimal_fraction < 0 || o.engine.minimal_fraction > 1) {
+            throw UsageError(fmt::format("--minimal-fraction {}: a share is from 0 to 1", raw.minimal_fraction));
+        }
     }
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);

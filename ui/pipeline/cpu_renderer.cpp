@@ -41,6 +41,7 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
                                   statistics_.peel_ms += watch.lap();
                                   ++statistics_.samples;
                                   goldfeather::add(statistics_.walk, stats);
+                                  goldfeather::leave_out_sparse_layers(layers_, minimal_fraction_);
                                   return layers_;
                               });
     statistics_.style_ms += watch.lap();

@@ -15,6 +15,9 @@ namespace ui {
 /// Holds one model. All cores work on a picture.
 class CpuRenderer {
   public:
+    /// `minimal_fraction`: see goldfeather::EngineOptions.
+    explicit CpuRenderer(double minimal_fraction) : minimal_fraction_(minimal_fraction) {}
+
     /// See Renderer.
     void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
     [[nodiscard]] gl::Image image() const { return accumulator_.image(); }
@@ -32,6 +35,7 @@ class CpuRenderer {
     void hold(const Model& model);
     const npr::Paint& paint(const npr::StyleInfo& style);
 
+    double minimal_fraction_;
     std::unique_ptr<const Held> model_;
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` was made of.
     peel::CpuLayers layers_;        ///< Its memory is used again.

@@ -8,7 +8,7 @@ GlRenderer::GlRenderer(const gl::Context& context, const goldfeather::EngineOpti
     : gl_(context.functions()),
       software_(context.software()),
       wanted_(engine.kind),
-      peeler_(gl_, engine.memory_budget),
+      peeler_(gl_, engine.memory_budget, engine.minimal_fraction),
       accumulator_(gl_) {}
 
 void GlRenderer::hold(const Model& model) {

@@ -9,9 +9,10 @@
 namespace ui {
 
 Renderer::Renderer(const gl::Context& context, const goldfeather::EngineOptions& engine, Painter painter)
-    : wanted_(engine), painter_(painter), context_(&context) {}
+    : wanted_(engine), painter_(painter), context_(&context), cpu_(engine.minimal_fraction) {}
 
-Renderer::Renderer(const goldfeather::EngineOptions& engine, Painter painter) : wanted_(engine), painter_(painter) {}
+Renderer::Renderer(const goldfeather::EngineOptions& engine, Painter painter)
+    : wanted_(engine), painter_(painter), cpu_(engine.minimal_fraction) {}
 
 GlRenderer& Renderer::with_opengl() {
     if (context_ == nullptr) {
