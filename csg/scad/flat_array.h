@@ -29,11 +29,13 @@ class FlatArray {
     }
 
     void push_back(const T& value) {
-        const T copy = value;  // It may lie in this array.
         if (size_ == capacity_) {
+            const T copy = value;  // It may lie in this array.
             reserve(std::max<std::size_t>(64, 2 * capacity_));
+            data_[size_++] = copy;
+        } else {
+            data_[size_++] = value;
         }
-        data_[size_++] = copy;
     }
     /// Invalidates references, as push_back does.
     void reserve(std::size_t capacity) {

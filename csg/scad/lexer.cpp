@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <array>
 #include <vector>
 
 #include "csg/scad/characters.h"
@@ -30,7 +30,7 @@ TokenKind sign_of_two(char first, char second) {
     }
 }
 
-TokenKind sign_of_one(char c) {
+constexpr TokenKind sign_of_one(char c) {
     switch (c) {
         case '(':
             return TokenKind::ParenOpen;
@@ -86,6 +86,21 @@ TokenKind sign_of_one(char c) {
             return TokenKind::End;
     }
 }
+
+/// Signs that begin no longer one, and no number.
+class LoneSigns {
+  public:
+    constexpr LoneSigns() {
+        for (const char c : std::string_view("()[]{},;:?#%*+-/^~")) {
+            kinds_[static_cast<unsigned char>(c)] = sign_of_one(c);
+        }
+    }
+    [[nodiscard]] TokenKind of(char c) const { return kinds_[static_cast<unsigned char>(c)]; }
+
+  private:
+    std::array<TokenKind, 256> kinds_{};  // End, by default.
+};
+constexpr LoneSigns kLoneSigns;
 
 }  // namespace
 
@@ -177,16 +192,20 @@ bool Lexer::skip_comment() {
 }
 
 bool Lexer::skip_blanks() {
+    const char* const end = text_.data() + text_.size();
     while (!at_end()) {
-        const char c = peek();
+        const char c = text_[place_.at];
         if (c == ' ') {
-            ++place_.at;
+            place_.at = static_cast<std::size_t>(end_of_spaces(text_.data() + place_.at + 1, end) - text_.data());
         } else if (c == '\n') {
             ++place_.line;
             place_.line_start = ++place_.at;
-        } else if (is_word(c)) {
+        } else if (c > ' ' && c != '/') {
             break;
-        } else if (c == '/' && (peek(1) == '/' || peek(1) == '*')) {
+        } else if (c == '/') {
+            if (peek(1) != '/' && peek(1) != '*') {
+                break;
+            }
             const Place begin = place_;
             if (!skip_comment()) {
                 place_ = begin;
@@ -213,8 +232,15 @@ Token Lexer::take() {
     if (at_end()) {
         return finish(TokenKind::End, begin);
     }
-    const char c = peek();
+    const char c = text_[place_.at];
+    if (const TokenKind sign = kLoneSigns.of(c); sign != TokenKind::End) {
+        ++place_.at;
+        return finish(sign, begin);
+    }
     if (is_digit(c) || c == '.') {
+        if (Token token; is_digit(c) && short_number(begin, token)) {
+            return token;
+        }
         const std::size_t as_number = number_length();
         if (as_number > 0 && as_number >= word_length()) {  // The longer one counts: `2d` is a name.
             return number(begin, as_number);
@@ -256,7 +282,7 @@ Token Lexer::word(const Place& begin, std::size_t length) {
         return hexadecimal(begin, length);
     }
     place_.at += length;
-    Token token = finish(word_kind(text), begin);
+    Token token = finish(word_kind(text, text_.data() + text_.size()), begin);
     token.name = symbols_.intern(text);
     if (digit) {
         report(sink_, {Severity::Deprecated, token.where,

@@ -20,7 +20,8 @@ class Lexer {
         std::size_t line_start = 0;
     };
 
-    /// `text`, `symbols` and `sink` must outlive the lexer. `file` is the index for ranges.
+    /// `text`, `symbols` and `sink` must outlive the lexer. A zero, or nothing that belongs to a word or number, follows
+    /// the text. `file` is the index for ranges.
     Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink);
     /// Reads a piece of a file only, from `begin` on; `text` is the file's up to where the piece ends.
     Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink, const Place& begin);
@@ -52,6 +53,8 @@ class Lexer {
 
     Token word(const Place& begin, std::size_t length);
     Token number(const Place& begin, std::size_t length);
+    /// Reads most numbers; false, and nothing, where it takes more.
+    bool short_number(const Place& begin, Token& token);
     Token hexadecimal(const Place& begin, std::size_t length);
     Token string(const Place& begin);
     Token punctuation(const Place& begin);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 
@@ -78,6 +79,36 @@ std::size_t Lexer::number_length() const {
         }
     }
     return digits > 0 ? length : 0;
+}
+
+/// Of at most fifteen digits, without an exponent: these, and the powers of ten that they are divided by, are numbers
+/// that a double holds, so the quotient is the double that is nearest to what is written.
+bool Lexer::short_number(const Place& begin, Token& token) {
+    static constexpr std::array<double, 16> kPowers = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const char* const first = text_.data() + place_.at;
+    const char* at = first;
+    std::uint64_t digits = 0;
+    const auto read_digits = [&] {
+        const char* const start = at;
+        for (; is_digit(*at); ++at) {
+            digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
+        }
+        return static_cast<std::size_t>(at - start);
+    };
+    const std::size_t before = read_digits();
+    std::size_t behind = 0;
+    if (*at == '.') {
+        ++at;
+        behind = read_digits();
+    }
+    if (before + behind >= kPowers.size() || is_word(*at)) {
+        return false;
+    }
+    place_.at += static_cast<std::size_t>(at - first);
+    token = finish(TokenKind::Number, begin);
+    token.number = static_cast<double>(digits) / kPowers[behind];
+    return true;
 }
 
 Token Lexer::number(const Place& begin, std::size_t length) {

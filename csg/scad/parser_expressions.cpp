@@ -54,7 +54,7 @@ BinaryOperator binary_operator(TokenKind kind) {
 
 }  // namespace
 
-ExprId Parser::add(Expr e) {
+ExprId Parser::add(Expr& e) {
     if (e.kind == ExprKind::Binary || e.kind == ExprKind::Index || e.kind == ExprKind::Member) {
         const std::uint8_t left = program_[e.operand(0)].links;
         e.links = left < 255 ? static_cast<std::uint8_t>(left + 1) : left;
@@ -309,7 +309,7 @@ ExprId Parser::primary(Position position) {
 }
 
 ExprId Parser::literal(ExprKind kind, double number) {
-    const Token token = take();
+    const Token& token = take();
     Expr e;
     e.kind = kind;
     e.name = kind == ExprKind::String || kind == ExprKind::Identifier ? token.name : kNoSymbol;

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "csg/scad/paths.h"
+
 namespace csg::scad {
 namespace {
 
@@ -21,24 +23,23 @@ bool is_font(std::string_view name) {
     return end == ".ttf" || end == ".otf";
 }
 
-/// Equal for paths that name the same file, as far as their text tells.
-std::string identity(const std::string& path) {
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(path, error);
-    return (error ? std::filesystem::path(path) : absolute).lexically_normal().string();
-}
-
 }  // namespace
 
 Files::Files(const ParseRequest& request, Program& program, const MessageSink& sink)
     : request_(request), program_(program), sink_(sink) {
+    std::error_code error;
+    working_directory_ = std::filesystem::current_path(error).string();
     const std::uint32_t main = add(request.path, request.text);
-    const std::filesystem::path path = std::filesystem::path(request.path).lexically_normal();
     by_path_.emplace(identity(request.path), main);
-    base_directory_ = path.has_parent_path() ? path.parent_path().string() : "";
+    base_directory_ = folder_of_path(normal_path(request.path));
     base_directory_ += base_directory_.empty() || base_directory_.ends_with('/') ? "" : "/";
     unit_of_file_.emplace(main, 0);
     program.units.push_back({main, kNone, {}});
+}
+
+/// Equal for paths that name the same file, as far as their text tells.
+std::string Files::identity(const std::string& path) const {
+    return normal_path(path_in(working_directory_, path));
 }
 
 std::uint32_t Files::add(std::string name, std::string text) {
@@ -52,35 +53,42 @@ Files::Found Files::find(const std::string& name, std::uint32_t from, std::span<
     if (name.empty() || name.ends_with('/')) {  // Names a directory at best.
         return {};
     }
-    const auto candidates = source_candidates(name, program_.sources[from].name(), request_.search_path);
-    Found found = find_existing(candidates, open);
-    const auto is_open = [&](const std::string& path) {
-        const auto known = by_path_.find(identity(path));
-        return known != by_path_.end() && std::find(open.begin(), open.end(), known->second) != open.end();
+    const Candidates candidates = [&](std::size_t index) {
+        return source_candidate(index, name, program_.sources[from].name(), request_.search_path);
     };
-    if (!found.file && found.problem.empty() && request_.make_missing &&
-        std::none_of(candidates.begin(), candidates.end(), is_open)) {
-        request_.make_missing(candidates.front());
+    Found found = find_existing(candidates, open);
+    if (!found.file && found.problem.empty() && request_.make_missing && !any_open(candidates, open)) {
+        request_.make_missing(*candidates(0));
         found = find_existing(candidates, open);
     }
     return found;
 }
 
-Files::Found Files::find_existing(std::span<const std::string> candidates, std::span<const std::uint32_t> open) {
+bool Files::any_open(const Candidates& candidates, std::span<const std::uint32_t> open) const {
+    for (std::size_t i = 0; const std::optional<std::string> path = candidates(i); ++i) {
+        const auto known = by_path_.find(identity(*path));
+        if (known != by_path_.end() && std::find(open.begin(), open.end(), known->second) != open.end()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Files::Found Files::find_existing(const Candidates& candidates, std::span<const std::uint32_t> open) {
     Found found;
-    for (const std::string& path : candidates) {
-        std::string key = identity(path);
+    for (std::size_t i = 0; const std::optional<std::string> path = candidates(i); ++i) {
+        std::string key = identity(*path);
         if (const auto known = by_path_.find(key); known != by_path_.end()) {
             if (std::find(open.begin(), open.end(), known->second) != open.end()) {
                 continue;
             }
-            return {known->second, path, {}};
+            return {known->second, *path, {}};
         }
-        ReadResult result = request_.reader(path);
+        ReadResult result = request_.reader(*path);
         if (auto* const text = std::get_if<std::string>(&result)) {
-            const std::uint32_t file = add(path, std::move(*text));
+            const std::uint32_t file = add(*path, std::move(*text));
             by_path_.emplace(std::move(key), file);
-            return {file, path, {}};
+            return {file, *path, {}};
         }
         const ReadError& error = std::get<ReadError>(result);
         if (!error.missing && found.problem.empty()) {
@@ -124,7 +132,7 @@ void Files::use(const std::string& name, std::uint32_t from, UnitId unit, const 
 }
 
 std::string Files::name_in_messages(std::uint32_t file) const {
-    std::string name = std::filesystem::path(program_.sources[file].name()).lexically_normal().string();
+    std::string name = normal_path(program_.sources[file].name());
     name.erase(0, name.starts_with(base_directory_) ? base_directory_.size() : 0);
     return name;
 }

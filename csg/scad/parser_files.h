@@ -1,6 +1,7 @@
 // The files of a program while it is parsed: found, read once, and handed out. Internal to the parser.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,11 +45,16 @@ class Files {
         std::string problem;  ///< Why a file that is there could not be read.
     };
     Found find(const std::string& name, std::uint32_t from, std::span<const std::uint32_t> open);
-    Found find_existing(std::span<const std::string> candidates, std::span<const std::uint32_t> open);
+    /// Paths in the order in which they are tried; nothing beyond the last.
+    using Candidates = std::function<std::optional<std::string>(std::size_t index)>;
+    Found find_existing(const Candidates& candidates, std::span<const std::uint32_t> open);
+    [[nodiscard]] bool any_open(const Candidates& candidates, std::span<const std::uint32_t> open) const;
+    [[nodiscard]] std::string identity(const std::string& path) const;
 
     const ParseRequest& request_;
     Program& program_;
     const MessageSink& sink_;
+    std::string working_directory_;
     std::string base_directory_;  ///< Of the main file, with a slash at its end; empty for the working directory.
     std::unordered_map<std::string, std::uint32_t> by_path_;  ///< By `identity`.
     std::unordered_map<std::uint32_t, UnitId> unit_of_file_;

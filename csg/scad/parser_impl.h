@@ -101,7 +101,8 @@ class Parser {
     ExprId member(ExprId value);
     [[nodiscard]] bool begins_expression() const;
     [[nodiscard]] bool is_element(ExprId e) const;
-    ExprId add(Expr e);
+    /// Counts its links, and adds it to the program.
+    ExprId add(Expr& e);
 
     // parser_lists.cpp
     ExprId vector_or_range();

@@ -1,28 +1,12 @@
 // Tokens, straight from the text. A string's text ends with a zero, which is none of them.
 #include "csg/scad/preparser.h"
 
-#include <bit>
 #include <cstring>
 
 namespace csg::scad {
 namespace {
 
 constexpr CharacterSet kPlainEscapes("\\\"tnr");
-
-/// Eight bytes are read at once where the text has as many.
-TokenKind kind_of(std::string_view word, const char* end) {
-    if constexpr (std::endian::native == std::endian::little) {
-        if (word.size() > 8) {
-            return TokenKind::Identifier;
-        }
-        if (end - word.data() >= 8) {
-            std::uint64_t bytes = 0;
-            std::memcpy(&bytes, word.data(), sizeof(bytes));
-            return word_kind(bytes & ~std::uint64_t{0} >> (64 - 8 * word.size()));
-        }
-    }
-    return word_kind(word);
-}
 
 std::size_t digits(const char* at) {
     const char* const begin = at;
@@ -90,7 +74,7 @@ TokenKind Preparser::word() {
         symbols_.intern(word_);
         return TokenKind::Identifier;
     }
-    const TokenKind kind = kind_of(word_, text_end_);
+    const TokenKind kind = word_kind(word_, text_end_);
     const bool names_file = kind == TokenKind::Identifier && *at_ == '<' && (word_ == "include" || word_ == "use");
     return names_file ? TokenKind::Error : kind;
 }

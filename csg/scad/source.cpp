@@ -11,9 +11,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 #include <mutex>
+
+#include "csg/scad/paths.h"
 
 namespace csg::scad {
 
@@ -144,18 +145,15 @@ ReadResult read_source_file(const std::string& path) {
     }
 }
 
-std::vector<std::string> source_candidates(std::string_view name, std::string_view from,
-                                           const std::vector<std::string>& search_path) {
-    namespace fs = std::filesystem;
-    const fs::path wanted(name);
-    if (wanted.is_absolute()) {
-        return {wanted.lexically_normal().string()};
+std::optional<std::string> source_candidate(std::size_t index, std::string_view name, std::string_view from,
+                                            std::span<const std::string> search_path) {
+    if (index == 0) {
+        return normal_path(path_in(folder_of_path(from), name));
     }
-    std::vector<std::string> candidates{(fs::path(from).parent_path() / wanted).lexically_normal().string()};
-    for (const std::string& directory : search_path) {
-        candidates.push_back((fs::path(directory) / wanted).lexically_normal().string());
+    if (index > search_path.size() || name.starts_with('/')) {
+        return std::nullopt;
     }
-    return candidates;
+    return normal_path(path_in(search_path[index - 1], name));
 }
 
 std::vector<std::string> search_path_from_environment() {

@@ -6,6 +6,8 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -79,10 +81,13 @@ using FileMaker = std::function<void(const std::string& path)>;
 /// Reads a regular file from disk; a directory, an unreadable file or one above kMaxSourceBytes is an error.
 [[nodiscard]] ReadResult read_source_file(const std::string& path);
 
-/// Where `name`, written in an include or use of the file `from`, is looked for, in order: as it is when absolute;
-/// else beside `from`, then in each of `search_path`. Paths are normalised lexically ("a/../b" is "b").
-[[nodiscard]] std::vector<std::string> source_candidates(std::string_view name, std::string_view from,
-                                                         const std::vector<std::string>& search_path);
+/// Where `name`, written in an include or use of the file `from`, is looked for: the path that is tried first, second,
+/// …
+/// (`index` counts from 0), as long as there are more. As it is when absolute; else beside `from`, then in each of
+/// `search_path`. Paths are normalised lexically ("a/../b" is "b").
+[[nodiscard]] std::optional<std::string> source_candidate(std::size_t index, std::string_view name,
+                                                          std::string_view from,
+                                                          std::span<const std::string> search_path);
 
 /// Directories of the environment variable OPENSCADPATH (separated by ':'), then OpenSCAD's own library folders: the
 /// user's and those of the system. They need not exist.

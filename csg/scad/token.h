@@ -1,7 +1,9 @@
 // Tokens: the words of the language.
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -83,5 +85,20 @@ struct Token {
 
 /// The same of a word of up to eight bytes: the first byte is the lowest of `word`, and behind the last are zeros.
 [[nodiscard]] TokenKind word_kind(std::uint64_t word);
+
+/// The same of a word in a text that ends at `end`: eight bytes are read at once where there are as many.
+[[nodiscard]] inline TokenKind word_kind(std::string_view word, const char* end) {
+    if constexpr (std::endian::native == std::endian::little) {
+        if (word.size() > sizeof(std::uint64_t)) {
+            return TokenKind::Identifier;
+        }
+        if (end - word.data() >= static_cast<std::ptrdiff_t>(sizeof(std::uint64_t))) {
+            std::uint64_t bytes = 0;
+            std::memcpy(&bytes, word.data(), sizeof(bytes));
+            return word_kind(bytes & ~std::uint64_t{0} >> (64 - 8 * word.size()));
+        }
+    }
+    return word_kind(word);
+}
 
 }  // namespace csg::scad

@@ -17,16 +17,16 @@ const MessageSink kSilence;
 TokenStream::TokenStream(Files& files, std::uint32_t root, UnitId unit) : files_(&files), unit_(unit) {
     Program& program = files.program();
     lexers_.emplace_back(program.sources[root].text(), root, program.symbols, files.sink());
-    tokens_[0] = read();
-    tokens_[1] = read();
+    read(tokens_[0]);
+    read(tokens_[1]);
 }
 
 TokenStream::TokenStream(Program& program, const LazyBody& body) {
     const std::string_view text = std::string_view(program.sources[body.file].text()).substr(0, body.end);
     lexers_.emplace_back(text, body.file, program.symbols, kSilence,
                          Lexer::Place{body.begin, body.line, body.begin - (body.column - 1)});
-    tokens_[0] = read();
-    tokens_[1] = read();
+    read(tokens_[0]);
+    read(tokens_[1]);
 }
 
 bool TokenStream::can_skip() const {
@@ -46,33 +46,43 @@ void TokenStream::skip(std::size_t end) {
     sign.where = {lexer.file(), place.line, column, place.line, column + 1};
     tokens_[at_ % kKept] = sign;
     ++at_;
-    tokens_[at_ % kKept] = read();
-    tokens_[(at_ + 1) % kKept] = is_last(current()) ? current() : read();
+    read(tokens_[at_ % kKept]);
+    read_next();
 }
 
 const Token& TokenStream::take() {
     const Token& taken = current();
-    const Token& after = next();
     ++at_;
-    tokens_[(at_ + 1) % kKept] = is_last(after) ? after : read();
+    read_next();
     return taken;
 }
 
-Token TokenStream::read() {
+/// The one after the current one; the last one is followed by itself.
+void TokenStream::read_next() {
+    Token& after = tokens_[(at_ + 1) % kKept];
+    if (is_last(current())) {
+        after = current();
+    } else {
+        read(after);
+    }
+}
+
+void TokenStream::read(Token& token) {
     for (;;) {
-        const Token token = lexers_.back().take();
+        token = lexers_.back().take();
         if (token.kind == TokenKind::End && lexers_.size() > 1) {
             lexers_.pop_back();
             open_.pop_back();
         } else if (token.kind == TokenKind::Include) {
             if (Token failed; !enter(token, failed)) {
-                return failed;
+                token = failed;
+                return;
             }
         } else {
             if (token.kind == TokenKind::Use) {
                 files_->use(files_->program().symbols.text(token.name), token.where.file, unit_, token.where);
             }
-            return token;
+            return;
         }
     }
 }

@@ -31,7 +31,8 @@ class TokenStream {
     void skip(std::size_t end);
 
   private:
-    [[nodiscard]] Token read();
+    void read(Token& token);
+    void read_next();
     [[nodiscard]] Token too_much(const Token& include, std::string text);
     bool enter(const Token& include, Token& failed);
 

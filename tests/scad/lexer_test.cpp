@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <random>
 
 namespace {
 
@@ -119,6 +121,19 @@ TEST(Lexer, Numbers) {
     EXPECT_EQ(tokens("1.5x"), "#1.500000 'x'");
     EXPECT_EQ(tokens("1..2"), "#1.000000 #0.200000");
     EXPECT_EQ(tokens("."), ".");
+}
+
+/// However many digits there are before and behind the point.
+TEST(Lexer, NumbersAreTheNearestDoubles) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 20'000; ++i) {
+        std::string text;
+        for (std::size_t digits = 1 + random() % 19; text.size() < digits;) {
+            text += static_cast<char>('0' + random() % 10);
+        }
+        text.insert(random() % (text.size() + 1), 1, '.');
+        ASSERT_EQ(number(text), std::strtod(text.c_str(), nullptr)) << text;
+    }
 }
 
 TEST(Lexer, NumbersOutOfRange) {

@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "csg/scad/source.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -15,12 +16,7 @@ using csg::scad::read_source_file;
 
 class ReadSource : public testing::Test {
   protected:
-    ReadSource() {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~ReadSource() override { fs::remove_all(folder_); }
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.path(name); }
     static std::string error(const std::string& path, bool missing = false) {
         const auto result = read_source_file(path);
         const auto* const error = std::get_if<csg::scad::ReadError>(&result);
@@ -29,7 +25,7 @@ class ReadSource : public testing::Test {
         return text.substr(std::min(text.size(), text.find(path) + path.size()));
     }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) / "csgscope_read_source";
+    const test_support::TemporaryFolder folder_;
 };
 
 TEST_F(ReadSource, AllBytes) {
@@ -38,8 +34,7 @@ TEST_F(ReadSource, AllBytes) {
         for (std::size_t i = 0; i < size; ++i) {
             text += static_cast<char>(i * i / 7);
         }
-        std::ofstream(path("a.scad"), std::ios::binary) << text;
-        const auto result = read_source_file(path("a.scad"));
+        const auto result = read_source_file(folder_.write("a.scad", text));
         ASSERT_TRUE(std::holds_alternative<std::string>(result));
         EXPECT_TRUE(std::get<std::string>(result) == text) << size;
     }
@@ -54,9 +49,8 @@ TEST_F(ReadSource, FilesThatDoNotKnowTheirSize) {
 
 TEST_F(ReadSource, WhatIsNoFileSaysSo) {
     EXPECT_EQ(error(path("none.scad"), true), ": no such file");
-    std::ofstream(path("file")) << "1";
-    EXPECT_EQ(error(path("file") + "/a.scad", true), ": no such file");
-    EXPECT_EQ(error(folder_.string()), ": it is a directory");
+    EXPECT_EQ(error(folder_.write("file", "1") + "/a.scad", true), ": no such file");
+    EXPECT_EQ(error(folder_.path(".")), ": it is a directory");
     ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);  // Nobody writes into it: reading would wait for ever.
     EXPECT_EQ(error(path("pipe")), ": it is not a regular file");
     fs::create_symlink("loop", path("loop"));
@@ -64,7 +58,7 @@ TEST_F(ReadSource, WhatIsNoFileSaysSo) {
 }
 
 TEST_F(ReadSource, LargeFilesAreRefused) {
-    std::ofstream(path("large.scad")) << "1";
+    folder_.write("large.scad", "1");
     fs::resize_file(path("large.scad"), csg::scad::kMaxSourceBytes + 1);
     EXPECT_EQ(error(path("large.scad")), ": it is larger than 64 MiB");
     fs::resize_file(path("large.scad"), std::uintmax_t{1} << 40);
