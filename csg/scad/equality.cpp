@@ -62,38 +62,60 @@ bool equal_simple(const Value& a, const Value& b) {
     }
 }
 
+/// Goes through pairs of lists; those that nest deep are set aside, so that they need no deep stack.
+class Comparison {
+  public:
+    bool run(const Value& a, const Value& b) {
+        if (!compare(a, b, 0)) {
+            return false;
+        }
+        while (!pending_.empty()) {
+            const auto [x, y] = pending_.back();
+            pending_.pop_back();
+            if (!compare(x, y, 0)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+  private:
+    static constexpr int kMostDepth = 32;
+    static constexpr std::size_t kMostPairs = 50'000'000;
+
+    bool compare(const Value& a, const Value& b, int depth) {
+        if (!is_compound(a) || !is_compound(b)) {
+            return equal_simple(a, b);
+        }
+        if (!same_shape(a, b)) {
+            return false;
+        }
+        const Values x = parts_of(a), y = parts_of(b);
+        return depth < kMostDepth ? compare(x, y, depth + 1) : (pending_.emplace_back(x, y), true);
+    }
+
+    bool compare(Values x, Values y, int depth) {
+        if (++pairs_ > kMostPairs) {
+            throw ValueLimit("The lists are too large to compare");
+        }
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const bool same =
+                x[i].is_number() && y[i].is_number() ? x[i].number() == y[i].number() : compare(x[i], y[i], depth);
+            if (!same) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    std::size_t pairs_ = 0;
+    std::vector<std::pair<Values, Values>> pending_;
+};
+
 }  // namespace
 
 bool equal(const Value& a, const Value& b) {
-    if (!is_compound(a) || !is_compound(b)) {
-        return equal_simple(a, b);
-    }
-    if (!same_shape(a, b)) {
-        return false;
-    }
-    // Pairs still to compare, so that deep nesting needs no deep stack.
-    constexpr std::size_t kMostPairs = 50'000'000;
-    std::size_t pairs = 0;
-    std::vector<std::pair<Values, Values>> pending{{parts_of(a), parts_of(b)}};
-    while (!pending.empty()) {
-        if (++pairs > kMostPairs) {
-            throw ValueLimit("The lists are too large to compare");
-        }
-        const auto [x, y] = pending.back();
-        pending.pop_back();
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            if (!is_compound(x[i]) || !is_compound(y[i])) {
-                if (!equal_simple(x[i], y[i])) {
-                    return false;
-                }
-            } else if (!same_shape(x[i], y[i])) {
-                return false;
-            } else {
-                pending.emplace_back(parts_of(x[i]), parts_of(y[i]));
-            }
-        }
-    }
-    return true;
+    return is_compound(a) && is_compound(b) ? Comparison().run(a, b) : equal_simple(a, b);
 }
 
 }  // namespace csg::scad

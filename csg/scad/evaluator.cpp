@@ -37,13 +37,13 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
       fn_index_(index_of_special(program, r_, "$fn")),
       fa_index_(index_of_special(program, r_, "$fa")),
       fs_index_(index_of_special(program, r_, "$fs")) {
-    host_.warn = [this](std::string text) { warn(*call_where_, std::move(text)); };
+    host_.warn = [this](std::string text) { warn(p_[call_].where, std::move(text)); };
     host_.warn_without_place = [this](std::string text) { warn({}, std::move(text)); };
     host_.argument_name = [this](std::size_t i) {
-        const Symbol argument = call_arguments_[i].name;
+        const Symbol argument = p_.arguments_of(p_[call_])[i].name;
         return argument == kNoSymbol ? std::string_view() : std::string_view(name(argument));
     };
-    host_.data_file = [this](const std::string& file) { return find_data_file(*this, *call_where_, file); };
+    host_.data_file = [this](const std::string& file) { return find_data_file(*this, p_[call_].where, file); };
     host_.read = request.reader;
     host_.measures = request.measures.get();
     host_.font_files = program.fonts();

@@ -230,8 +230,7 @@ class Evaluator {
     void enter(Activation& a, Callee& callee);
     Value call_any(const Instruction& i, Activation& caller);
     bool replace(const Instruction& i, Activation& a, unsigned tail_calls, std::uint32_t& entry, Value& result);
-    Value call_builtin(ExprId call, BuiltinFunction function, std::span<const Value> arguments);
-    Value call_builtin(const Instruction& i, std::span<const Value> arguments);
+    Value call_builtin(ExprId call, std::uint32_t target, std::span<const Value> arguments);
     /// The `values` of the arguments, which are moved, go to the slots of the parameters they are for; parameters
     /// without one stay as they are. Named arguments that are for no parameter go to `others`.
     void bind_arguments(std::span<const Argument> arguments, Value* values, std::span<const Argument> parameters,
@@ -268,8 +267,7 @@ class Evaluator {
     const Resolution& r_;
     FunctionHost host_;
     const ActiveStep* innermost_ = nullptr;
-    const SourceRange* call_where_ = nullptr;
-    std::span<const Argument> call_arguments_;  ///< Of the built-in function that runs.
+    ExprId call_ = kNone;  ///< Of the built-in function that runs.
     ValueStack stack_;
     std::vector<Value> dynamic_;
     std::vector<Value> strings_;   ///< By symbol, once they are used. Never moves.

@@ -28,7 +28,9 @@ Value Evaluator::run(Activation& a, std::uint32_t entry) {
     const Value* constants = a.code->constants.data();
     Value* r = a.registers;
     unsigned tail_calls = 0;
-    const auto at = [&](std::uint32_t o) -> const Value& { return ((o & 1U) != 0 ? constants : r)[o >> 1U]; };
+    const auto at = [&](std::uint32_t o) __attribute__((always_inline))->const Value& {
+        return ((o & 1U) != 0 ? constants : r)[o >> 1U];
+    };
     const auto arithmetic = [&](const Instruction& i, auto&& of_numbers) {
         const Value &x = at(i.a), &y = at(i.b);
         if (x.is_number() && y.is_number()) {
@@ -149,7 +151,7 @@ Value Evaluator::run(Activation& a, std::uint32_t entry) {
                 if (list.is_vector()) {
                     r[i.target] = static_cast<double>(list.elements().size());
                 } else {
-                    r[i.target] = call_builtin(i, {&list, 1});
+                    r[i.target] = call_builtin(i.e, i.a, {&list, 1});
                 }
                 break;
             }
@@ -309,10 +311,10 @@ Value Evaluator::run(Activation& a, std::uint32_t entry) {
                 }
                 break;
             case Opcode::CallBuiltin:
-                r[i.target] = call_builtin(i, {r + i.b, i.c});
+                r[i.target] = call_builtin(i.e, i.a, {r + i.b, i.c});
                 break;
             case Opcode::CallBuiltinOne:
-                r[i.target] = call_builtin(i, {&at(i.b), 1});
+                r[i.target] = call_builtin(i.e, i.a, {&at(i.b), 1});
                 break;
             case Opcode::WarnNoFunction:
                 warn_no_function(i.e);

@@ -10,7 +10,7 @@ namespace csg::scad {
 /// What a call of no certain function calls, with its arguments in place.
 struct Evaluator::Callee {
     const Code* code = nullptr;
-    BuiltinFunction builtin = nullptr;  ///< In place of `code`.
+    std::uint32_t builtin = kNone;  ///< In place of `code`: index of the target.
     const Frame* frame = nullptr;
     UnitId unit = kNone;  ///< Of a function of a used file, in whose frame it runs.
     Value function;       ///< Keeps a function value alive.
@@ -162,7 +162,7 @@ Evaluator::Callee Evaluator::prepare(const Instruction& i, Activation& caller) {
             at = r_.calls[at].next;
         }
         if (r_.calls[at].kind == CallTarget::Kind::Builtin) {
-            callee.builtin = r_.calls[at].builtin;
+            callee.builtin = at;
             return callee;
         }
         const DefinitionRef definition = r_.calls[at].function;
@@ -217,7 +217,7 @@ void Evaluator::enter(Activation& a, Callee& callee) {
 
 Value Evaluator::call_any(const Instruction& i, Activation& caller) {
     Callee callee = prepare(i, caller);
-    if (callee.builtin != nullptr) {
+    if (callee.builtin != kNone) {
         return call_builtin(i.e, callee.builtin, {callee.values, callee.count});
     }
     const SourceRange& where = p_[i.e].where;
@@ -257,7 +257,7 @@ bool Evaluator::replace(const Instruction& i, Activation& a, unsigned tail_calls
         return true;
     }
     Callee callee = prepare(i, a);
-    if (callee.builtin != nullptr) {
+    if (callee.builtin != kNone) {
         result = call_builtin(i.e, callee.builtin, {callee.values, callee.count});
         return false;
     }
@@ -270,15 +270,10 @@ bool Evaluator::replace(const Instruction& i, Activation& a, unsigned tail_calls
     return true;
 }
 
-Value Evaluator::call_builtin(ExprId call, BuiltinFunction function, std::span<const Value> arguments) {
-    const Expr& e = p_[call];
-    call_where_ = &e.where;
-    call_arguments_ = p_.arguments_of(e);
-    return function(name(p_[e.operand(0)].name), arguments, host_);
-}
-
-Value Evaluator::call_builtin(const Instruction& i, std::span<const Value> arguments) {
-    return call_builtin(i.e, r_.calls[i.a].builtin, arguments);
+Value Evaluator::call_builtin(ExprId call, std::uint32_t target, std::span<const Value> arguments) {
+    const CallTarget& builtin = r_.calls[target];
+    call_ = call;
+    return builtin.builtin(builtin.name, arguments, host_);
 }
 
 }  // namespace csg::scad

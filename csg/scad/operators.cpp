@@ -85,25 +85,10 @@ Value compare(Operator op, const Value& a, const Value& b, std::string& problem)
     }
 }
 
-/// Lists up to here are made without a vector: points, mostly.
-constexpr std::size_t kFew = 4;
-
 /// `f` of each element; nested lists element by element.
 template <typename F>
 Value map(std::span<const Value> elements, F&& f) {
-    if (elements.size() <= kFew) {
-        std::array<Value, kFew> few;
-        for (std::size_t i = 0; i < elements.size(); ++i) {
-            few[i] = f(elements[i]);
-        }
-        return Value::list(std::span(few).first(elements.size()));
-    }
-    std::vector<Value> result;
-    result.reserve(elements.size());
-    for (const Value& e : elements) {
-        result.push_back(f(e));
-    }
-    return result;
+    return Value::list_of(elements.size(), [&](std::size_t i) { return f(elements[i]); });
 }
 
 /// Into the 64 bits of an integer, those above 2^63 included.
@@ -136,42 +121,71 @@ Value bits(Operator op, const Value& a, const Value& b, std::string& problem) {
 
 constexpr int kMaxListDepth = 1000;
 
-Value arithmetic(Operator op, const Value& a, const Value& b, std::string& problem, int depth = 0) {
+double of_numbers(Operator op, double x, double y) {
+    switch (op) {
+        case Operator::Add:
+            return x + y;
+        case Operator::Subtract:
+            return x - y;
+        case Operator::Multiply:
+            return x * y;
+        case Operator::Divide:
+            return x / y;
+        case Operator::Modulo:
+            return remainder_of(x, y);
+        default:
+            return std::pow(x, y);
+    }
+}
+
+Value arithmetic(Operator op, const Value& a, const Value& b, std::string& problem, int depth = 0);
+
+/// A list of `count` elements, each of the operands that `left` and `right` give for it.
+template <typename Left, typename Right>
+Value each(Operator op, std::size_t count, Left&& left, Right&& right, std::string& problem, int depth) {
+    const auto made = [&](auto&& f) {
+        return Value::list_of(count, [&](std::size_t i) {
+            const Value &x = left(i), &y = right(i);
+            return x.is_number() && y.is_number() ? Value(f(x.number(), y.number()))
+                                                  : arithmetic(op, x, y, problem, depth + 1);
+        });
+    };
+    switch (op) {
+        case Operator::Add:
+            return made([](double x, double y) { return x + y; });
+        case Operator::Subtract:
+            return made([](double x, double y) { return x - y; });
+        case Operator::Multiply:
+            return made([](double x, double y) { return x * y; });
+        default:
+            return made([](double x, double y) { return x / y; });
+    }
+}
+
+Value arithmetic(Operator op, const Value& a, const Value& b, std::string& problem, int depth) {
     if (a.is_number() && b.is_number()) {
-        const double x = a.number(), y = b.number();
-        switch (op) {
-            case Operator::Add:
-                return x + y;
-            case Operator::Subtract:
-                return x - y;
-            case Operator::Multiply:
-                return x * y;
-            case Operator::Divide:
-                return x / y;
-            case Operator::Modulo:
-                return remainder_of(x, y);
-            default:
-                return std::pow(x, y);
-        }
+        return of_numbers(op, a.number(), b.number());
     }
     if (depth > kMaxListDepth) {
         return undefined(op, a, b, problem);
     }
     const bool scaling = op == Operator::Multiply || op == Operator::Divide;
+    const auto element_of = [](const Value& list) {
+        return [elements = list.elements()](std::size_t i) -> const Value& { return elements[i]; };
+    };
+    const auto same = [](const Value& value) { return [&value](std::size_t) -> const Value& { return value; }; };
     if (a.is_vector() && b.is_vector()) {
         if (op == Operator::Multiply) {
             return multiply_vectors(a, b, problem);
         }
         if (op == Operator::Add || op == Operator::Subtract) {
-            const auto x = a.elements(), y = b.elements();
-            return map(x.first(std::min(x.size(), y.size())), [&](const Value& e) {
-                return arithmetic(op, e, y[static_cast<std::size_t>(&e - x.data())], problem, depth + 1);
-            });
+            const std::size_t count = std::min(a.elements().size(), b.elements().size());
+            return each(op, count, element_of(a), element_of(b), problem, depth);
         }
     } else if (scaling && a.is_vector() && b.is_number()) {
-        return map(a.elements(), [&](const Value& e) { return arithmetic(op, e, b, problem, depth + 1); });
+        return each(op, a.elements().size(), element_of(a), same(b), problem, depth);
     } else if (scaling && a.is_number() && b.is_vector()) {
-        return map(b.elements(), [&](const Value& e) { return arithmetic(op, a, e, problem, depth + 1); });
+        return each(op, b.elements().size(), same(a), element_of(b), problem, depth);
     }
     return undefined(op, a, b, problem);
 }

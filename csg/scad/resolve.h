@@ -47,6 +47,7 @@ struct CallTarget {
     VariableRef variable;  ///< Called where it holds a function.
     DefinitionRef function;
     BuiltinFunction builtin = nullptr;
+    std::string_view name{};     ///< Of the built-in.
     std::uint32_t next = kNone;  ///< Index of the target to try where the variable holds no function.
 };
 

@@ -250,27 +250,33 @@ std::uint32_t Resolver::find_call(Symbol name) {
     std::vector<CallTarget> targets;
     if (activation_ != nullptr && !dynamic_name(name)) {
         if (const VariableRef local = find_local(*activation_, name, false); local.place != Place::Unknown) {
-            targets.push_back({CallTarget::Kind::Variable, local, {}, nullptr, kNone});
+            targets.push_back({CallTarget::Kind::Variable, local, {}, nullptr, {}, kNone});
         }
     }
     if (dynamic_name(name)) {
-        targets.push_back({CallTarget::Kind::Variable, {Place::Dynamic, 0, dynamic(name), kNone}, {}, nullptr, kNone});
+        targets.push_back(
+            {CallTarget::Kind::Variable, {Place::Dynamic, 0, dynamic(name), kNone}, {}, nullptr, {}, kNone});
     }
     std::uint32_t hops = 0;
     bool certain = false;
     for (const BlockScope* s = block_; s != nullptr && !certain; s = s->outer) {
         if (const DefinitionRef f = definition_in(*s, name, &BlockScope::functions, hops); f.id != kNone) {
-            targets.push_back({CallTarget::Kind::Function, {}, f, nullptr, kNone});
+            targets.push_back({CallTarget::Kind::Function, {}, f, nullptr, {}, kNone});
             certain = true;
         } else if (const auto v = s->variables.find(name); v != s->variables.end()) {
-            targets.push_back({CallTarget::Kind::Variable, {Place::Block, hops, v->second, kNone}, {}, nullptr, kNone});
+            targets.push_back(
+                {CallTarget::Kind::Variable, {Place::Block, hops, v->second, kNone}, {}, nullptr, {}, kNone});
         }
         hops += s->framed;
     }
     if (!certain) {
         const BuiltinFunction builtin = find_builtin_function(p_.symbols.text(name));
-        targets.push_back(
-            {builtin == nullptr ? CallTarget::Kind::Unknown : CallTarget::Kind::Builtin, {}, {}, builtin, kNone});
+        targets.push_back({builtin == nullptr ? CallTarget::Kind::Unknown : CallTarget::Kind::Builtin,
+                           {},
+                           {},
+                           builtin,
+                           p_.symbols.text(name),
+                           kNone});
     }
     const auto first = static_cast<std::uint32_t>(r_.calls.size());
     for (std::uint32_t i = 0; i < targets.size(); ++i) {

@@ -82,12 +82,19 @@ thread_local ShortLists g_short_lists;
 
 /// The elements lie right behind the object, or, once it has grown, in room of their own.
 struct VectorObject : ListObject {
-    static VectorObject* create(std::span<Value> moved) {
-        const std::size_t bytes = sizeof(VectorObject) + moved.size_bytes();
-        count_in(moved.size());
+    /// Empty, with room for so many elements.
+    static VectorObject* create(std::size_t elements) {
+        count_in(elements);
+        const std::size_t bytes = sizeof(VectorObject) + elements * sizeof(Value);
         void* const room =
-            moved.size() <= ShortLists::kLongest ? g_short_lists.take(moved.size(), bytes) : ::operator new(bytes);
-        return new (room) VectorObject(moved);
+            elements <= ShortLists::kLongest ? g_short_lists.take(elements, bytes) : ::operator new(bytes);
+        return new (room) VectorObject(elements);
+    }
+    static VectorObject* create(std::span<Value> moved) {
+        VectorObject* const list = create(moved.size());
+        std::uninitialized_move(moved.begin(), moved.end(), list->data);
+        list->size = moved.size();
+        return list;
     }
     static void remove(VectorObject* vector) {
         const std::size_t behind = vector->behind;
@@ -109,11 +116,9 @@ struct VectorObject : ListObject {
     [[nodiscard]] std::span<Value> elements() const { return {data, size}; }
 
   private:
-    explicit VectorObject(std::span<Value> moved)
-        : room(static_cast<std::uint32_t>(moved.size())), behind(static_cast<std::uint32_t>(moved.size())) {
+    explicit VectorObject(std::size_t elements)
+        : room(static_cast<std::uint32_t>(elements)), behind(static_cast<std::uint32_t>(elements)) {
         data = first_behind();
-        size = moved.size();
-        std::uninitialized_move(moved.begin(), moved.end(), data);
     }
     ~VectorObject() {
         g_live_elements -= size;
@@ -217,6 +222,9 @@ Value Value::list(std::span<Value> elements) {
     value.type_ = ValueType::Vector;
     return value;
 }
+ListObject* Value::make_room(std::size_t count) {
+    return VectorObject::create(count);
+}
 Value::Value(const Range& range) : type_(ValueType::Range), object_(new RangeObject(range)) {}
 Value::Value(ObjectEntries entries) : type_(ValueType::Object), object_(new EntriesObject(std::move(entries))) {}
 
@@ -263,6 +271,58 @@ void Value::append(Value element) {
     static_cast<VectorObject*>(object_)->append(std::move(element));
 }
 
+namespace {
+
+/// Lists, objects and closures nest without bound: those that lie deep are set aside and dismantled in a loop.
+class Dismantling {
+  public:
+    void run(ValueType type, ValueObject* object) {
+        dismantle(type, object, 0);
+        while (!pending_.empty()) {
+            Value value = std::move(pending_.back());
+            pending_.pop_back();
+            drop(value, 0);
+        }
+    }
+
+  private:
+    static constexpr int kMostDepth = 32;
+
+    void drop(Value& value, int depth) {
+        if (value.type() < ValueType::Vector || value.type() == ValueType::Range) {
+            value.drop();
+        } else if (ValueObject* const object = value.last_reference()) {
+            if (depth < kMostDepth) {
+                dismantle(object->type, object, depth + 1);
+            } else {
+                pending_.push_back(Value::adopt(object));
+            }
+        }
+    }
+
+    void dismantle(ValueType type, ValueObject* object, int depth) {
+        if (type == ValueType::Vector) {
+            auto* const vector = static_cast<VectorObject*>(object);
+            for (Value& element : vector->elements()) {
+                drop(element, depth);
+            }
+            VectorObject::remove(vector);
+        } else if (type == ValueType::Function) {
+            auto* const function = static_cast<FunctionObject*>(object);
+            function->take_captures(pending_);
+            delete function;
+        } else {
+            auto* const entries = static_cast<EntriesObject*>(object);
+            entries->entries.take_values(pending_);
+            delete entries;
+        }
+    }
+
+    std::vector<Value> pending_;
+};
+
+}  // namespace
+
 void Value::destroy(ValueType type, ValueObject* object) {
     switch (type) {
         case ValueType::String:
@@ -272,48 +332,21 @@ void Value::destroy(ValueType type, ValueObject* object) {
             delete static_cast<RangeObject*>(object);
             return;
         default:
-            break;
+            Dismantling().run(type, object);
     }
-    if (type == ValueType::Vector) {
-        auto* const vector = static_cast<VectorObject*>(object);
-        if (std::none_of(vector->data, vector->data + vector->size,
-                         [](const Value& e) { return e.type_ >= ValueType::Vector; })) {
-            VectorObject::remove(vector);
-            return;
-        }
-    }
-    // Lists, objects and closures nest without bound: their parts are taken out before they go.
-    std::vector<Value> pending;
-    const auto dismantle = [&pending](ValueType t, ValueObject* o) {
-        if (t == ValueType::Function) {
-            auto* function = static_cast<FunctionObject*>(o);
-            function->take_captures(pending);
-            delete function;
-            return;
-        }
-        if (t == ValueType::Object) {
-            auto* const entries = static_cast<EntriesObject*>(o);
-            entries->entries.take_values(pending);
-            delete entries;
-            return;
-        }
-        auto* vector = static_cast<VectorObject*>(o);
-        for (Value& element : vector->elements()) {
-            if (element.type_ >= ValueType::Vector) {
-                pending.push_back(std::move(element));
-            }
-        }
-        VectorObject::remove(vector);
-    };
-    dismantle(type, object);
-    while (!pending.empty()) {
-        Value value = std::move(pending.back());
-        pending.pop_back();
-        if ((value.is_vector() || value.is_function() || value.is_object()) && value.object_->references == 1) {
-            const ValueType t = std::exchange(value.type_, ValueType::Undef);
-            dismantle(t, value.object_);
-        }
-    }
+}
+
+ValueObject* Value::last_reference() noexcept {
+    type_ = ValueType::Undef;
+    return --object_->references == 0 ? object_ : nullptr;
+}
+
+Value Value::adopt(ValueObject* object) {
+    Value value;
+    object->references = 1;
+    value.type_ = object->type;
+    value.object_ = object;
+    return value;
 }
 
 }  // namespace csg::scad

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -87,6 +88,9 @@ class Value {
     explicit Value(FunctionObject* function) : type_(ValueType::Function), object_(function) {}
     /// A list of the elements, which are moved out: one allocation, for the short lists that most are.
     [[nodiscard]] static Value list(std::span<Value> elements);
+    /// A list of what `make` gives for 0, 1, … `count` - 1.
+    template <typename F>
+    [[nodiscard]] static Value list_of(std::size_t count, F&& make);
     [[nodiscard]] static Value unset() {
         Value v;
         v.type_ = ValueType::Unset;
@@ -112,24 +116,33 @@ class Value {
     }
     // Spare a temporary where most values go.
     Value& operator=(std::same_as<double> auto number) noexcept {
-        replace(ValueType::Number, std::bit_cast<std::uint64_t>(number));
+        drop();
+        type_ = ValueType::Number;
+        number_ = number;
         return *this;
     }
     Value& operator=(std::same_as<bool> auto b) noexcept {
-        replace(ValueType::Bool, b);
+        drop();
+        type_ = ValueType::Bool;
+        bits_ = b;
         return *this;
     }
     ~Value() {
-        if (shared() && --object_->references == 0) {
-            destroy(type_, object_);
+        if (shared()) {
+            release(type_, object_);
         }
     }
     /// Lets go of what it shares, if anything; the value is any then.
     void drop() noexcept {
         if (shared()) {
-            replace(ValueType::Undef, 0);
+            release(std::exchange(type_, ValueType::Undef), object_);
         }
     }
+    // For dismantling (value.cpp) what is shared. The value becomes undef; gives the object where that was the last
+    // reference to it, which is then the caller's.
+    [[nodiscard]] ValueObject* last_reference() noexcept;
+    /// Takes over an object that nobody refers to.
+    [[nodiscard]] static Value adopt(ValueObject* object);
     void swap(Value& other) noexcept {
         std::swap(type_, other.type_);
         std::swap(bits_, other.bits_);
@@ -173,15 +186,20 @@ class Value {
 
   private:
     [[nodiscard]] bool shared() const { return type_ >= ValueType::String; }
+    /// An empty list with room for `count` elements.
+    [[nodiscard]] static ListObject* make_room(std::size_t count);
     static void destroy(ValueType type, ValueObject* object);
+    static void release(ValueType type, ValueObject* object) noexcept {
+        if (--object->references == 0) {
+            destroy(type, object);
+        }
+    }
+    /// The new value is in place before the old one goes, which may be what it was taken from.
     void replace(ValueType type, std::uint64_t bits) noexcept {
-        const bool drops = shared();
-        const ValueType old_type = type_;
-        ValueObject* const old = object_;
-        type_ = type;
-        bits_ = bits;
-        if (drops && --old->references == 0) {
-            destroy(old_type, old);
+        const ValueType old_type = std::exchange(type_, type);
+        const std::uint64_t old_bits = std::exchange(bits_, bits);
+        if (old_type >= ValueType::String) {
+            release(old_type, std::bit_cast<ValueObject*>(old_bits));
         }
     }
 
@@ -197,6 +215,19 @@ static_assert(sizeof(Value) == 16);
 inline std::span<const Value> Value::elements() const {
     const auto* const list = static_cast<const ListObject*>(object_);
     return {list->data, list->size};
+}
+
+template <typename F>
+Value Value::list_of(std::size_t count, F&& make) {
+    ListObject* const list = make_room(count);
+    Value value;  // Which owns what there is, should one of them fail.
+    value.object_ = list;
+    value.type_ = ValueType::Vector;
+    for (std::size_t i = 0; i < count; ++i) {
+        new (list->data + i) Value(make(i));
+        ++list->size;
+    }
+    return value;
 }
 
 /// == of the language: different types are never equal; undef equals undef. Throws ValueLimit where shared parts make

@@ -48,9 +48,7 @@ Value dot(Elements a, Elements b, std::string& problem) {
 /// A row vector times a matrix, which has `v.size()` rows, the first a vector.
 Value vector_times_matrix(Elements v, Elements matrix, std::string& problem) {
     const std::size_t columns = matrix[0].elements().size();
-    std::vector<Value> result;
-    result.reserve(columns);
-    for (std::size_t column = 0; column < columns; ++column) {
+    const auto element = [&](std::size_t column) -> Value {
         double sum = 0;
         for (std::size_t row = 0; row < matrix.size(); ++row) {
             if (!matrix[row].is_vector() || matrix[row].elements().size() != columns) {
@@ -65,16 +63,15 @@ Value vector_times_matrix(Elements v, Elements matrix, std::string& problem) {
             }
             sum += v[row].number() * m.number();
         }
-        result.emplace_back(sum);
-    }
-    return result;
+        return sum;
+    };
+    Value result = Value::list_of(columns, [&](std::size_t i) { return problem.empty() ? element(i) : Value(); });
+    return problem.empty() ? result : Value();
 }
 
 /// A matrix, its first row a vector as long as `v`, times a column vector.
 Value matrix_times_vector(Elements matrix, Elements v, std::string& problem) {
-    std::vector<Value> result;
-    result.reserve(matrix.size());
-    for (std::size_t row = 0; row < matrix.size(); ++row) {
+    const auto element = [&](std::size_t row) -> Value {
         if (!matrix[row].is_vector() || matrix[row].elements().size() != v.size()) {
             return not_rectangular(row, problem);
         }
@@ -89,9 +86,10 @@ Value matrix_times_vector(Elements matrix, Elements v, std::string& problem) {
             }
             sum += numbers[column].number() * v[column].number();
         }
-        result.emplace_back(sum);
-    }
-    return result;
+        return sum;
+    };
+    Value result = Value::list_of(matrix.size(), [&](std::size_t i) { return problem.empty() ? element(i) : Value(); });
+    return problem.empty() ? result : Value();
 }
 
 /// `a` has a vector as long as `b` has rows as its first row.
