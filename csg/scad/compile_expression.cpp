@@ -37,6 +37,16 @@ Opcode opcode_of(Operator op) {
     }
 }
 
+/// One more than the index of what `.x` and the like name; 0 for other members.
+std::uint8_t component_of(std::string_view member) {
+    for (const std::string_view set : {"xyzw", "rgba"}) {
+        if (member.size() == 1 && set.find(member) != std::string_view::npos) {
+            return static_cast<std::uint8_t>(set.find(member) + 1);
+        }
+    }
+    return 0;
+}
+
 bool is_link(ExprKind kind) {
     return kind == ExprKind::Binary || kind == ExprKind::Index || kind == ExprKind::Member;
 }
@@ -47,6 +57,19 @@ void Compiler::move(Operand from, Register target) {
     if (from != operand_of(target)) {
         emit({.op = Opcode::Move, .target = target, .a = word(from)});
     }
+}
+
+/// Whether an expression is a constant or a register as it stands.
+bool Compiler::lies_ready(ExprId id) const {
+    if (id == kNone || is_literal_kind(p_[id].kind) || is_constant_list(id)) {
+        return true;
+    }
+    if (p_[id].kind != ExprKind::Identifier) {
+        return false;
+    }
+    const VariableRef& ref = r_.variables[r_.of_expression[id]];
+    return ref.place == Place::Pi ||
+           (ref.place == Place::Local && std::find(carried_.begin(), carried_.end(), ref.slot) == carried_.end());
 }
 
 Operand Compiler::operand(ExprId id, Register hint) {
@@ -60,15 +83,9 @@ Operand Compiler::operand(ExprId id, Register hint) {
     if (is_constant_list(id)) {
         return constant(constant_list(id));
     }
-    if (e.kind == ExprKind::Identifier) {
+    if (lies_ready(id)) {
         const VariableRef& ref = r_.variables[r_.of_expression[id]];
-        const bool carried = std::find(carried_.begin(), carried_.end(), ref.slot) != carried_.end();
-        if (ref.place == Place::Local && !carried) {
-            return operand_of(ref.slot);
-        }
-        if (ref.place == Place::Pi) {
-            return constant(std::numbers::pi);
-        }
+        return ref.place == Place::Local ? operand_of(ref.slot) : constant(std::numbers::pi);
     }
     const Register target = hint != kNone && is_temporary(hint) ? hint : take();
     into(id, target);
@@ -220,7 +237,7 @@ void Compiler::chain(ExprId id, Register target) {
     if (p_[id].links < kLongChain) {
         if (p_[id].op == Operator::And || p_[id].op == Operator::Or) {
             truth(id, target);
-        } else {
+        } else if (!index_of_block(id, target)) {
             link(id, operand(p_[id].operand(0), target), target);
         }
         return;
@@ -239,11 +256,38 @@ void Compiler::chain(ExprId id, Register target) {
     }
 }
 
+/// `name[i]` where `name` is a variable of a block and `i` takes no instruction. False for other expressions.
+bool Compiler::index_of_block(ExprId id, Register target) {
+    const Expr& e = p_[id];
+    if (e.kind != ExprKind::Index || p_[e.operand(0)].kind != ExprKind::Identifier || !lies_ready(e.operand(1))) {
+        return false;
+    }
+    const std::uint32_t index = r_.of_expression[e.operand(0)];
+    const VariableRef& ref = r_.variables[index];
+    constexpr std::uint32_t kMostHops = 255;
+    if (ref.place != Place::Block || ref.hops > kMostHops) {
+        return false;
+    }
+    emit({.op = Opcode::IndexBlock,
+          .flag = static_cast<std::uint8_t>(ref.hops),
+          .target = target,
+          .a = index,
+          .b = word(operand(e.operand(1))),
+          .c = ref.slot,
+          .e = e.operand(0)});
+    return true;
+}
+
 void Compiler::link(ExprId id, Operand left, Register target) {
     const Expr& e = p_[id];
     const Temporaries temporaries(*this);
     if (e.kind == ExprKind::Member) {
-        emit({.op = Opcode::Member, .target = target, .a = word(left), .b = e.name, .e = id});
+        emit({.op = Opcode::Member,
+              .flag = component_of(p_.symbols.text(e.name)),
+              .target = target,
+              .a = word(left),
+              .b = e.name,
+              .e = id});
         return;
     }
     if (e.op == Operator::And || e.op == Operator::Or) {

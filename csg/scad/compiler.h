@@ -66,6 +66,8 @@ class Compiler {
     // compile_expression.cpp
 
     void move(Operand from, Register target);
+    [[nodiscard]] bool lies_ready(ExprId id) const;
+    bool index_of_block(ExprId id, Register target);
     /// The value of an expression where it lies, else in `hint`, or a new temporary.
     Operand operand(ExprId id, Register hint = kNone);
     /// Nothing but the last instruction writes to `target` if it is no temporary.

@@ -212,7 +212,12 @@ class Evaluator {
 
     // machine_call.cpp
 
-    [[nodiscard]] static const Frame* outward(const Frame* frame, std::uint32_t hops);
+    [[nodiscard]] static const Frame* outward(const Frame* frame, std::uint32_t hops) {
+        for (; hops > 0; --hops) {
+            frame = frame->outer;
+        }
+        return frame;
+    }
     [[nodiscard]] CompilerHost compiler_host();
     const Code& compile_function(std::uint32_t id);
     const Code& function_code(std::uint32_t id) {

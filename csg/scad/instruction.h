@@ -62,8 +62,9 @@ enum class Opcode : std::uint8_t {
     Modulo,
     Binary,  ///< Any other; `flag`: the operator.
     Index,
-    Member,  ///< `b`: symbol.
-    Range,   ///< Registers `a`, `a` + 1, `a` + 2: begin, step, end.
+    IndexBlock,  ///< Of a variable as LoadBlock reads it, by `b`; `flag` hops outwards, slot `c`.
+    Member,      ///< `b`: symbol; `flag`: one more than the index of an element of a list, where it is a letter.
+    Range,       ///< Registers `a`, `a` + 1, `a` + 2: begin, step, end.
     // Jumps; the conditional ones where what they ask is `flag`.
     Jump,
     JumpTrue,

@@ -138,9 +138,24 @@ Value Evaluator::run(Activation& a, std::uint32_t entry) {
                 }
                 break;
             }
-            case Opcode::Member:
-                r[i.target] = member_of(at(i.a), name(i.b));
+            case Opcode::IndexBlock: {
+                const Value &list = outward(a.frame, i.flag)->slots[i.c], &index = at(i.b);
+                if (list.is_vector() && index.is_number() && index.number() >= 0) {
+                    copy_element(list, index.number(), r[i.target]);
+                } else {
+                    r[i.target] = element_of(list.is_unset() ? variable_or_warn(i, a) : list, index);
+                }
                 break;
+            }
+            case Opcode::Member: {
+                const Value& value = at(i.a);
+                if (value.is_vector() && i.flag != 0) {
+                    copy_element(value, i.flag - 1.0, r[i.target]);
+                } else {
+                    r[i.target] = member_of(value, name(i.b));
+                }
+                break;
+            }
             case Opcode::Range:
                 r[i.target] = check_range(i.e, r + i.a)
                                   ? Value(Range{r[i.a].number(), r[i.a + 1].number(), r[i.a + 2].number()})

@@ -23,13 +23,6 @@ struct Evaluator::Callee {
     Dynamics dynamics;         ///< `$` arguments.
 };
 
-const Frame* Evaluator::outward(const Frame* frame, std::uint32_t hops) {
-    for (; hops > 0; --hops) {
-        frame = frame->outer;
-    }
-    return frame;
-}
-
 CompilerHost Evaluator::compiler_host() {
     return {p_,
             r_,

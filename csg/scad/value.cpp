@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <new>
+#include <tuple>
 
 namespace csg::scad {
 
@@ -34,36 +35,29 @@ struct StringObject : ValueObject {
     const std::size_t length;
 };
 
-/// Rooms for short lists, which programs make and drop by the million: some are kept for the next ones, by number of
-/// elements. Not all: what a large list leaves behind lies scattered, and would scatter the next one.
+/// Rooms for short lists, which programs make and drop by the million: cut from larger pieces, and kept for the next
+/// ones of as many elements.
 class ShortLists {
   public:
-    static constexpr std::size_t kLongest = 4;
+    static constexpr std::size_t kLongest = 16;
     ShortLists() = default;
     ~ShortLists() {
-        for (Room*& first : free_) {
-            while (first != nullptr) {
-                ::operator delete(std::exchange(first, first->next));
-            }
-        }
         ended_ = true;
+        if (out_ != 0) {  // A list outlives its thread: so do the pieces.
+            std::for_each(pieces_.begin(), pieces_.end(), [](auto& piece) { std::ignore = piece.release(); });
+        }
     }
     ShortLists(const ShortLists&) = delete;
     ShortLists& operator=(const ShortLists&) = delete;
 
     [[nodiscard]] void* take(std::size_t elements, std::size_t bytes) {
+        ++out_;
         Room*& first = free_[elements];
-        if (first == nullptr) {
-            return ::operator new(bytes);
-        }
-        --kept_[elements];
-        return std::exchange(first, first->next);
+        return first == nullptr ? cut(bytes) : std::exchange(first, first->next);
     }
     void give(void* room, std::size_t elements) {
-        if (ended_ || kept_[elements] == kMost) {
-            ::operator delete(room);
-        } else {
-            ++kept_[elements];
+        if (!ended_) {
+            --out_;
             free_[elements] = new (room) Room{free_[elements]};
         }
     }
@@ -72,10 +66,24 @@ class ShortLists {
     struct Room {
         Room* next;
     };
-    static constexpr std::size_t kMost = 128;
+    static constexpr std::size_t kPiece = std::size_t{32} << 10;
+
+    void* cut(std::size_t bytes) {
+        if (left_ < bytes) {
+            pieces_.push_back(std::make_unique_for_overwrite<std::byte[]>(kPiece));
+            next_ = pieces_.back().get();
+            left_ = kPiece;
+        }
+        left_ -= bytes;
+        return std::exchange(next_, next_ + bytes);
+    }
+
     std::array<Room*, kLongest + 1> free_{};
-    std::array<std::size_t, kLongest + 1> kept_{};
-    bool ended_ = false;  // At the end of the thread.
+    std::vector<std::unique_ptr<std::byte[]>> pieces_;
+    std::byte* next_ = nullptr;
+    std::size_t left_ = 0;
+    std::size_t out_ = 0;  // Rooms that are lists.
+    bool ended_ = false;   // At the end of the thread.
 };
 
 thread_local ShortLists g_short_lists;
