@@ -78,4 +78,17 @@ TEST(SeededRandom, HasTheSequenceOfTheStandard) {
     }
 }
 
+TEST(SeededRandom, IsTheSameForSeedsThatComeAgain) {
+    csg::scad::SeededRandom random;
+    for (const int count : {1, 5, 6, 7, 400, 2000, 3}) {
+        for (const std::uint32_t seed : {7U, 7U + 512U, 7U, 0U}) {
+            std::mt19937 expected(seed);
+            random.seed(seed);
+            for (int i = 0; i < count; ++i) {
+                ASSERT_EQ(random(), expected()) << seed << " at " << i << " of " << count;
+            }
+        }
+    }
+}
+
 }  // namespace
