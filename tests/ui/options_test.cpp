@@ -42,6 +42,31 @@ TEST(Options, OutputsAreReadBySuffixInAnyOrder) {
     EXPECT_EQ(o.input, "m.scad");
 }
 
+/// Command lines of paths alone are read without the table of options.
+TEST(Options, PathsAloneAreTheSame) {
+    const Options o = read({"-o", "a.csg", "m.scad", "-o", "b.ECHO"});
+    const Options table = read({"--quiet", "-o", "a.csg", "m.scad", "-o", "b.ECHO"});
+    EXPECT_EQ(o.input, table.input);
+    ASSERT_EQ(o.outputs.size(), table.outputs.size());
+    for (std::size_t i = 0; i < o.outputs.size(); ++i) {
+        EXPECT_EQ(o.outputs[i].path, table.outputs[i].path);
+        EXPECT_EQ(o.outputs[i].format, table.outputs[i].format);
+    }
+    EXPECT_EQ(o.size, table.size);
+    EXPECT_EQ(o.style, table.style);
+    EXPECT_EQ(o.scheme, table.scheme);
+    EXPECT_EQ(o.check_parameters, table.check_parameters);
+    EXPECT_EQ(o.trace_parameters, table.trace_parameters);
+    EXPECT_EQ(o.trace_depth, table.trace_depth);
+    EXPECT_EQ(o.memory_limit, table.memory_limit);
+    EXPECT_EQ(o.time_limit, table.time_limit);
+    EXPECT_EQ(error({"a.scad", "b.scad"}), error({"--quiet", "a.scad", "b.scad"}));
+    EXPECT_EQ(error({"-o", "a.xyz", "b.scad"}), error({"--quiet", "-o", "a.xyz", "b.scad"}));
+    EXPECT_EQ(error({"b.scad", "-o"}), error({"--quiet", "b.scad", "-o"}));
+    EXPECT_EQ(error({"-o", "-x", "b.scad"}), error({"--quiet", "-o", "-x", "b.scad"}));
+    EXPECT_NE(error({"", "b.scad"}), "no error");
+}
+
 TEST(Options, ExportFormatWinsOverTheSuffix) {
     const Options o = read({"-o", "-", "--export-format", "png", "m.scad"});
     ASSERT_EQ(o.outputs.size(), 1U);

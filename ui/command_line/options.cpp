@@ -353,6 +353,22 @@ void interpret(Options& o, const Raw& raw) {
     }
 }
 
+/// Of a command line that holds nothing but paths, outputs after -o; false, and nothing, of another. To set up the
+/// table of all options takes as long as to evaluate a small model.
+bool read_paths(const std::vector<std::string>& arguments, Raw& raw) {
+    const auto is_path = [](const std::string& argument) { return !argument.empty() && argument[0] != '-'; };
+    Raw read;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const bool output = arguments[i] == "-o" && ++i < arguments.size();
+        if (i == arguments.size() || !is_path(arguments[i])) {
+            return false;
+        }
+        (output ? read.outputs : read.inputs).push_back(arguments[i]);
+    }
+    raw = std::move(read);
+    return true;
+}
+
 }  // namespace
 
 bool wants(const Options& options, Format format) {
@@ -371,11 +387,15 @@ gl::Camera read_camera(std::string_view text) {
 }
 
 CommandLine read_command_line(const std::vector<std::string>& arguments) {
+    CommandLine line;
+    Raw raw;
+    if (read_paths(arguments, raw)) {
+        interpret(line.options, raw);
+        return line;
+    }
     CLI::App app("csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.", "csgscope");
     app.set_help_flag("-h,--help", "Print this help")->group("Other");
     app.get_formatter()->column_width(34);
-    CommandLine line;
-    Raw raw;
     declare(app, line.options, raw);
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
