@@ -16,7 +16,9 @@
 #include "ui/command_line/time_limit.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/exact_bounds.h"
+#include "ui/pipeline/flat_lines.h"
 #include "ui/pipeline/measures.h"
+#include "ui/pipeline/outline.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
@@ -154,7 +156,15 @@ class Run {
         Renderer renderer =
             context ? Renderer(*context, options_.engine, painter()) : Renderer(options_.engine, painter());
         const double context_ms = watch.lap();
-        const gl::Image image = renderer.render(*model_, picture_request(camera_), stop());
+        PictureRequest request = picture_request(camera_);
+        const bool lines =
+            extent_of(*model_) == Extent::Flat && model_->flat && request.style == "shaded" && request.samples == 1;
+        request.flat_lines = !lines;
+        gl::Image image = renderer.render(*model_, request, stop());
+        if (lines) {
+            draw_flat_lines(image, *builder_.outline(*model_), camera_,
+                            npr::find_color_scheme(request.scheme)->edge_2d);
+        }
         if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }

@@ -55,14 +55,14 @@ npr::Parameters parameters_of(const PictureRequest& request) {
     return parameters;
 }
 
-npr::Parameters flat_parameters(const npr::ColorScheme& scheme) {
-    constexpr float kLineWidth = 2;
+npr::Parameters flat_parameters(const npr::ColorScheme& scheme, bool lines) {
+    const float width = lines ? 2 : 0.25F;  // Those that are none are thin and of the faces' colour.
     npr::Parameters parameters(npr::find_style(kFlatStyle)->parameters());
     const auto set = [&](std::string_view name, const npr::Value& value) {
         parameters.set(parameters.find(name), value);
     };
-    set("width", kLineWidth);
-    set("edge-color", scheme.edge_2d);
+    set("width", width);
+    set("edge-color", lines ? scheme.edge_2d : scheme.face_2d);
     set("light", 0.0F);
     set("inner", 0.0F);
     set("smooth", false);
@@ -85,7 +85,7 @@ void check_picture(const PictureRequest& request) {
 CheckedRequest::CheckedRequest(const PictureRequest& request, bool flat)
     : style(drawn_flat(request, flat) ? *npr::find_style(kFlatStyle) : style_of(request)),
       scheme(scheme_of(request)),
-      parameters(drawn_flat(request, flat) ? flat_parameters(scheme) : parameters_of(request)) {
+      parameters(drawn_flat(request, flat) ? flat_parameters(scheme, request.flat_lines) : parameters_of(request)) {
     if (drawn_flat(request, flat)) {
         scheme.face = scheme.face_2d;
     }

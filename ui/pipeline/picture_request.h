@@ -22,6 +22,7 @@ struct PictureRequest {
     int layers = -1;  ///< 0: all; below 0: what the style needs.
     int samples = 4;  ///< Per pixel.
     bool transparent_background = false;
+    bool flat_lines = true;  ///< Of flat models, where the style draws them: off where draw_flat_lines does.
 };
 
 /// Throws std::runtime_error where there is no such style, parameter, value or scheme; names the nearest one.
