@@ -61,7 +61,7 @@ void Compiler::move(Operand from, Register target) {
 
 /// Whether an expression is a constant or a register as it stands.
 bool Compiler::lies_ready(ExprId id) const {
-    if (id == kNone || is_literal_kind(p_[id].kind) || is_constant_list(id)) {
+    if (id == kNone || is_simple_literal(p_, id) || is_constant_list(id)) {
         return true;
     }
     if (p_[id].kind != ExprKind::Identifier) {
@@ -77,7 +77,7 @@ Operand Compiler::operand(ExprId id, Register hint) {
         return constant({});
     }
     const Expr& e = p_[id];
-    if (is_literal_kind(e.kind)) {
+    if (is_simple_literal(p_, id)) {
         return constant(literal(e));
     }
     if (is_constant_list(id)) {
@@ -224,6 +224,10 @@ void Compiler::variable(ExprId id, Register target) {
 
 void Compiler::unary(ExprId id, Register target) {
     const Expr& e = p_[id];
+    if (is_simple_literal(p_, id)) {
+        move(operand(id), target);
+        return;
+    }
     if (e.op == Operator::Not) {
         truth(id, target);
         return;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "csg/scad/operators.h"
+
 namespace csg::scad {
 
 Compiler::Compiler(const CompilerHost& host, std::uint32_t locals)
@@ -89,6 +91,10 @@ Value Compiler::literal(const Expr& e) const {
             return e.number;
         case ExprKind::String:
             return host_.text(e.name);
+        case ExprKind::Unary: {
+            std::string problem;
+            return apply_unary(e.op, p_[e.operand(0)].number, problem);
+        }
         default:
             return {};
     }

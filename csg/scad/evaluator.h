@@ -8,11 +8,11 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "csg/scad/ast.h"
 #include "csg/scad/builtin_functions.h"
+#include "csg/scad/code_table.h"
 #include "csg/scad/compiler.h"
 #include "csg/scad/resolver.h"
 #include "csg/scad/scad.h"
@@ -279,7 +279,7 @@ class Evaluator {
     std::vector<Value> gathered_;  ///< Elements of the lists that are being made, the innermost last.
     std::deque<Code> codes_;
     std::vector<const Code*> function_codes_, literal_codes_;  ///< Null until they are called.
-    std::unordered_map<ExprId, const Code*> statement_codes_;
+    CodeTable statement_codes_;
     struct Undo {
         std::uint32_t index;
         Value before;

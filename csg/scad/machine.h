@@ -36,13 +36,22 @@ class Evaluator::Activation {
     Activation(const Activation&) = delete;
     Activation& operator=(const Activation&) = delete;
 
-    /// Another function takes the place of this one: its first `count` registers are moved from `values`.
+    /// Another function takes the place of this one: its first `count` registers are moved from `values`, which are
+    /// some of this one's.
     void replace(const Code& c, Value* values, std::size_t count) {
         std::move(values, values + count, registers);
         drop(count);
         code = &c;
         step.code = &c;
         registers = e_.stack_.extend(registers, c.registers, count);
+    }
+    /// The same with values that lie elsewhere.
+    void replace(const Code& c, std::vector<Value>& values) {
+        drop(0);
+        code = &c;
+        step.code = &c;
+        registers = e_.stack_.extend(registers, c.registers, 0);
+        std::move(values.begin(), values.end(), registers);
     }
 
     const Code* code;

@@ -58,13 +58,13 @@ const Code& Evaluator::literal_code(ExprId literal) {
 }
 
 const Code& Evaluator::statement_code(ExprId id) {
-    const Code*& code = statement_codes_[id];
-    if (code == nullptr) {
-        const CompilerHost host = compiler_host();
-        codes_.push_back(Compiler(host, r_.statement_locals).statement(id));
-        code = &codes_.back();
+    if (const Code* const code = statement_codes_.find(id)) {
+        return *code;
     }
-    return *code;
+    const CompilerHost host = compiler_host();
+    codes_.push_back(Compiler(host, r_.statement_locals).statement(id));
+    statement_codes_.enter(id, codes_.back());
+    return codes_.back();
 }
 
 Value Evaluator::statement_value(ExprId id, const Frame* frame) {
@@ -79,6 +79,11 @@ Value Evaluator::statement_value(ExprId id, const Frame* frame) {
             return e.number;
         case ExprKind::String:
             return text_constant(e.name);
+        case ExprKind::Unary:
+            if (e.op == Operator::Negate && is_simple_literal(p_, id)) {
+                return -p_[e.operand(0)].number;
+            }
+            break;
         case ExprKind::Identifier: {
             Value value = variable(r_.variables[r_.of_expression[id]], frame, nullptr);
             return value.is_unset() ? unknown_variable(id) : value;
@@ -255,7 +260,11 @@ bool Evaluator::replace(const Instruction& i, Activation& a, unsigned tail_calls
         return false;
     }
     check(callee.name);
-    a.replace(*callee.code, callee.values, callee.count);
+    if (callee.bound.empty()) {
+        a.replace(*callee.code, callee.values, callee.count);
+    } else {
+        a.replace(*callee.code, callee.bound);
+    }
     a.step.where = &where;
     a.step.name = callee.name;
     entry = callee.entry;

@@ -101,8 +101,7 @@ void Resolver::resolve_top_module(std::uint32_t id) {
 void Resolver::mark_constant(ExprId list) {
     const auto elements = p_.elements_of(p_[list]);
     const bool constant = std::all_of(elements.begin(), elements.end(), [&](ExprId part) {
-        const ExprKind kind = p_[part].kind;
-        return is_literal_kind(kind) || (kind == ExprKind::Vector && r_.of_expression[part] != kNone);
+        return is_simple_literal(p_, part) || (p_[part].kind == ExprKind::Vector && r_.of_expression[part] != kNone);
     });
     if (constant) {
         r_.of_expression[list] = 0;
@@ -219,15 +218,10 @@ void Resolver::look_into(const ModuleDefinition& m, BlockScope& body) {
         }
     }
     for (const Argument& a : p_.assignments_of(p_.blocks[m.body])) {
-        if (is_parameter(a.name) && is_literal(a.value)) {
+        if (is_parameter(a.name) && is_simple_literal(p_, a.value)) {
             info.literal_parameters.push_back(static_cast<std::uint32_t>(&a - p_.assignments.data()));
         }
     }
-}
-
-bool Resolver::is_literal(ExprId id) const {
-    const Expr& e = p_[id];
-    return is_literal_kind(e.kind) || (e.kind == ExprKind::Unary && p_[e.operand(0)].kind == ExprKind::Number);
 }
 
 void Resolver::resolve_instantiation(const Instantiation& first, const BlockScope& scope) {

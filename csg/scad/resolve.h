@@ -105,6 +105,12 @@ struct Resolution {
     std::uint32_t dynamics = 0;                    ///< How many `$` names the program mentions.
 };
 
+/// A literal, or a sign of a number: its value is known beforehand.
+[[nodiscard]] inline bool is_simple_literal(const Program& program, ExprId id) {
+    const Expr& e = program[id];
+    return is_literal_kind(e.kind) || (e.kind == ExprKind::Unary && program[e.operand(0)].kind == ExprKind::Number);
+}
+
 /// True for the modules whose arguments declare variables for their children: for, intersection_for, let, assign.
 [[nodiscard]] bool declares_for_children(std::string_view module_name);
 

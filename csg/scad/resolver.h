@@ -90,7 +90,6 @@ class Resolver {
     void mark_repeated(std::span<const Argument> parameters);
     /// What calls of a module need to know besides its parameters.
     void look_into(const ModuleDefinition& m, BlockScope& body);
-    [[nodiscard]] bool is_literal(ExprId id) const;
     void resolve_instantiation(const Instantiation& first, const BlockScope& scope);
     void resolve_head_and_children(const Instantiation& i, const BlockScope& scope);
     DefinitionRef find_module(Symbol name) const { return find_definition(name, &BlockScope::modules); }
