@@ -104,7 +104,9 @@ class Svg {
                 stroke.width = 1;
         }
         if (const auto cap = document_.property(e, "stroke-linecap"); !cap.empty())
-            stroke.cap = cap == "butt" ? Stroke::Cap::Butt : cap == "round" ? Stroke::Cap::Round : Stroke::Cap::Square;
+            stroke.cap = cap == "square"  ? Stroke::Cap::Square
+                         : cap == "round" ? Stroke::Cap::Round
+                                          : Stroke::Cap::Butt;
         if (const auto join = document_.property(e, "stroke-linejoin"); !join.empty())
             stroke.join = join == "round"   ? Stroke::Join::Round
                           : join == "bevel" ? Stroke::Join::Bevel
@@ -147,9 +149,11 @@ class Svg {
     }
 
     void shape(const SvgElement& e, const State& state) {
-        const glm::dmat4& m = state.matrix;
-        const double size = std::sqrt(std::abs(m[0][0] * m[1][1] - m[1][0] * m[0][1]));
-        const auto around = [&](double radius) { return circle_segments(radius * size, import_.fineness); };
+        // As in OpenSCAD: by the radius before it is transformed, and not below the 40 of former days.
+        constexpr int kLeastAround = 40;
+        const auto around = [&](double radius) {
+            return std::max(kLeastAround, circle_segments(radius, import_.fineness));
+        };
         std::vector<SvgSubpath> lines;
         const auto ellipse = [&](double rx, double ry) {
             if (rx > 0 && ry > 0)
@@ -157,7 +161,7 @@ class Svg {
                         {0, ry}, 0, 360, around(std::max(rx, ry)));
         };
         if (e.name == "path") {
-            lines = read_svg_path(attribute(e.attributes, "d"), around(10 / std::max(size, 1e-9)));
+            lines = read_svg_path(attribute(e.attributes, "d"), around(10));
         } else if (e.name == "rect") {
             rectangle(e, lines, around(std::max(length(e, "rx"), length(e, "ry"))));
         } else if (e.name == "circle") {
@@ -173,7 +177,8 @@ class Svg {
                 line.points.emplace_back(n[i], n[i + 1]);
             line.closed = e.name == "polygon" || is_closed(line.points);
         }
-        fill_and_stroke(lines, state, around(state.stroke.width / 2));
+        constexpr int kAroundStrokes = 256;  // Clipper's are rounder still.
+        fill_and_stroke(lines, state, kAroundStrokes);
     }
 
     void fill_and_stroke(const std::vector<SvgSubpath>& lines, const State& state, int around) {

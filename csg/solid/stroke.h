@@ -9,7 +9,7 @@ struct Stroke {
     enum class Cap : std::uint8_t { Butt, Round, Square };
     enum class Join : std::uint8_t { Miter, Round, Bevel };
     double width = 1;
-    Cap cap = Cap::Square;
+    Cap cap = Cap::Butt;
     Join join = Join::Miter;
     double miter_limit = 2;  ///< Longest miter over the width, at least 2; what would be longer is cut off.
 };

@@ -1,6 +1,7 @@
 #include "csg/solid/svg_viewport.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "csg/solid/file_text.h"
@@ -26,6 +27,35 @@ double user_units(std::string_view name, double dots_per_inch) {
     return name == "%" ? 0 : 1;
 }
 
+struct Length {
+    std::optional<double> number;
+    std::string_view unit;
+};
+
+Length split(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    text.remove_prefix(begin);
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+    std::string_view digits = text.substr(0, end), unit = text.substr(end);
+    // The e of "em" belongs to no number.
+    while (!digits.empty() && (digits.back() == 'e' || digits.back() == 'E')) {
+        digits.remove_suffix(1);
+        unit = text.substr(digits.size());
+    }
+    return {to_number(digits), unit.substr(0, unit.find_last_not_of(" \t\r\n") + 1)};
+}
+
+/// Millimetres of a side of the page, as OpenSCAD takes them; `view`: the side of the viewBox, 0 where there is none.
+double page_side(std::string_view text, double view, double dots_per_inch) {
+    const auto [number, unit] = split(text);
+    if (!number || unit == "%")
+        return number.value_or(100) / 100 * view * kInch / dots_per_inch;
+    if (unit == "em" || unit == "ex")
+        return view;
+    constexpr double kDotsPerInch = 96;  // Of CSS.
+    return *number * (unit == "px" ? kInch / kDotsPerInch : user_units(unit, dots_per_inch) * kInch / dots_per_inch);
+}
+
 /// x, y, width, height; empty where it is none.
 std::vector<double> view_box(const SvgElement& element) {
     std::vector<double> box = read_svg_numbers(attribute(element.attributes, "viewBox"));
@@ -41,19 +71,28 @@ double part_of(std::string_view align, std::string_view axis) {
     return word == "Min" ? 0 : word == "Max" ? 1 : 0.5;
 }
 
+struct Fit {
+    glm::dvec2 scale, room;  ///< Room beside it at the lower end of each axis.
+};
+
+/// Of a viewBox of size `view` into a rectangle, by the element's preserveAspectRatio.
+Fit fit(const SvgElement& element, const glm::dvec2& size, const glm::dvec2& view) {
+    const std::string_view align = attribute(element.attributes, "preserveAspectRatio");
+    Fit result{size / view, glm::dvec2(0.0)};
+    if (align.find("none") == std::string_view::npos) {
+        const bool slice = align.find("slice") != std::string_view::npos;
+        result.scale =
+            glm::dvec2(slice ? std::max(result.scale.x, result.scale.y) : std::min(result.scale.x, result.scale.y));
+        result.room = (size - result.scale * view) * glm::dvec2(part_of(align, "xM"), part_of(align, "YM"));
+    }
+    return result;
+}
+
 }  // namespace
 
 double svg_length(std::string_view text, double dots_per_inch, double whole) {
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    text.remove_prefix(begin);
-    const std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
-    std::string_view digits = text.substr(0, end), unit = text.substr(end);
-    // The e of "em" belongs to no number.
-    while (!digits.empty() && (digits.back() == 'e' || digits.back() == 'E'))
-        digits.remove_suffix(1);
-    const double number = to_number(digits).value_or(0);
-    unit = unit.substr(0, unit.find_last_not_of(" \t\r\n") + 1);
-    return unit == "%" ? number / 100 * whole : number * user_units(unit, dots_per_inch);
+    const auto [number, unit] = split(text);
+    return unit == "%" ? number.value_or(0) / 100 * whole : number.value_or(0) * user_units(unit, dots_per_inch);
 }
 
 glm::dvec2 svg_view_size(const SvgElement& element) {
@@ -66,15 +105,8 @@ glm::dmat4 svg_fit(const SvgElement& element, const glm::dvec2& size) {
     const std::vector<double> box = view_box(element);
     if (box.empty() || !(size.x > 0) || !(size.y > 0))
         return m;
-    const std::string_view align = attribute(element.attributes, "preserveAspectRatio");
-    const glm::dvec2 corner(box[0], box[1]), view(box[2], box[3]);
-    glm::dvec2 scale = size / view;
-    glm::dvec2 room(0.0);
-    if (align.find("none") == std::string_view::npos) {
-        const bool slice = align.find("slice") != std::string_view::npos;
-        scale = glm::dvec2(slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y));
-        room = (size - scale * view) * glm::dvec2(part_of(align, "xM"), part_of(align, "YM"));
-    }
+    const glm::dvec2 corner(box[0], box[1]);
+    const auto [scale, room] = fit(element, size, {box[2], box[3]});
     m[0][0] = scale.x;
     m[1][1] = scale.y;
     m[3] = glm::dvec4(room - scale * corner, 0, 1);
@@ -82,26 +114,27 @@ glm::dmat4 svg_fit(const SvgElement& element, const glm::dvec2& size) {
 }
 
 glm::dmat4 svg_page(const SvgElement& root, double dots_per_inch) {
-    const double pixel = kInch / dots_per_inch;
+    const std::vector<double> box = view_box(root);
     const glm::dvec2 view = svg_view_size(root);
-    const auto side = [&](std::string_view name, double of_view) {
-        const std::string_view text = attribute(root.attributes, name);
-        return text.empty() ? 0 : svg_length(text, dots_per_inch, of_view);
-    };
-    glm::dvec2 size(side("width", view.x), side("height", view.y));
-    // A side that is not given follows the other one, or is the viewBox's own.
-    if (view.x > 0) {
-        const glm::dvec2 given = size;
-        if (!(given.x > 0))
-            size.x = given.y > 0 ? given.y * view.x / view.y : view.x;
-        if (!(given.y > 0))
-            size.y = given.x > 0 ? given.x * view.y / view.x : view.y;
+    const std::string_view width = attribute(root.attributes, "width"), height = attribute(root.attributes, "height");
+    const glm::dvec2 page(page_side(width, view.x, dots_per_inch), page_side(height, view.y, dots_per_inch));
+    glm::dmat4 m(1.0);
+    if (box.empty()) {
+        m[1][1] = -1;
+        m[3][1] = page.y;
+        return m;
     }
-    glm::dmat4 up(1.0);
-    up[0][0] = pixel;
-    up[1][1] = -pixel;
-    up[3][1] = size.y * pixel;
-    return up * svg_fit(root, size);
+    const auto [scale, room] = fit(root, page, view);
+    // The corner counts by the page's share of the viewBox, and up where it should count down.
+    const auto share = [](std::string_view text) {
+        const auto [number, unit] = split(text);
+        return unit == "%" ? number.value_or(0) / 100 : 1.0;
+    };
+    m[0][0] = scale.x;
+    m[1][1] = -scale.y;
+    m[3][0] = room.x - scale.x * share(width) * box[0];
+    m[3][1] = page.y - room.y - scale.y * share(height) * box[1];
+    return m;
 }
 
 }  // namespace csg::solid

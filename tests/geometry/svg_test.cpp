@@ -30,7 +30,7 @@ double area(const std::string& body) {
 }
 
 TEST(Svg, OpenLinesAreAsWideAsTheirStrokes) {
-    EXPECT_NEAR(area("<line x1='5' y1='5' x2='15' y2='5'/>"), 11, 1e-6) << "1 wide, with square caps";
+    EXPECT_NEAR(area("<line x1='5' y1='5' x2='15' y2='5'/>"), 10, 1e-6) << "1 wide, without caps";
     EXPECT_NEAR(area("<line x1='5' y1='5' x2='15' y2='5' stroke-width='2' stroke-linecap='butt'/>"), 20, 1e-6);
     EXPECT_NEAR(area("<line x1='5' y1='5' x2='15' y2='5' style='stroke-width:2; stroke-linecap:square'/>"), 24, 1e-6);
     EXPECT_NEAR(area("<g stroke-width='8'><line x1='20' y1='9' x2='40' y2='9' stroke-linecap='round'/></g>"),
@@ -89,8 +89,30 @@ TEST(Svg, PagesFitTheirViewBox) {
     EXPECT_NEAR(box("xMidYMax slice").lo.y, 0, 1e-6);
     EXPECT_NEAR(box("xMidYMax slice").hi.y, 200, 1e-6);
     EXPECT_NEAR(read(rect, "width='100%' height='100%' viewBox='0 0 72 72'").box.hi.y, 25.4, 1e-6);
-    EXPECT_NEAR(read(rect, "width='1in' viewBox='0 0 10 20'").box.hi.y, 50.8, 1e-6) << "the height follows";
-    EXPECT_NEAR(read("<rect width='1in' height='36'/>", "width='72' height='72'").area, 25.4 * 12.7, 1e-6);
+    EXPECT_NEAR(read("<rect width='1in' height='36'/>", "width='72' height='72'").area, 72 * 36, 1e-6)
+        << "without a viewBox a unit is a millimetre";
+}
+
+/// As OpenSCAD takes them: width and height of a page where they have each unit, or none, or are not there.
+TEST(Svg, SidesOfPages) {
+    const auto box = [&](const std::string& head) {
+        return read("<rect x='10' y='20' width='30' height='40'/>", head).box;
+    };
+    const auto near = [](const csg::Box& a, double x0, double y0, double x1, double y1) {
+        EXPECT_NEAR(a.lo.x, x0, 1e-3);
+        EXPECT_NEAR(a.lo.y, y0, 1e-3);
+        EXPECT_NEAR(a.hi.x, x1, 1e-3);
+        EXPECT_NEAR(a.hi.y, y1, 1e-3);
+    };
+    near(box(""), 10, -60, 40, -20);
+    near(box("width='100' height='100'"), 10, -24.722, 40, 15.278);
+    near(box("width='100px' height='100px' viewBox='0 0 100 100'"), 2.646, 10.583, 10.583, 21.167);
+    near(box("width='10em' height='10em' viewBox='0 0 100 100'"), 10, 40, 40, 80);
+    near(box("width='100mm' viewBox='0 0 200 100'"), 18.25, 14.111, 28.833, 28.222);
+    near(box("height='100mm' viewBox='0 0 200 100'"), 3.528, 46.472, 14.111, 60.583);
+    near(box("width='100mm' height='100mm' viewBox='-50 -50 100 100'"), 60, 90, 90, 130);
+    near(box("width='50mm' height='100mm' viewBox='5 7 100 100' preserveAspectRatio='xMaxYMax slice'"), -45, 33, -15,
+         73);
 }
 
 TEST(Svg, WhatIsLeftOutIsTold) {
@@ -98,7 +120,7 @@ TEST(Svg, WhatIsLeftOutIsTold) {
     csg::Import import;
     import.id = "a";
     EXPECT_NEAR(read("<g id='a'><rect width='2' height='2'/></g><rect x='9' width='5' height='5'/>", "", import).area,
-                4 * 25.4 * 25.4 / 72 / 72, 1e-6);
+                4, 1e-6);
     EXPECT_EQ(read("<rect width='5' height='5'/>", "", import).warnings.size(), 1u);
     const Read broken = read("<rect width='5' height='5'/><g>");
     ASSERT_EQ(broken.warnings.size(), 1u);
