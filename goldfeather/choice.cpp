@@ -8,24 +8,6 @@
 
 namespace goldfeather {
 
-std::string_view name(EngineKind kind) {
-    switch (kind) {
-        case EngineKind::Goldfeather:
-            return "goldfeather";
-        case EngineKind::Lists:
-            return "lists";
-        case EngineKind::ListsCpu:
-            return "lists-cpu";
-        case EngineKind::Scs:
-            return "scs";
-    }
-    return "";
-}
-
-bool needs_products(EngineKind kind) {
-    return kind == EngineKind::Goldfeather || kind == EngineKind::Scs;
-}
-
 double estimated_depth(std::span<const csg::Box> leaf_boxes, const csg::Box& scene) {
     const auto area = [](const csg::Box& box) {
         const glm::dvec3 size = box.empty() ? glm::dvec3(0.0) : box.size();

@@ -1,6 +1,7 @@
 // Which engine draws a scene.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -19,11 +20,19 @@ enum class EngineKind {
     Scs,          ///< scs.h
 };
 
+inline constexpr std::array kEngineKinds{EngineKind::Goldfeather, EngineKind::Lists, EngineKind::ListsCpu,
+                                         EngineKind::Scs};
+
 /// "goldfeather", "lists", "lists-cpu", "scs".
-[[nodiscard]] std::string_view name(EngineKind kind);
+[[nodiscard]] constexpr std::string_view name(EngineKind kind) {
+    constexpr std::array<std::string_view, kEngineKinds.size()> kNames{"goldfeather", "lists", "lists-cpu", "scs"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
 
 /// Does the engine draw sums of products?
-[[nodiscard]] bool needs_products(EngineKind kind);
+[[nodiscard]] constexpr bool needs_products(EngineKind kind) {
+    return kind == EngineKind::Goldfeather || kind == EngineKind::Scs;
+}
 
 /// What the user wants of the engines.
 struct EngineOptions {

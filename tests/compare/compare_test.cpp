@@ -275,6 +275,23 @@ TEST_F(Export, LayersAreToldOneByOne) {
     EXPECT_EQ(layers[0].at("coverage_error"), 0.0);
 }
 
+TEST_F(Export, EveryEngineIsCompared) {
+    folder_.write("other.scad", "difference() { cube(10, center = true); cylinder(r = 3, h = 20, center = true); }");
+    ASSERT_EQ(run("other.scad -o other.stl").status, 0);
+    for (const std::string engine : {"goldfeather", "lists", "lists-cpu", "scs"}) {
+        const std::string options = " --imgsize 64 --views 2 --engine " + engine;
+        const Result result = run("compare m.scad" + options);
+        ASSERT_EQ(result.status, 0) << engine << ": " << result.err;
+        const Json json = Json::parse(result.out);
+        EXPECT_EQ(json.at("engine"), engine);
+        EXPECT_EQ(json.at("layers"), engine == "scs" ? Json(1) : Json("all"));
+        EXPECT_EQ(run("compare m.scad --against other.stl" + options).status, 1) << engine;
+    }
+    folder_.write("hollow.scad", "rotate_extrude() translate([5, 0]) circle(2);");
+    EXPECT_NE(run("compare hollow.scad --engine scs").err.find("scs needs convex leaves"), std::string::npos);
+    EXPECT_EQ(run("compare m.scad --engine opencsg").status, 1);
+}
+
 TEST_F(Export, OneCameraIsOneView) {
     ASSERT_EQ(run("compare m.scad --imgsize 64 --camera 0,0,0,0,0,0,60 --projection o").status, 0);
     EXPECT_NE(run("compare m.scad --camera 0,0,0,0,0,0,60 --views 3").err.find("--views"), std::string::npos);

@@ -1,23 +1,30 @@
 #include "ui/command_line/compare_options.h"
 
+#include <map>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "ui/command_line/files.h"
-#include "ui/command_line/options.h"
+#include "ui/command_line/option_values.h"
 
 namespace ui {
 
 CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     CompareOptions o;
-    std::string camera, projection = "p";
+    std::string camera, projection = "p", engine(goldfeather::name(o.engine));
     CLI::App app("csgscope compare draws a model and compares all layers of the picture with a mesh.",
                  "csgscope compare");
     app.add_option("file", o.input, "The .scad file")->required();
     app.add_option("--against", o.against,
                    "cgal (the exact mesh), openscad (its tree, mesh and picture), FILE.stl, FILE.off or FILE.png");
-    app.add_option("--engine", o.engine, "goldfeather or lists-cpu (lists-cpu)")
-        ->check(CLI::IsMember({"goldfeather", "lists-cpu"}));
+    std::map<std::string, goldfeather::EngineKind> engines;
+    for (const goldfeather::EngineKind kind : goldfeather::kEngineKinds) {
+        engines.emplace(goldfeather::name(kind), kind);
+    }
+    app.add_option("--engine", engine,
+                   "goldfeather, lists, lists-cpu, or scs, of which the first layer is compared (lists-cpu)")
+        ->check(CLI::IsMember(engines));
     app.add_option("--views", o.views, "Views spread over the sphere, of both projections in turn (1)")
         ->check(CLI::Range(1, 100));
     app.add_option("--camera", camera, "One view instead: the numbers of csgscope --camera");
@@ -39,6 +46,7 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(fmt::format("compare: {}", error.what()));
     }
+    o.engine = engines.at(engine);
     if (o.against.ends_with(".png")) {
         o.reference = o.against;
     }

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "gl/camera.h"
+#include "goldfeather/choice.h"
 
 namespace ui {
 
 struct CompareOptions {
     std::string input;             ///< Empty: help was asked for, and printed.
     std::string against = "cgal";  ///< Or "openscad", or a file.
-    std::string engine = "lists-cpu";
+    goldfeather::EngineKind engine = goldfeather::EngineKind::ListsCpu;
     std::string report;                ///< Folder; empty: none.
     std::string reference;             ///< A picture; empty: meshes are compared.
     std::optional<gl::Camera> camera;  ///< The only view; absent: `views` of them.

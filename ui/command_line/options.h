@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,25 +10,11 @@
 #include "gl/context.h"
 #include "goldfeather/choice.h"
 #include "ui/command_line/export_options.h"
+#include "ui/command_line/outputs.h"
 #include "ui/command_line/summary_parts.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/command_line/usage_error.h"
 
 namespace ui {
-
-/// What the user asked for cannot be done as asked; the text is for people.
-class UsageError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
-
-enum class Format { Png, Csg, Ast, Echo, Param, Mesh, Drawing };
-
-struct Output {
-    std::string path;  ///< "-": standard output.
-    Format format = Format::Png;
-    MeshFormat mesh = MeshFormat::AsciiStl;                              ///< For Format::Mesh.
-    csg::solid::DrawingFormat drawing = csg::solid::DrawingFormat::Svg;  ///< For Format::Drawing.
-};
 
 struct Options {
     std::string input;  ///< "-": standard input; empty where none was given.
@@ -82,9 +67,6 @@ struct CommandLine {
     Options options;
     std::optional<std::string> text;
 };
-
-/// The numbers of --camera, in either of OpenSCAD's notations. Throws UsageError.
-[[nodiscard]] gl::Camera read_camera(std::string_view text);
 
 /// Reads the arguments (without the program's name). Throws UsageError.
 [[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments);

@@ -1,0 +1,66 @@
+#include "ui/command_line/compare_input.h"
+
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "ui/command_line/files.h"
+#include "ui/command_line/messages.h"
+#include "ui/command_line/openscad_process.h"
+#include "ui/command_line/usage_error.h"
+#include "ui/pipeline/measures.h"
+#include "ui/pipeline/mesh.h"
+
+namespace ui {
+
+namespace {
+
+std::string read_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    if (!file || !(bytes << file.rdbuf())) {
+        throw UsageError(fmt::format("{}: cannot be read", path));
+    }
+    return bytes.str();
+}
+
+}  // namespace
+
+csg::scad::Evaluation evaluate(const CompareOptions& o, bool preview) {
+    csg::scad::Request request;
+    request.path = o.input;
+    request.text = read_source(o.input);
+    request.preview = preview;
+    request.measures = make_measures();
+    Messages messages(true);
+    auto evaluation =
+        csg::scad::evaluate(request, [&](const auto& message, const auto& sources) { messages.add(message, sources); });
+    if (!evaluation.ok) {
+        throw ModelError("the model has errors");
+    }
+    return evaluation;
+}
+
+ComparedModel load(const CompareOptions& o) {
+    const csg::scad::Evaluation evaluation = evaluate(o, !o.reference.empty());
+    return {ModelBuilder().build(evaluation.tree), evaluation.view};
+}
+
+csg::reference::Mesh reference_mesh(const CompareOptions& o, const Model& model) {
+    if (o.against == "cgal") {
+        return make_mesh(model).mesh;
+    }
+    if (o.against == "openscad") {
+        return OpenscadProcess(o.input).mesh();
+    }
+    try {
+        return csg::reference::decode_mesh(read_file(o.against));
+    } catch (const UsageError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw UsageError(fmt::format("{}: {}", o.against, error.what()));
+    }
+}
+
+}  // namespace ui

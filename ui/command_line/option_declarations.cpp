@@ -1,0 +1,98 @@
+#include "ui/command_line/option_declarations.h"
+
+namespace ui {
+
+void declare(CLI::App& app, Options& o, RawOptions& raw) {
+    // Values may hold commas and begin with '-': every option takes exactly the argument after it.
+    const auto text = [&](const char* names, std::string& value, const char* help, const char* type,
+                          const char* group) {
+        return app.add_option(names, value, help)
+            ->type_name(type)
+            ->group(group)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    };
+    const auto list = [&](const char* names, std::vector<std::string>& values, const char* help, const char* type,
+                          const char* group) {
+        return app.add_option(names, values, help)
+            ->type_name(type)
+            ->group(group)
+            ->expected(1)
+            ->allow_extra_args(false)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    const char* const in = "Input and output";
+    app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("");
+    list("-o,--o", raw.outputs,
+         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .svg, .dxf, .pdf, .csg, .ast, .echo or .param; - is "
+         "standard output. May be repeated. Without it a window opens",
+         "FILE", in);
+    text("--export-format", raw.export_format,
+         "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);
+    list("-O,--O", raw.export_options, "Set an option of a file format; may be repeated (--help-export)",
+         "SECTION/KEY=VALUE", in);
+    text("--cache", o.cache, "Keep meshes in this folder, and take them from there", "DIR", in);
+    list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
+    text("-p,--p", o.parameter_file, "A file of parameter sets, as OpenSCAD's customizer writes it", "FILE", in);
+    text("-P,--P", o.parameter_set, "The parameter set of that file to take", "NAME", in);
+    text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
+    text("-m,--m", o.make_command, "Run COMMAND FILE for each file that the model names and that is not there",
+         "COMMAND", in);
+    text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
+    text("--summary-file", raw.summary_file, "Write what --summary names (all) as JSON; - is standard output", "FILE",
+         in);
+    list("--summary", raw.summary, "Print all, cache, time, camera, geometry, bounding-box, area or volume", "WHAT",
+         in);
+    app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(in);
+    app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
+
+    const char* const checks = "Limits and checks";
+    text("--time-limit", raw.time_limit, "End evaluation and drawing with an error after that time", "SECONDS", checks);
+    text("--memory-limit", raw.memory_limit, "End with an error where more memory would be needed", "MIB", checks);
+    text("--check-parameters", raw.check_parameters,
+         "Warn of arguments that user-defined functions and modules do not take: on or off (on)", "BOOL", checks);
+    text("--check-parameter-ranges", raw.check_ranges, "Warn of dimensions that make nothing: on or off (off)", "BOOL",
+         checks);
+    text("--trace-depth", raw.trace_depth, "Steps shown at either end of a trace (12)", "N", checks);
+    text("--trace-usermodule-parameters", raw.trace_parameters, "Parameters in traces: on or off (on)", "BOOL", checks);
+
+    const char* const picture = "Picture";
+    text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
+    text("--style", o.style, "shaded, edges, blueprint, xray or sketch (shaded)", "STYLE", picture);
+    list("--set", raw.settings, "Set a parameter of the style; may be repeated", "NAME=VALUE", picture);
+    text("--colorscheme", raw.scheme, "OpenSCAD's colour scheme (Cornfield)", "NAME", picture);
+    text("--layers", raw.layers, "The first N surfaces behind each pixel, or all (what the style needs)", "N|all",
+         picture);
+    text("--samples", raw.samples,
+         "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
+    app.add_flag("--transparent-background", o.transparent_background, "No background")->group(picture);
+    app.add_flag("--render", raw.render,
+                 "Draw the result: $preview false, neither % nor # parts, outlines flat, framed exactly")
+        ->group(picture);
+    app.add_flag("--preview", raw.preview, "Evaluate with $preview true (default)")->group(picture);
+
+    const char* const camera = "Camera";
+    text("--camera", raw.camera, "x,y,z,rotx,roty,rotz,distance or eyex,y,z,centerx,y,z", "NUMBERS", camera);
+    text("--projection", raw.projection, "o (orthographic) or p (perspective, default)", "o|p", camera);
+    app.add_flag("--viewall", o.view_all, "Move the camera so that all is seen")->group(camera);
+    app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
+
+    const char* const engine = "Engine";
+    text("--engine", raw.engine, "auto, goldfeather, lists, lists-cpu or scs (auto)", "NAME", engine);
+    text("--context", raw.context, "OpenGL from: auto, egl, osmesa or none (auto)", "NAME", engine);
+    text("--memory-budget", raw.memory_budget, "Per-pixel state of the engines on OpenGL at once (128)", "MIB", engine);
+    text("--minimal-fraction", raw.minimal_fraction,
+         "Leave out layers that fewer than this share of the pixels have (0)", "SHARE", engine);
+    text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
+
+    const char* const other = "Other";
+    app.add_flag("--help-export", raw.help_export, "Print the options of file formats")->group(other);
+    app.add_flag("-v,--version", raw.version, "Print the version")->group(other);
+    app.add_flag("--info", o.information, "Print version and OpenGL")->group(other);
+    const char* const accepted = "Accepted for OpenSCAD's sake, without effect";
+    text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
+    text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
+    text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
+    list("--enable", raw.features, "Features of OpenSCAD's language are always on", "FEATURE", accepted);
+}
+
+}  // namespace ui

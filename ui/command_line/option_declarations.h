@@ -1,0 +1,27 @@
+// The options of csgscope as CLI11 knows them: names, help and groups.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "ui/command_line/options.h"
+
+namespace ui {
+
+/// The options as texts, as CLI11 gives them.
+struct RawOptions {
+    std::vector<std::string> inputs, outputs, settings, export_options;
+    std::string export_format, camera, size, layers, samples, view, csg_limit, backend, render, preview, scheme;
+    std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget,
+        minimal_fraction;
+    std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
+    std::vector<std::string> summary, features;
+    bool version = false, help_export = false;
+};
+
+/// Declares all options. What needs no interpretation goes to `options`; both must outlive `app`.
+void declare(CLI::App& app, Options& options, RawOptions& raw);
+
+}  // namespace ui

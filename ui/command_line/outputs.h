@@ -1,0 +1,23 @@
+// The files that a run is to write, and their formats.
+#pragma once
+
+#include <string>
+
+#include "csg/solid/outline_files.h"
+#include "ui/pipeline/mesh.h"
+
+namespace ui {
+
+enum class Format { Png, Csg, Ast, Echo, Param, Mesh, Drawing };
+
+struct Output {
+    std::string path;  ///< "-": standard output.
+    Format format = Format::Png;
+    MeshFormat mesh = MeshFormat::AsciiStl;                              ///< For Format::Mesh.
+    csg::solid::DrawingFormat drawing = csg::solid::DrawingFormat::Svg;  ///< For Format::Drawing.
+};
+
+/// Of -o: the suffix of the path tells the format, unless there is an `export_format`. Throws UsageError.
+[[nodiscard]] Output read_output(const std::string& path, const std::string& export_format);
+
+}  // namespace ui
