@@ -26,14 +26,17 @@ double estimated_cost(EngineKind kind, const EngineConditions& c) {
     // GPU only the numbers of passes are known; drawing is taken to cost it a thirtieth of what it costs the CPU.
     constexpr double kCpuPerGpu = 30;
     const double never = std::numeric_limits<double>::infinity();
+    // Surfaces looked at until the layers are found: walks end there, and most of what a ray meets is behind the first
+    // two surfaces of a layer.
+    const double walked = c.layers == kAllLayers ? c.depth : std::min(c.depth, 2.0 * c.layers);
     switch (kind) {
         case EngineKind::ListsCpu:
-            return (1.5 + 0.1 * c.depth) * (c.software_renderer ? 1 : kCpuPerGpu);
+            return (1.5 + 0.1 * walked) * (c.software_renderer ? 1 : kCpuPerGpu);
         case EngineKind::Lists:
-            return 2 + 8 + c.depth;  // Two passes, and a walk along each list.
+            return 2 + 8 + walked;  // Two passes, and a walk along each list.
         case EngineKind::Goldfeather:
             // A pass an event and its resolve: rays differ in depth, and the deepest decides.
-            return c.over_budget ? never : (2 + 2 * c.depth) * 3;
+            return c.over_budget ? never : (2 + 2 * walked) * 3;
         case EngineKind::Scs:
             return never;  // Not all scenes, and one layer only: never chosen.
     }
@@ -48,8 +51,11 @@ EngineChoice choose_engine(std::optional<EngineKind> wanted, const EngineConditi
     const EngineKind least = *std::min_element(kKinds.begin(), kKinds.end(), [&](EngineKind a, EngineKind b) {
         return estimated_cost(a, conditions) < estimated_cost(b, conditions);
     });
-    std::string reason = conditions.software_renderer ? "OpenGL is computed by the CPU; estimated"
-                                                      : "OpenGL is computed by a GPU; estimated";
+    std::string reason =
+        fmt::format("OpenGL is computed by {}; estimated for {}:", conditions.software_renderer ? "the CPU" : "a GPU",
+                    conditions.layers == kAllLayers ? "all layers"
+                    : conditions.layers == 1        ? "one layer"
+                                                    : fmt::format("{} layers", conditions.layers));
     for (const EngineKind kind : kKinds) {
         reason += kind == EngineKind::Goldfeather && conditions.over_budget
                       ? fmt::format(" {}: too many products;", name(kind))

@@ -50,6 +50,7 @@ struct EngineConditions {
     bool software_renderer = false;  ///< OpenGL is computed by the CPU.
     bool over_budget = false;        ///< Some part has no sum of products.
     double depth = 0;                ///< Surfaces of leaves that a ray through the scene meets, about.
+    int layers = kAllLayers;         ///< Wanted: the first so many.
 };
 
 struct EngineChoice {
@@ -61,8 +62,8 @@ struct EngineChoice {
 /// scene's, twice (a ray enters a convex leaf once and leaves it once).
 [[nodiscard]] double estimated_depth(std::span<const csg::Box> leaf_boxes, const csg::Box& scene);
 
-/// The estimated cost of a picture of all layers, as a multiple of drawing all leaves once with a GPU, or with the CPU
-/// where that computes OpenGL. Infinite where the engine cannot draw the scene. docs/PERFORMANCE.md, "Choice".
+/// The estimated cost of a picture of the layers wanted, as a multiple of drawing all leaves once with a GPU, or with
+/// the CPU where that computes OpenGL. Infinite where the engine cannot draw the scene. docs/PERFORMANCE.md, "Choice".
 [[nodiscard]] double estimated_cost(EngineKind kind, const EngineConditions& conditions);
 
 /// The engine with the least estimated cost, or the user's choice (`wanted`). Goldfeather cannot draw a scene that is

@@ -79,6 +79,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     for (const csg::solid::Plane& plane : model.geometry.planes.planes()) {
         job.planes.push_back(view.exact_plane_depth(plane.normal, plane.offset));
     }
+    const std::uint32_t drawn_before = stats.drawn_leaves;
     job.counted_from_behind.assign(model.geometry.leaves.size(), 0);
     for (csg::LeafId id = 0; id < model.geometry.leaves.size(); ++id) {
         gl::end_if_asked(stop);
@@ -107,6 +108,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     std::atomic<int> next{0};
     std::mutex adding;
     int most = 0;
+    std::vector<char> seen(model.geometry.leaves.size(), 0);
     const auto work = [&] {
         TileWorker worker(job);
         for (int tile = next++; tile < tiles && !stop.stop_requested(); tile = next++) {
@@ -114,6 +116,8 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         }
         const std::lock_guard lock(adding);
         most = std::max(most, worker.most_layers());
+        std::transform(seen.begin(), seen.end(), worker.seen().begin(), seen.begin(),
+                       [](char a, char b) { return static_cast<char>(a | b); });
         stats.fragments += worker.fragments();
         stats.longest_list = std::max(stats.longest_list, static_cast<std::uint32_t>(worker.longest_list()));
     };
@@ -130,6 +134,8 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     out.layers = std::max(most, 1);
     out.complete = max_layers == 0 || most < max_layers;
     stats.triangles = static_cast<std::uint32_t>(job.triangles.size());
+    stats.occluded_leaves +=
+        stats.drawn_leaves - drawn_before - static_cast<std::uint32_t>(std::count(seen.begin(), seen.end(), char{1}));
     stats.layers = std::max(stats.layers, most);
 }
 
@@ -179,6 +185,7 @@ void add(WalkStats& walk, const ListsStats& lists) {
     walk.drawn_leaves += lists.drawn_leaves;
     walk.skipped_leaves += lists.skipped_leaves;
     walk.skipped_triangles += lists.skipped_triangles;
+    walk.occluded_leaves = walk.occluded_leaves.value_or(0) + lists.occluded_leaves;
     walk.longest_list = std::max(walk.longest_list, lists.longest_list);
     walk.layers = std::max(walk.layers, lists.layers);
 }

@@ -54,6 +54,7 @@ struct ListsStats {
     std::uint32_t triangles = 0;                         ///< That may cover a sample.
     std::uint64_t skipped_triangles = 0;                 ///< Of drawn leaves: these cover none.
     std::uint32_t drawn_leaves = 0, skipped_leaves = 0;  ///< Skipped are those outside the view.
+    std::uint32_t occluded_leaves = 0;                   ///< Of drawn leaves: no surface found is of them.
     std::uint32_t longest_list = 0;
     int layers = 0;  ///< The most of any pixel, as far as it was asked for.
 };

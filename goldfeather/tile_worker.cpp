@@ -42,7 +42,8 @@ TileWorker::TileWorker(ListsJob& job)
       half_width_(0.5 * job.size.x),
       half_height_(0.5 * job.size.y),
       spans_(job.triangles),
-      walk_(job.model.expressions, job.model.scene, job.counted_from_behind, job.max_layers) {}
+      walk_(job.model.expressions, job.model.scene, job.counted_from_behind, job.max_layers),
+      seen_(job.model.geometry.leaves.size(), 0) {}
 
 void TileWorker::run(int tile) {
     const int x = tile % job_.bins.tiles.x * TileSpans::kSide, y = tile / job_.bins.tiles.x * TileSpans::kSide;
@@ -262,6 +263,7 @@ void TileWorker::write(int x, int y, int length) {
         static_cast<std::size_t>(y) * static_cast<std::size_t>(job_.size.x) + static_cast<std::size_t>(x);
     for (std::size_t layer = 0; layer < found.size(); ++layer) {
         const FoundSurface& s = found[layer];
+        seen_[s.leaf] = 1;
         std::uint32_t plane = sorted_[s.first].plane;
         for (std::uint32_t i = s.first + 1; i < s.end; ++i) {
             plane = std::min(plane, sorted_[i].plane);

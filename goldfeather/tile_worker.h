@@ -52,6 +52,8 @@ class TileWorker {
     [[nodiscard]] std::uint64_t fragments() const { return fragments_; }
     [[nodiscard]] std::size_t longest_list() const { return longest_list_; }
     [[nodiscard]] int most_layers() const { return most_layers_; }
+    /// By leaf: 1 where some layer of some pixel is a surface of it.
+    [[nodiscard]] const std::vector<char>& seen() const { return seen_; }
 
   private:
     struct Target {
@@ -98,6 +100,7 @@ class TileWorker {
     std::array<int, TileSpans::kPixels> layers_{};
     int tile_layers_ = 0;
     int most_layers_ = 0;
+    std::vector<char> seen_;
     std::uint64_t fragments_ = 0;
     std::size_t longest_list_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace goldfeather {
@@ -15,6 +16,8 @@ struct WalkStats {
     std::uint32_t drawn_products = 0;  ///< Where the engine needs a sum of products.
     // Leaves (in lists) and products that a picture has nothing of: outside the view, or of no product in it.
     std::uint32_t skipped_leaves = 0, skipped_products = 0;
+    /// Of drawn leaves: none of the layers found, in any pixel, is a surface of theirs. Known to `lists-cpu` only.
+    std::optional<std::uint32_t> occluded_leaves;
     std::uint64_t skipped_triangles = 0;  ///< Of drawn leaves: they cover no sample. Known to `lists-cpu` only.
     std::uint32_t slots = 0;              ///< Parity bits per pixel, where the engine keeps them.
     std::uint32_t longest_list = 0;       ///< Most surfaces along a ray, where the engine keeps lists.

@@ -41,6 +41,20 @@ TEST(Choice, GivesTheEstimates) {
     EXPECT_TRUE(std::isinf(goldfeather::estimated_cost(EngineKind::Goldfeather, {false, true, 5})));
 }
 
+TEST(Choice, GoesByTheLayersWanted) {
+    for (const EngineKind kind : {EngineKind::Goldfeather, EngineKind::Lists, EngineKind::ListsCpu}) {
+        const auto cost = [&](double depth, int layers) {
+            return goldfeather::estimated_cost(kind, {true, false, depth, layers});
+        };
+        EXPECT_LT(cost(40, 1), cost(40, 4));
+        EXPECT_LT(cost(40, 4), cost(40, 0));
+        EXPECT_EQ(cost(3, 2), cost(3, 0)) << "there are no more";
+    }
+    EXPECT_NE(choose_engine({}, {true, false, 5, 1}).reason.find("for one layer"), std::string::npos);
+    EXPECT_NE(choose_engine({}, {true, false, 5, 3}).reason.find("for 3 layers"), std::string::npos);
+    EXPECT_NE(choose_engine({}, {true, false, 5}).reason.find("for all layers"), std::string::npos);
+}
+
 TEST(Choice, DepthIsCountedByBoxes) {
     const csg::Box scene{glm::dvec3(0.0), glm::dvec3(4.0)}, half{glm::dvec3(0.0), glm::dvec3(2.0)};
     EXPECT_DOUBLE_EQ(goldfeather::estimated_depth(std::vector{scene}, scene), 2);

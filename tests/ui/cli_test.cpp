@@ -240,6 +240,21 @@ TEST_F(Cli, StatisticsSayWhatWasLeftOut) {
     }
 }
 
+TEST_F(Cli, StatisticsCountLeavesThatAreNotSeen) {
+    // A ball within a block is never seen; the block behind is, with all layers.
+    folder_.write("hidden.scad", "cube(10, center = true); sphere(2); translate([0, 0, -20]) cube(4, center = true);");
+    const auto occluded = [&](const std::string& options) {
+        EXPECT_EQ(
+            run("hidden.scad -o h.png --imgsize 32,32 --samples 1 --camera=0,0,0,0,0,0,60 --stats s.json " + options)
+                .status,
+            0);
+        return nlohmann::json::parse(folder_.read("s.json")).at("occluded_leaves");
+    };
+    EXPECT_EQ(occluded("--engine lists-cpu --layers 1"), 2);
+    EXPECT_EQ(occluded("--engine lists-cpu --layers all"), 1);
+    EXPECT_TRUE(occluded("--engine lists").is_null()) << "not known";
+}
+
 TEST_F(Cli, AnEngineThatCannotDrawIsReplacedAndItIsTold) {
     const Result result = run("m.scad -o m.png --imgsize 32,32 --engine scs --layers all --stats s.json");
     EXPECT_EQ(result.status, 0);

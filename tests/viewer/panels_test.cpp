@@ -213,12 +213,37 @@ TEST_F(Form, IsClosed) {
 class OtherParts : public Panels {
   protected:
     void draw(Commands& commands) override {
-        (void)draw_menu_bar(*session_, commands);
+        (void)draw_menu_bar(*session_, info_, commands);
         draw_overlay({{0, 30}, {900, 600}}, *session_, info_, fonts_, 1);
         draw_status({{0, 1370}, {1280, 30}}, *session_, info_, "note");
         draw_help(fonts_, commands);
     }
 };
+
+class MenuBar : public Panels {
+  protected:
+    void draw(Commands& commands) override { (void)draw_menu_bar(*session_, info_, commands); }
+    /// Opens the menu and clicks an item.
+    void choose(const char* menu, const char* item) {
+        frame({-100, -100}, false);
+        const ImGuiWindow* bar = ImGui::FindWindowByName("##MainMenuBar");
+        const ImGuiID menus = ImHashStr("##menubar", 0, bar->ID);
+        click(find("##MainMenuBar", ImHashStr(menu, 0, menus)));
+        const ImGuiWindow* list = ImGui::FindWindowByName("##Menu_00");
+        ASSERT_NE(list, nullptr);
+        click(find("##Menu_00", ImHashStr(item, 0, list->ID)));
+    }
+};
+
+TEST_F(MenuBar, ChoosesTheEngine) {
+    info_.engine = {goldfeather::EngineKind::ListsCpu, "as estimated"};
+    EXPECT_EQ(session_->view().engine, std::nullopt);
+    choose("Engine", "goldfeather");
+    EXPECT_EQ(session_->view().engine, goldfeather::EngineKind::Goldfeather);
+    EXPECT_EQ(session_->view().request({8, 8}).engine, goldfeather::EngineKind::Goldfeather);
+    choose("Engine", "Automatic");
+    EXPECT_EQ(session_->view().engine, std::nullopt);
+}
 
 TEST_F(OtherParts, HelpIsClosedByItsCross) {
     frame({-100, -100}, false);

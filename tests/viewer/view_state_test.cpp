@@ -17,6 +17,7 @@ TEST(ViewState, ARequestComesBackAsItWas) {
     request.scheme = "Sunset";
     request.layers = 3;
     request.samples = 8;
+    request.engine = goldfeather::EngineKind::Lists;
     const ViewState state = view_state_of(request);
     EXPECT_EQ(state.style_info().name, "blueprint");
     EXPECT_EQ(state.color_scheme().name, "Sunset");
@@ -70,6 +71,7 @@ TEST(ViewState, EveryPartOfARequestCounts) {
     EXPECT_TRUE(differs([](auto& b) { b.layers = 0; }));
     EXPECT_TRUE(differs([](auto& b) { b.samples = 1; }));
     EXPECT_TRUE(differs([](auto& b) { b.transparent_background = true; }));
+    EXPECT_TRUE(differs([](auto& b) { b.engine = goldfeather::EngineKind::ListsCpu; }));
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ PictureRequest picture_of(const Options& options) {
     request.layers = options.layers.value_or(-1);
     request.samples = options.samples;
     request.transparent_background = options.transparent_background;
+    request.engine = options.engine.kind;
     return request;
 }
 

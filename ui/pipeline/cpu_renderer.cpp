@@ -9,9 +9,8 @@ void CpuRenderer::hold(const Model& model) {
         return;
     }
     model_.reset();
-    model_ =
-        std::make_unique<Held>(Held{goldfeather::ListsModel(model.scene, model.geometry),
-                                    goldfeather::surface_rows(model.scene, model.geometry), translucent(model.scene)});
+    model_ = std::make_unique<Held>(Held{goldfeather::ListsModel(model.scene, model.geometry),
+                                         goldfeather::surface_rows(model.scene, model.geometry)});
     generation_ = model.generation;
 }
 
@@ -32,7 +31,7 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
     Stopwatch watch;
     hold(model);
     statistics_.upload_ms += watch.lap();
-    const int layers = request.layers >= 0 ? request.layers : checked.style.layers(model_->translucent);
+    const int layers = checked.layers(model, request);
     accumulator_.paint_sample(paint(checked.style), model_->rows, checked.picture(model, request, stop),
                               static_cast<std::size_t>(sample), [&](const gl::View& view) -> const peel::CpuLayers& {
                                   statistics_.style_ms += watch.lap();

@@ -30,7 +30,6 @@ class CpuRenderer {
     struct Held {
         goldfeather::ListsModel lists;
         peel::SurfaceRows rows;
-        bool translucent;
     };
     void hold(const Model& model);
     const npr::Paint& paint(const npr::StyleInfo& style);

@@ -4,25 +4,23 @@
 
 namespace ui {
 
-GlRenderer::GlRenderer(const gl::Context& context, const goldfeather::EngineOptions& engine)
-    : gl_(context.functions()),
-      software_(context.software()),
-      wanted_(engine.kind),
-      peeler_(gl_, engine.memory_budget, engine.minimal_fraction),
-      accumulator_(gl_) {}
+GlRenderer::GlRenderer(const gl::Context& context, std::size_t memory_budget, double minimal_fraction)
+    : gl_(context.functions()), peeler_(gl_, memory_budget, minimal_fraction), accumulator_(gl_) {}
 
-void GlRenderer::hold(const Model& model) {
-    if (model_ && generation_ == model.generation) {
+bool GlRenderer::holds(const Model& model, goldfeather::EngineKind engine) const {
+    return model_ && generation_ == model.generation && model_->engine == engine;
+}
+
+void GlRenderer::hold(const Model& model, goldfeather::EngineKind engine) {
+    if (holds(model, engine)) {
         return;
     }
-    choice_ = goldfeather::choose_engine(wanted_, engine_conditions(model, software_));
-    if (goldfeather::needs_products(choice_.engine) && !model.over_budget.empty()) {
+    if (goldfeather::needs_products(engine) && !model.over_budget.empty()) {
         throw ModelError(model.over_budget);
     }
     model_.reset();  // Before the next is made: the two need not fit together.
-    model_ = std::make_unique<peel::PeelModel>(gl_, model.scene, model.geometry, model.products, choice_.engine);
+    model_ = std::make_unique<peel::PeelModel>(gl_, model.scene, model.geometry, model.products, engine);
     generation_ = model.generation;
-    translucent_ = translucent(model.scene);
 }
 
 npr::Style& GlRenderer::style(const npr::StyleInfo& info) {
@@ -33,21 +31,21 @@ npr::Style& GlRenderer::style(const npr::StyleInfo& info) {
     return *made;
 }
 
-void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample,
-                             const std::stop_token& stop) {
+void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, const goldfeather::EngineChoice& engine,
+                             int sample, const std::stop_token& stop) {
     const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
         statistics_ = {};
     }
     Stopwatch watch;
-    const bool held = model_ && generation_ == model.generation;
-    hold(model);
+    const bool held = holds(model, engine.engine);
+    hold(model, engine.engine);
     npr::Style& style = this->style(checked.style);
     gl_.Finish();
     const double upload = watch.lap();
     statistics_.upload_ms += held ? 0 : upload;
 
-    const int layers = request.layers >= 0 ? request.layers : checked.style.layers(translucent_);
+    const int layers = checked.layers(model, request);
     const npr::Picture picture = checked.picture(model, request, stop);
     peeler_.give_back(
         accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const gl::View& view) {
@@ -63,11 +61,13 @@ void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, 
     statistics_.style_ms += watch.lap();
     const std::string& fallback = statistics_.walk.fallback;
     statistics_.engine =
-        fallback.empty() ? choice_ : goldfeather::EngineChoice{goldfeather::EngineKind::ListsCpu, fallback};
+        fallback.empty() ? engine : goldfeather::EngineChoice{goldfeather::EngineKind::ListsCpu, fallback};
 }
 
-std::optional<glm::dvec3> GlRenderer::pick(const Model& model, const gl::Camera& camera) {
-    hold(model);
+std::optional<glm::dvec3> GlRenderer::pick(const Model& model, const gl::Camera& camera,
+                                           const goldfeather::EngineChoice& engine) {
+    // Whatever engine the model is held for does.
+    hold(model, model_ && generation_ == model.generation ? model_->engine : engine.engine);
     const gl::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
     peel::WalkStats ignored;
     const peel::LayerStack stack = peeler_.peel(view, *model_, 1, ignored);

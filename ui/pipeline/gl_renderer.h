@@ -26,29 +26,29 @@ namespace ui {
 /// for cannot draw the model.
 class GlRenderer {
   public:
-    explicit GlRenderer(const gl::Context& context, const goldfeather::EngineOptions& engine = {});
+    /// See goldfeather::EngineOptions.
+    GlRenderer(const gl::Context& context, std::size_t memory_budget, double minimal_fraction);
 
-    /// See Renderer.
-    void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
+    /// See Renderer. `engine`: the same for all samples of a picture.
+    void draw_sample(const Model& model, const PictureRequest& request, const goldfeather::EngineChoice& engine,
+                     int sample, const std::stop_token& stop = {});
     void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
     [[nodiscard]] gl::Image image() { return accumulator_.image(); }
-    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera);
+    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const gl::Camera& camera,
+                                                 const goldfeather::EngineChoice& engine);
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 
   private:
-    void hold(const Model& model);
+    [[nodiscard]] bool holds(const Model& model, goldfeather::EngineKind engine) const;
+    void hold(const Model& model, goldfeather::EngineKind engine);
     npr::Style& style(const npr::StyleInfo& info);
 
     const gl::Functions& gl_;
-    bool software_;
-    std::optional<goldfeather::EngineKind> wanted_;
-    goldfeather::EngineChoice choice_;  ///< For the model held.
     peel::Peeler peeler_;
     npr::Accumulator accumulator_;
     std::map<std::string, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
     std::unique_ptr<peel::PeelModel> model_;
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
-    bool translucent_ = false;      ///< Whether something in that model is not opaque.
     PictureStatistics statistics_;
 };
 

@@ -93,13 +93,14 @@ std::shared_ptr<const csg::solid::Outline> ModelBuilder::outline(const Model& mo
     return outline;
 }
 
-goldfeather::EngineConditions engine_conditions(const Model& model, bool software_renderer) {
+goldfeather::EngineConditions engine_conditions(const Model& model, bool software_renderer, int layers) {
     std::vector<csg::Box> boxes;
     boxes.reserve(model.geometry.leaves.size());
     for (const csg::solid::PlacedLeaf& leaf : model.geometry.leaves) {
         boxes.push_back(leaf.box);
     }
-    return {software_renderer, !model.over_budget.empty(), goldfeather::estimated_depth(boxes, model.geometry.box)};
+    return {software_renderer, !model.over_budget.empty(), goldfeather::estimated_depth(boxes, model.geometry.box),
+            layers};
 }
 
 }  // namespace ui

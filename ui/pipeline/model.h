@@ -44,8 +44,8 @@ struct Model {
     [[nodiscard]] bool empty() const { return box.empty(); }
 };
 
-/// What the choice of an engine goes by.
-[[nodiscard]] goldfeather::EngineConditions engine_conditions(const Model& model, bool software_renderer);
+/// What the choice of an engine goes by. `layers`: wanted (0: all).
+[[nodiscard]] goldfeather::EngineConditions engine_conditions(const Model& model, bool software_renderer, int layers);
 
 /// Builds models; keeps the meshes of leaves from one to the next, so that an edit builds only what it changed.
 class ModelBuilder {

@@ -91,6 +91,10 @@ CheckedRequest::CheckedRequest(const PictureRequest& request, bool flat)
     }
 }
 
+int CheckedRequest::layers(const Model& model, const PictureRequest& request) const {
+    return request.layers >= 0 ? request.layers : style.layers(translucent(model.scene));
+}
+
 npr::Picture CheckedRequest::picture(const Model& model, const PictureRequest& request,
                                      const std::stop_token& stop) const {
     return {request.camera,

@@ -1,6 +1,7 @@
 // What a picture is to be.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,7 @@ struct PictureRequest {
     int samples = 4;  ///< Per pixel.
     bool transparent_background = false;
     bool flat_lines = true;  ///< Of flat models, where the style draws them: off where draw_flat_lines does.
+    std::optional<goldfeather::EngineKind> engine{};  ///< Absent: as the renderer was told.
 };
 
 /// Throws std::runtime_error where there is no such style, parameter, value or scheme; names the nearest one.
@@ -38,6 +40,8 @@ struct CheckedRequest {
     /// between lines of two pixels.
     explicit CheckedRequest(const PictureRequest& request, bool flat = false);
     /// Refers to this and to both arguments.
+    /// How many layers are to be peeled (0: all).
+    [[nodiscard]] int layers(const Model& model, const PictureRequest& request) const;
     [[nodiscard]] npr::Picture picture(const Model& model, const PictureRequest& request,
                                        const std::stop_token& stop = {}) const;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "ui/pipeline/stopwatch.h"
 
@@ -20,14 +21,14 @@ GlRenderer& Renderer::with_opengl() {
         context_ = own_context_.get();
     }
     if (!gl_) {
-        gl_ = std::make_unique<GlRenderer>(*context_, wanted_);
+        gl_ = std::make_unique<GlRenderer>(*context_, wanted_.memory_budget, wanted_.minimal_fraction);
     }
     return *gl_;
 }
 
-bool Renderer::choose_cpu(const Model& model) {
+bool Renderer::choose_cpu(const Model& model, std::optional<goldfeather::EngineKind> engine, int layers) {
     const bool software = context_ == nullptr || context_->software();
-    choice_ = goldfeather::choose_engine(wanted_.kind, engine_conditions(model, software));
+    choice_ = goldfeather::choose_engine(engine ? engine : wanted_.kind, engine_conditions(model, software, layers));
     const bool possible = choice_.engine == goldfeather::EngineKind::ListsCpu;
     if (painter_ == Painter::Cpu && !possible) {
         throw std::runtime_error(fmt::format("the engine {} needs OpenGL", goldfeather::name(choice_.engine)));
@@ -36,13 +37,15 @@ bool Renderer::choose_cpu(const Model& model) {
 }
 
 void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop) {
-    on_cpu_ = choose_cpu(model);
+    if (sample == 0) {
+        on_cpu_ = choose_cpu(model, request.engine, CheckedRequest(request, model.flat).layers(model, request));
+    }
     if (on_cpu_) {
         cpu_.draw_sample(model, request, sample, stop);
         statistics_ = cpu_.statistics();
         statistics_.engine = choice_;
     } else {
-        with_opengl().draw_sample(model, request, sample, stop);
+        with_opengl().draw_sample(model, request, choice_, sample, stop);
         statistics_ = gl_->statistics();
         statistics_.opengl = true;
     }
@@ -53,7 +56,10 @@ gl::Image Renderer::image() {
 }
 
 std::optional<glm::dvec3> Renderer::pick(const Model& model, const gl::Camera& camera) {
-    return choose_cpu(model) ? cpu_.pick(model, camera) : with_opengl().pick(model, camera);
+    const goldfeather::EngineChoice of_picture = choice_;
+    const bool on_cpu = choose_cpu(model, std::nullopt, 1);
+    const goldfeather::EngineChoice choice = std::exchange(choice_, of_picture);
+    return on_cpu ? cpu_.pick(model, camera) : with_opengl().pick(model, camera, choice);
 }
 
 gl::Image Renderer::render(const Model& model, const PictureRequest& request, const std::stop_token& stop) {

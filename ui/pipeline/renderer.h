@@ -51,15 +51,15 @@ class Renderer {
     [[nodiscard]] const gl::Context* context() const { return context_; }
 
   private:
-    /// Sets choice_ for the model; is the CPU to draw it?
-    bool choose_cpu(const Model& model);
+    /// Sets choice_; is the CPU to draw it? `engine`: absent where it is for wanted_ to say. `layers`: 0 for all.
+    bool choose_cpu(const Model& model, std::optional<goldfeather::EngineKind> engine, int layers);
     GlRenderer& with_opengl();
 
     goldfeather::EngineOptions wanted_;
     Painter painter_;
     std::unique_ptr<gl::Context> own_context_;
     const gl::Context* context_ = nullptr;
-    goldfeather::EngineChoice choice_;
+    goldfeather::EngineChoice choice_;  ///< For the last picture.
     CpuRenderer cpu_;
     std::unique_ptr<GlRenderer> gl_;  ///< Made when first used.
     bool on_cpu_ = false;             ///< Who drew the last picture.

@@ -35,6 +35,7 @@ nlohmann::ordered_json to_json(const PictureStatistics& s) {
             {"drawn_leaves", s.walk.drawn_leaves},
             {"drawn_products", s.walk.drawn_products},
             {"skipped_leaves", s.walk.skipped_leaves},
+            {"occluded_leaves", s.walk.occluded_leaves ? nlohmann::ordered_json(*s.walk.occluded_leaves) : nullptr},
             {"skipped_products", s.walk.skipped_products},
             {"skipped_triangles", s.walk.skipped_triangles},
             {"parity_slots", s.walk.slots},

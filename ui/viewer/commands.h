@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "goldfeather/choice.h"
 #include "npr/parameter.h"
 
 namespace ui {
@@ -66,6 +67,9 @@ struct SetLayers {
 struct SetSamples {
     int samples = 4;
 };
+struct SetEngine {
+    std::optional<goldfeather::EngineKind> engine;  ///< Absent: chosen for each picture.
+};
 struct WritePicture {
     std::filesystem::path path;
     glm::ivec2 size{0};
@@ -73,8 +77,8 @@ struct WritePicture {
     bool transparent_background = false;
 };
 
-using Command =
-    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetLayers, SetSamples, WritePicture>;
+using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetLayers, SetSamples,
+                             SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

@@ -158,7 +158,7 @@ void figure(const char* name, const std::string& value) {
     ImGui::TextUnformatted(value.c_str());
 }
 
-void model_section(const Session& session, const PictureInfo& picture, const Fonts& fonts) {
+void model_section(const Session& session, const Fonts& fonts) {
     heading("Model", fonts);
     const auto& model = session.document().model();
     if (!model || model->empty()) {
@@ -170,10 +170,34 @@ void model_section(const Session& session, const PictureInfo& picture, const Fon
     figure("Leaves", fmt::format("{} in {} part{}", s.leaves, s.parts, s.parts == 1 ? "" : "s"));
     figure("Products", fmt::format("{} of {} literals", s.products, s.literals));
     figure("Triangles", fmt::format("{}", s.triangles));
-    figure("Layers", fmt::format("{} in this picture", picture.layers));
-    figure("Engine", picture.engine);
     figure("Size", fmt::format("{:.4g} × {:.4g} × {:.4g}", size.x, size.y, size.z));
     figure("Evaluated in", fmt::format("{:.0f} ms", session.document().milliseconds()));
+}
+
+/// Who drew it, and what was left out.
+void picture_section(const PictureInfo& picture, const Fonts& fonts) {
+    if (picture.samples == 0) {
+        return;
+    }
+    const goldfeather::WalkStats& walk = picture.walk;
+    // Counts are sums over the samples.
+    const auto each = [&](std::uint64_t count) { return count / static_cast<std::uint64_t>(picture.samples); };
+    heading("Picture", fonts);
+    figure("Engine", std::string(goldfeather::name(picture.engine.engine)));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", picture.engine.reason.c_str());
+    ImGui::PopTextWrapPos();
+    figure("Layers", fmt::format("{}", walk.layers));
+    std::string leaves = fmt::format("{} out of view", each(walk.skipped_leaves));
+    if (walk.occluded_leaves) {
+        leaves += fmt::format(", {} not seen", each(*walk.occluded_leaves));
+    }
+    figure("Leaves", leaves);
+    if (goldfeather::needs_products(picture.engine.engine)) {
+        figure("Products", fmt::format("{} out of view", each(walk.skipped_products)));
+    } else if (picture.engine.engine == goldfeather::EngineKind::ListsCpu) {
+        figure("Triangles", fmt::format("{} cover no sample", each(walk.skipped_triangles)));
+    }
 }
 
 }  // namespace
@@ -189,7 +213,8 @@ void draw_panel(const Rectangle& place, const Session& session, const PictureInf
         layers_section(session, fonts, commands);
         samples_section(session.view(), fonts, commands);
         camera_section(session.view(), fonts, commands);
-        model_section(session, picture, fonts);
+        model_section(session, fonts);
+        picture_section(picture, fonts);
     }
     ImGui::End();
 }

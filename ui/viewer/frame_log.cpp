@@ -28,6 +28,7 @@ std::string to_json(const FrameRecord& record) {
                                          {"current", record.current},
                                          {"generation", record.generation},
                                          {"style", record.style},
+                                         {"engine", record.engine},
                                          {"state", record.state},
                                          {"evaluating", record.evaluating},
                                          {"camera", camera}};

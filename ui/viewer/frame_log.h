@@ -20,7 +20,8 @@ struct FrameRecord {
     glm::ivec2 size{0};            ///< Of the picture on the screen, in pixels.
     std::uint64_t generation = 0;  ///< Of the model; 0: none.
     std::string style;
-    std::string state;  ///< Of the document: "evaluating", "good", "failed" or "gone".
+    std::string engine;  ///< That drew the picture; empty before the first.
+    std::string state;   ///< Of the document: "evaluating", "good", "failed" or "gone".
     bool evaluating = false;
     gl::Camera camera;
 };

@@ -19,6 +19,27 @@ void styles_menu(const Session& session, Commands& commands) {
     ImGui::Separator();
 }
 
+/// Which engine draws, and what `auto` goes by.
+void engines_menu(const Session& session, const PictureInfo& picture, Commands& commands) {
+    const auto& wanted = session.view().engine;
+    if (ImGui::MenuItem("Automatic", nullptr, !wanted)) {
+        commands.emplace_back(SetEngine{});
+    }
+    for (const goldfeather::EngineKind kind : goldfeather::kEngineKinds) {
+        if (ImGui::MenuItem(std::string(goldfeather::name(kind)).c_str(), nullptr, wanted == kind)) {
+            commands.emplace_back(SetEngine{kind});
+        }
+    }
+    if (picture.engine.reason.empty()) {
+        return;
+    }
+    ImGui::Separator();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 24 * ImGui::GetFontSize());
+    ImGui::TextDisabled("%s drew %d layers: %s", std::string(goldfeather::name(picture.engine.engine)).c_str(),
+                        picture.walk.layers, picture.engine.reason.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 bool checked(const Session& session, Action action) {
     switch (action) {
         case Action::ToggleAxes:
@@ -53,7 +74,7 @@ void menu(const char* name, const Session& session, Commands& commands) {
 
 }  // namespace
 
-float draw_menu_bar(const Session& session, Commands& commands) {
+float draw_menu_bar(const Session& session, const PictureInfo& picture, Commands& commands) {
     if (!ImGui::BeginMainMenuBar()) {
         return 0;
     }
@@ -65,6 +86,10 @@ float draw_menu_bar(const Session& session, Commands& commands) {
         last = each.menu;
         if (ImGui::BeginMenu(last)) {
             menu(last, session, commands);
+            ImGui::EndMenu();
+        }
+        if (std::strcmp(last, "Style") == 0 && ImGui::BeginMenu("Engine")) {
+            engines_menu(session, picture, commands);
             ImGui::EndMenu();
         }
     }

@@ -13,17 +13,17 @@ namespace ui {
 struct PictureInfo {
     int samples = 0, wanted_samples = 0;
     int divisor = 1;
-    glm::ivec2 size{0};  ///< Pixels.
-    double ms = 0;       ///< Of the last step.
-    int layers = 0;
-    std::string engine;
+    glm::ivec2 size{0};                ///< Pixels.
+    double ms = 0;                     ///< Of the last step.
+    goldfeather::EngineChoice engine;  ///< That drew it, and why.
+    goldfeather::WalkStats walk;
     std::string error;  ///< Why it could not be drawn; empty where it was.
 };
 
 /// Gives its height.
-float draw_menu_bar(const Session& session, Commands& commands);
+float draw_menu_bar(const Session& session, const PictureInfo& picture, Commands& commands);
 
-/// Style, parameters, colours, layers, samples, camera, figures of the model.
+/// Style, parameters, colours, layers, samples, camera, figures of the model and of the picture.
 void draw_panel(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
                 Commands& commands);
 

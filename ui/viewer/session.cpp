@@ -95,6 +95,8 @@ bool Session::perform(const Command& command) {
         view_.layers = std::max(layers->layers, -1);
     } else if (const auto* samples = std::get_if<SetSamples>(&command)) {
         view_.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
+    } else if (const auto* engine = std::get_if<SetEngine>(&command)) {
+        view_.engine = engine->engine;
     } else {
         return false;
     }

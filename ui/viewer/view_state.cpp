@@ -19,6 +19,7 @@ PictureRequest ViewState::request(glm::ivec2 size) const {
     request.scheme = color_scheme().name;
     request.layers = layers;
     request.samples = samples;
+    request.engine = engine;
     return request;
 }
 
@@ -35,13 +36,15 @@ ViewState view_state_of(const PictureRequest& request) {
     }
     state.scheme = static_cast<std::size_t>(npr::find_color_scheme(request.scheme) - npr::color_schemes().data());
     state.layers = request.layers;
+    state.engine = request.engine;
     state.samples = static_cast<int>(npr::sample_offsets(request.samples).size());
     return state;
 }
 
 bool same_picture(const PictureRequest& a, const PictureRequest& b) {
     const auto all = [](const PictureRequest& r) {
-        return std::tie(r.camera, r.size, r.style, r.settings, r.scheme, r.layers, r.samples, r.transparent_background);
+        return std::tie(r.camera, r.size, r.style, r.settings, r.scheme, r.layers, r.samples, r.transparent_background,
+                        r.engine);
     };
     return all(a) == all(b);
 }

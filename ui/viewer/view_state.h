@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct ViewState {
     std::size_t style = 0;
     std::vector<npr::Parameters> parameters;  ///< By style: each keeps its own while another is shown.
     std::size_t scheme = 0;
-    int layers = -1;  ///< As PictureRequest::layers.
-    int samples = 4;  ///< 1, 4, 8 or 16.
+    int layers = -1;                                  ///< As PictureRequest::layers.
+    int samples = 4;                                  ///< 1, 4, 8 or 16.
+    std::optional<goldfeather::EngineKind> engine{};  ///< Absent: chosen for each picture.
 
     [[nodiscard]] const npr::StyleInfo& style_info() const { return npr::styles()[style]; }
     [[nodiscard]] npr::Parameters& style_parameters() { return parameters[style]; }

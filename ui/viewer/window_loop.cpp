@@ -131,7 +131,7 @@ void WindowLoop::frame(const Input& input) {
 }
 
 Layout WindowLoop::draw_interface(Commands& commands) {
-    const float menu_height = draw_menu_bar(session_, commands);
+    const float menu_height = draw_menu_bar(session_, info_, commands);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Fonts& fonts = interface_.fonts();
     const Layout layout =
@@ -237,17 +237,18 @@ void WindowLoop::receive(const DrawnStep& drawn) {
     info_.divisor = drawn.step.divisor;
     info_.size = wanted_.size;
     info_.ms = 1000 * drawn.seconds;
-    info_.engine = goldfeather::name(drawn.statistics.engine.engine);
-    info_.layers = drawn.statistics.walk.layers;
+    info_.engine = drawn.statistics.engine;
+    info_.walk = drawn.statistics.walk;
     if (wanted && wanted_model_) {
-        session_.see_layers(*wanted_model_, std::max(info_.layers, wanted_.layers));
+        session_.see_layers(*wanted_model_, std::max(info_.walk.layers, wanted_.layers));
     }
 }
 
 void WindowLoop::plan_picture(glm::ivec2 size) {
     const PictureRequest request = session_.view().request(size);
     const auto& model = session_.document().model();
-    const bool other = model != wanted_model_ || request.style != wanted_.style || request.layers != wanted_.layers;
+    const bool other = model != wanted_model_ || request.style != wanted_.style || request.layers != wanted_.layers ||
+                       request.engine != wanted_.engine;
     if (!other && same_picture(request, wanted_)) {
         return;
     }
@@ -293,6 +294,7 @@ void WindowLoop::log(double frame_ms) {
     record.size = wanted_.size;
     record.generation = wanted_model_ ? wanted_model_->generation : 0;
     record.style = session_.view().style_info().name;
+    record.engine = info_.samples > 0 ? goldfeather::name(info_.engine.engine) : "";
     record.state = state_name(session_.document().state());
     record.evaluating = session_.evaluating();
     record.camera = session_.view().camera;
