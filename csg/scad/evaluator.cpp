@@ -36,7 +36,8 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
       parent_modules_index_(index_of_special(program, r_, "$parent_modules")),
       fn_index_(index_of_special(program, r_, "$fn")),
       fa_index_(index_of_special(program, r_, "$fa")),
-      fs_index_(index_of_special(program, r_, "$fs")) {
+      fs_index_(index_of_special(program, r_, "$fs")),
+      fe_index_(index_of_special(program, r_, "$fe")) {
     host_.warn = [this](std::string text) { warn(p_[call_].where, std::move(text)); };
     host_.warn_without_place = [this](std::string text) { warn({}, std::move(text)); };
     host_.argument_name = [this](std::size_t i) {
@@ -62,6 +63,9 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
     set_special("$fn", 0.0);
     set_special("$fa", 12.0);
     set_special("$fs", 2.0);
+    if (request.by_error) {
+        set_special("$fe", 0.0);
+    }
     set_special("$t", request.time);
     set_special("$preview", request.preview);
     set_special("$vpt", vector_of(request.view.translation));
@@ -109,6 +113,14 @@ Fineness Evaluator::fineness(const SourceRange& where) {
     read(fn_index_, fineness.fn);
     read(fa_index_, fineness.fa);
     read(fs_index_, fineness.fs);
+    if (request_.by_error) {
+        double most = 0;
+        read(fe_index_, most);
+        if (most < 0) {
+            warn(where, "$fe negative - setting to 0");
+        }
+        fineness.fe = std::max(most, 0.0);
+    }
     const auto clamp = [&](const char* name, double& number) {
         if (number < kSmallestFineness) {
             warn(where, fmt::format("{} too small - clamping to {:f}", name, kSmallestFineness));

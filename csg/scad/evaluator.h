@@ -305,7 +305,7 @@ class Evaluator {
     bool has_root_modifier_ = false;
     BuiltinFunction is_undef_, len_;
     std::uint32_t parent_modules_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
-    std::uint32_t fn_index_, fa_index_, fs_index_;
+    std::uint32_t fn_index_, fa_index_, fs_index_, fe_index_;
     std::uint32_t steps_ = 0;
     std::size_t nodes_ = 0;
     std::set<std::string> data_files_;

@@ -55,7 +55,10 @@ void put_one(std::string& out, const glm::dvec2& v) {
     put(out, '[', v.x, ", ", v.y, ']');
 }
 void put_one(std::string& out, const Fineness& f) {
-    put(out, "$fn = ", f.fn, ", $fa = ", f.fa, ", $fs = ", f.fs);
+    put(out, "$fn = ", f.fn);
+    if (f.fe)
+        put(out, ", $fe = ", *f.fe);
+    put(out, ", $fa = ", f.fa, ", $fs = ", f.fs);
 }
 
 /// "[1, 2, 3]"

@@ -46,8 +46,9 @@ struct Request {
     std::size_t trace_depth = 12;  ///< Steps shown at either end of a trace (--trace-depth).
     bool check_parameters = true;  ///< Warn of arguments that user definitions do not take (--check-parameters).
     bool check_ranges = false;     ///< Warn of dimensions that make nothing (--check-parameter-ranges).
+    bool by_error = false;         ///< $fe has its meaning (--enable discretization-by-error).
     std::shared_ptr<Measures> measures;  ///< Answers textmetrics(), dxf_dim() and the like; may be null.
-    View view;                     ///< What the $vp… variables hold before the file sets them.
+    View view;                           ///< What the $vp… variables hold before the file sets them.
 };
 
 /// The $vp… variables that the main file sets at top level.

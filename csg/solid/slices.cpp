@@ -42,12 +42,20 @@ double twisted_length(double radius, double twist, double height, double scale) 
     return std::hypot(flat, height);
 }
 
+/// So many that no edge along a helix is further from it than `error`: half way along, one of angle a is at r cos(a /
+/// 2) from the axis.
+std::size_t slices_by_error(double radius, double twist, double error) {
+    return error >= radius ? 1 : whole(twist * kPi / 180 / (2 * std::acos(1 - error / radius)));
+}
+
 std::size_t twist_slices(double radius, double twist, double height, double scale, const Fineness& f) {
     const std::size_t least = std::max<std::size_t>(1, whole(twist / 120));
     if (radius < kSmallestRadius || !std::isfinite(f.fn))
         return least;
     if (f.fn > 0)
         return std::max(whole(twist / 360 * f.fn), least);
+    if (f.fe > 0.0 && scale == 1)
+        return std::max(slices_by_error(radius, twist, *f.fe), least);
     const std::size_t by_angle = whole(twist / f.fa);
     const std::size_t by_length = whole(twisted_length(radius, twist, height, scale) / f.fs);
     return std::max(std::min(by_angle, by_length), least);

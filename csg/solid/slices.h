@@ -8,7 +8,7 @@
 namespace csg::solid {
 
 /// OpenSCAD's rule for linear_extrude(): as given, or so that no edge along the sweep is longer than $fs (or turns by
-/// more than $fa), or $fn for a whole turn; at least three for a whole turn.
+/// more than $fa), or is further than $fe from its helix, or $fn for a whole turn; at least three for a whole turn.
 [[nodiscard]] std::size_t slice_count(const Outline& outline, const LinearExtrude& how);
 
 }  // namespace csg::solid

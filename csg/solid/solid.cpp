@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include "csg/solid/mesh_checks.h"
@@ -179,13 +180,31 @@ void build(const Shape&, Solid&) {}
 
 }  // namespace
 
+namespace {
+
+/// So many that no edge is further from the circle than `error`; not fewer than five, and not more than the least $fa and
+/// $fs give.
+int segments_by_error(double r, double error) {
+    constexpr double kLeastFineness = 0.01;
+    const double least = 5;
+    const double most = std::max(std::min(360 / kLeastFineness, r * 2 * std::numbers::pi / kLeastFineness), least);
+    const double cosine = 1 - error / r;
+    if (cosine <= std::cos(std::numbers::pi / least))
+        return static_cast<int>(least);
+    return static_cast<int>(std::ceil(std::min(std::numbers::pi / std::acos(cosine), most)));
+}
+
+}  // namespace
+
 int circle_segments(double r, const Fineness& fineness) {
     if (!(r >= kSmallestRadius) || !std::isfinite(fineness.fn) || !std::isfinite(r))
         return 3;
     if (fineness.fn > 0)
         return static_cast<int>(std::clamp(fineness.fn, 3.0, double{kMostSegments}));
+    if (fineness.fe && *fineness.fe >= kSmallestRadius)
+        return segments_by_error(r, *fineness.fe);
     const double wanted =
-        std::ceil(std::max(std::min(360.0 / fineness.fa, r * 2.0 * 3.14159265358979323846 / fineness.fs), 5.0));
+        std::ceil(std::max(std::min(360.0 / fineness.fa, r * 2.0 * std::numbers::pi / fineness.fs), 5.0));
     return static_cast<int>(std::min(wanted, double{kMostSegments}));
 }
 

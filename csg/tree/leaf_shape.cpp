@@ -86,7 +86,7 @@ bool is_flat(const LeafShape& shape) {
 }
 
 std::uint64_t mix(std::uint64_t seed, const Fineness& f) {
-    return mix(mix(mix(seed, f.fn), f.fa), f.fs);
+    return mix(mix(mix(mix(seed, f.fn), f.fa), f.fs), f.fe.value_or(0));
 }
 
 std::uint64_t content_hash(const LeafShape& shape) {

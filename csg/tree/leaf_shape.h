@@ -5,17 +5,21 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace csg {
 
-/// OpenSCAD's $fn, $fa (degrees) and $fs (model units): how finely a curved leaf is tessellated.
+/// OpenSCAD's $fn, $fa (degrees) and $fs (model units): how finely a curved leaf is tessellated. $fe (model units), the
+/// most that an edge may be off the arc that it stands for, takes the place of $fa and $fs where it is above zero; it is
+/// absent unless the experiment discretization-by-error is enabled.
 struct Fineness {
     double fn = 0;
     double fa = 12;
     double fs = 2;
+    std::optional<double> fe = {};
     bool operator==(const Fineness&) const = default;
 };
 

@@ -1,5 +1,6 @@
 // Corners that linear_extrude() adds on edges.
 #include "csg/solid/segments.h"
+#include "csg/solid/slices.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,17 @@ TEST(DividedEdges, FollowFinenessWhereWallsAreBent) {
     how.scale = {1, 3};
     how.fineness.fs = 1;
     EXPECT_EQ(corners(how, kSquare), 16u) << "at the top, where upright edges are three times as long";
+}
+
+TEST(Slices, ByErrorStayAsNearToTheHelix) {
+    csg::LinearExtrude how;
+    how.twist = -90;
+    how.fineness.fe = 0.1;
+    // The corner at 10·√2 is off by 10·√2·(1 − cos(a / 2)) half way along an edge of angle a.
+    EXPECT_EQ(slice_count({{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}}}, how), 7u);
+    EXPECT_EQ(slice_count({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}}}, how), 5u);
+    how.fineness.fe = 1000;
+    EXPECT_EQ(slice_count({{kSquare}}, how), 1u);
 }
 
 }  // namespace

@@ -66,6 +66,8 @@ Request request_for(const Case& c) {
             request.definitions.push_back(c.arguments[i + 1]);
         } else if (c.arguments[i] == "--trace-usermodule-parameters=false") {
             request.trace_parameters = false;
+        } else if (c.arguments[i] == "--enable=discretization-by-error") {
+            request.by_error = true;
         } else if (c.arguments[i] == "--check-parameter-ranges=on") {
             request.check_ranges = true;
         } else if (c.arguments[i] == "--camera" && i + 1 < c.arguments.size()) {

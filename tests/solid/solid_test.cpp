@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <numbers>
 
 #include "csg/solid/placed.h"
 #include "tests/random/random_tree.h"
@@ -90,12 +91,29 @@ TEST(Solid, SegmentsOfACircleAreOpenScads) {
             "r = {}, $fn = {}, $fa = {}, $fs = {}", row.radius, row.fineness.fn, row.fineness.fa, row.fineness.fs);
 }
 
+TEST(Solid, SegmentsByErrorStayAsNearToTheCircle) {
+    for (const double r : {0.5, 5.0, 300.0}) {
+        for (const double error : {0.05, 0.003, 0.0004}) {
+            const int n = csg::solid::circle_segments(r, {0, 12, 2, error});
+            const auto off = [r](int segments) { return r - r * std::cos(std::numbers::pi / segments); };
+            EXPECT_LE(off(n), error) << n;
+            EXPECT_GT(off(n - 1), error) << "fewer would do than " << n;
+        }
+    }
+    EXPECT_EQ(csg::solid::circle_segments(1, {0, 12, 2, 100}), 5) << "five at least";
+    EXPECT_EQ(csg::solid::circle_segments(1, {0, 12, 2, 1e-5}), 629) << "no more than the least $fs gives";
+    EXPECT_EQ(csg::solid::circle_segments(1, {40, 12, 2, 0.1}), 40) << "$fn counts above it";
+    EXPECT_EQ(csg::solid::circle_segments(5, {0, 12, 2, 0}), 16) << "0 leaves it to $fa and $fs";
+}
+
 TEST(Solid, SegmentsAreBoundedForAnyInput) {
     const double nan = std::nan(""), infinity = HUGE_VAL;
     for (const double r : {0.0, -1.0, 1e-300, 1e300, nan, infinity})
         for (const double f : {0.0, -5.0, 1e-300, 1e300, nan, infinity}) {
             EXPECT_GE(csg::solid::circle_segments(r, {f, 12, 2}), 3);
             EXPECT_LE(csg::solid::circle_segments(r, {f, f, f}), 1 << 20);
+            EXPECT_GE(csg::solid::circle_segments(r, {0, 12, 2, f}), 3);
+            EXPECT_LE(csg::solid::circle_segments(r, {0, 12, 2, f}), 1 << 20);
         }
 }
 

@@ -16,6 +16,11 @@ class LanguageCli : public test_support::ProgramTest {
         EXPECT_EQ(result.status, 0) << result.err;
         return result.err;
     }
+    /// The .csg text of a run that ends well.
+    std::string text_of(const std::string& arguments) {
+        messages_of(arguments);
+        return folder_.read("o.csg");
+    }
 };
 
 bool contains(const std::string& text, const std::string& part) {
@@ -132,6 +137,16 @@ TEST_F(LanguageCli, FeaturesAreAlwaysOn) {
     folder_.write("x.scad", "echo(object(a = 1).a, [1, 2].yx);\nroof() square(1);\n");
     EXPECT_TRUE(contains(messages_of("x.scad"), "ECHO: 1, [2, 1]"));
     EXPECT_TRUE(contains(messages_of("x.scad --enable roof --enable=object-function"), "ECHO: 1, [2, 1]"));
+}
+
+TEST_F(LanguageCli, FeMeansSomethingWhereItIsEnabled) {
+    folder_.write("x.scad", "circle(1, $fe = 0.01);\n");
+    EXPECT_TRUE(contains(text_of("x.scad"), "circle($fn = 0, $fa = 12"));
+    for (const char* const feature : {"discretization-by-error", "all"}) {
+        EXPECT_TRUE(contains(text_of("x.scad --enable " + std::string(feature)), "circle($fn = 0, $fe = 0.01, $fa"));
+    }
+    folder_.write("x.scad", "$fe = -1;\ncircle(1);\n");
+    EXPECT_TRUE(contains(messages_of("x.scad --enable all"), "$fe negative - setting to 0"));
 }
 
 TEST_F(LanguageCli, TooLittleMemoryIsSaid) {

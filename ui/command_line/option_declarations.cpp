@@ -52,6 +52,8 @@ void declare(CLI::App& app, Options& o, RawOptions& raw) {
          "Warn of arguments that user-defined functions and modules do not take: on or off (on)", "BOOL", checks);
     text("--check-parameter-ranges", raw.check_ranges, "Warn of dimensions that make nothing: on or off (off)", "BOOL",
          checks);
+    list("--enable", raw.features,
+         "Experiments of OpenSCAD: discretization-by-error turns $fe on; all others are always on", "FEATURE", checks);
     text("--trace-depth", raw.trace_depth, "Steps shown at either end of a trace (12)", "N", checks);
     text("--trace-usermodule-parameters", raw.trace_parameters, "Parameters in traces: on or off (on)", "BOOL", checks);
 
@@ -92,7 +94,6 @@ void declare(CLI::App& app, Options& o, RawOptions& raw) {
     text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
     text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
     text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
-    list("--enable", raw.features, "Features of OpenSCAD's language are always on", "FEATURE", accepted);
 }
 
 }  // namespace ui

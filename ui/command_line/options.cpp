@@ -37,6 +37,9 @@ void interpret_limits(Options& o, const RawOptions& raw) {
     o.check_parameters = on("--check-parameters", raw.check_parameters, o.check_parameters);
     o.check_ranges = on("--check-parameter-ranges", raw.check_ranges, o.check_ranges);
     o.trace_parameters = on("--trace-usermodule-parameters", raw.trace_parameters, o.trace_parameters);
+    o.by_error = std::ranges::any_of(raw.features, [](const std::string& feature) {
+        return feature == "discretization-by-error" || feature == "all";
+    });
     if (!raw.trace_depth.empty()) {
         o.trace_depth = read_integer("--trace-depth", raw.trace_depth, 0, kDeepestTrace);
     }

@@ -47,6 +47,7 @@ struct Options {
     bool trace_parameters = true;
     bool check_parameters = true;
     bool check_ranges = false;
+    bool by_error = false;  ///< $fe has its meaning.
     bool preview = true;  ///< $preview
     bool transparent_background = false;
     bool quiet = false;

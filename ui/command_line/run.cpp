@@ -259,6 +259,7 @@ int open_window(const Options& options) {
     window.source.definitions = options.definitions;
     window.source.preview = options.preview;
     window.source.hard_warnings = options.hard_warnings;
+    window.source.by_error = options.by_error;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
     window.picture = picture_of(options);
     window.engine = options.engine;

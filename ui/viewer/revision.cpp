@@ -42,6 +42,7 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     request.text = source.text;
     request.definitions = source.definitions;
     request.preview = source.preview;
+    request.by_error = source.by_error;
     request.view = camera;
     request.measures = measures;
     request.stop = ended.get_token();

@@ -23,6 +23,7 @@ struct Source {
     std::vector<std::string> definitions;  ///< name=expression
     bool preview = true;                   ///< $preview
     bool hard_warnings = false;            ///< A warning is an error.
+    bool by_error = false;                 ///< $fe has its meaning.
 };
 
 struct Revision {

@@ -116,6 +116,7 @@ void WindowLoop::frame(const Input& input) {
     }
     for (const Command& command : commands) {
         perform(command);
+        frames_to_draw_ = kFramesAfterInput;  // A form that opens is hidden in its first frame.
     }
     const glm::vec2 pixels_per_unit = glm::vec2(pixels) / glm::vec2(size);
     const glm::ivec2 corner(layout.picture.corner * pixels_per_unit);
