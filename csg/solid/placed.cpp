@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "csg/solid/located.h"
+#include "csg/solid/trim_leaves.h"
 
 namespace csg::solid {
 namespace {
@@ -94,12 +95,15 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
     Geometry geometry;
     const std::vector<Dimension> by_node = dimensions(tree);
     geometry.leaves.resize(scene.leaves.size());
-    double largest = 0;
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
         const LeafInstance& instance = scene.leaves[i];
         PlacedLeaf& leaf = geometry.leaves[i];
         leaf.solid = cache.get(tree, instance.node, by_node, geometry.warnings);
         place_leaf(tree, instance, flat, leaf, geometry.warnings);
+    }
+    trim_leaves(scene, geometry.leaves);
+    double largest = 0;
+    for (const PlacedLeaf& leaf : geometry.leaves) {
         if (leaf.box.empty())
             continue;
         geometry.box = enclose(geometry.box, leaf.box);

@@ -1,5 +1,6 @@
 // Models that image-based CSG is known to get wrong, by name.
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <memory>
 
@@ -80,6 +81,29 @@ TEST_P(HardCases, ACubeMinusItselfIsNothing) {
     turn[0][1] = 1, turn[1][0] = -1, turn[2][2] = 1, turn[3] = {2, 0, 0, 1};
     const Model turned = combine(Operation::Difference, {cube(2, 3, 4), matrix(turn, cube(3, 2, 4))});
     EXPECT_EQ(surfaces(peel(turned, from({9, 8, 7}, {1, 1.5, 2}))), 0U);
+}
+
+TEST_P(HardCases, EndlessLeavesShowWhatLongOnesDo) {
+    const auto picture = [&](double reach) {
+        const Model turned =
+            matrix(glm::rotate(glm::dmat4(1.0), 0.7, {0.3, 1, 0.2}), box({-reach, -0.5, -0.5}, {2 * reach, 1, 1}));
+        const Model endless = combine(
+            Operation::Difference,
+            {combine(Operation::Intersection,
+                     {box({-4, -4, -reach}, {8, 8, 2 * reach}), box({-reach, -reach, -2}, {2 * reach, 2 * reach, 4})}),
+             box({1, -reach, -1}, {2, 2 * reach, 5}), turned});
+        const auto stack = peel(endless, from({13, -17, 15}, {0, 0, 0}, 40));
+        std::vector<std::string> pixels;
+        for (int y = 0; y < 65; y += 4) {
+            for (int x = 0; x < 65; x += 4)
+                pixels.push_back(along(stack, x, y));
+        }
+        return pixels;
+    };
+    const auto expected = picture(20);
+    EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](const std::string& s) { return !s.empty(); }), 40);
+    for (const double reach : {1e4, 1e10})
+        EXPECT_EQ(picture(reach), expected) << reach;
 }
 
 TEST_P(HardCases, EyeInsideASolid) {

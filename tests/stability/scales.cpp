@@ -16,9 +16,37 @@ Id part(Maker& m) {
                        m.cylinder({0, 0, 0}, 5, 1.5), m.box({2, -4, 2}, {2, 8, 1})});
 }
 
+/// A channel along y, this long either way: its profile is a U, 2 wide and 2 high.
+Id channel(Maker& m, double reach) {
+    const glm::dvec2 profile[]{{-1, 0}, {1, 0}, {1, 2}, {0.5, 2}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, 2}, {-1, 2}};
+    std::vector<glm::dvec3> points;
+    std::vector<std::vector<std::uint32_t>> faces(2);
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        points.emplace_back(profile[i].x, -reach, profile[i].y);
+        points.emplace_back(profile[i].x, reach, profile[i].y);
+        faces[0].push_back(2 * (7 - i));
+        faces[1].push_back(2 * i + 1);
+        const std::uint32_t next = (i + 1) % 8;
+        faces.push_back({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+    }
+    return m.mesh(std::move(points), std::move(faces));
+}
+
 }  // namespace
 
 void add_scales(std::vector<Family>& all) {
+    all.push_back(
+        {"endless leaves",
+         "A block between endless plates, crossed by an endless channel and by a slanted endless bar.",
+         "reach / size",
+         {1, 1e1, 1e2, 1e4, 1e6, 1e8, 1e10},
+         [](double factor) {
+             Maker m;
+             const double r = 8 * factor;
+             const Id block = m.intersect({m.box({-4, -4, -r}, {8, 8, 2 * r}), m.box({-r, -r, 0}, {2 * r, 2 * r, 4})});
+             const Id bar = m.at({0, 0, 2}, m.turn(33, {0.2, 1, 0.1}, m.box({-r, -0.5, -0.5}, {2 * r, 1, 1})));
+             return m.seen(m.subtract({block, m.at({1, 0, 2}, channel(m, r)), bar}), kEye, {0, 0, 2});
+         }});
     all.push_back({"far from the origin",
                    "A part this far away, in its own size.",
                    "distance / size",

@@ -1,0 +1,77 @@
+// What reaches far beyond a part is cut off, and nothing changes.
+#include "csg/solid/trim_leaves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tests/scad/evaluate_text.h"
+#include "tests/solid/mesh_volume.h"
+
+namespace {
+
+struct Placed {
+    csg::Scene scene;
+    csg::solid::Geometry geometry;
+};
+
+Placed placed(const std::string& model) {
+    const test::Run run = test::run(model);
+    csg::solid::SolidCache cache;
+    Placed result;
+    result.scene = csg::make_scene(*run.evaluation.tree);
+    result.geometry = csg::solid::place(*run.evaluation.tree, result.scene, cache);
+    return result;
+}
+
+/// As often in one direction as in the other.
+bool closed(const csg::solid::PlacedLeaf& leaf) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const glm::uvec3& t : leaf.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+            edges[std::minmax(a, b)] += a < b ? 1 : -1;
+        }
+    }
+    return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
+    const char* const model =
+        "difference() {"
+        "  cube(4, center = true);"
+        "  cylinder(h = 1e10, r = 1, center = true, $fn = 7);"
+        "  rotate([20, 30, 0]) cube([1e9, 1, 1], center = true);"
+        "  linear_extrude(1e11, center = true) difference() { square(3, center = true); square(1, center = true); }"
+        "}";
+    const auto [scene, geometry] = placed(model);
+    ASSERT_EQ(geometry.leaves.size(), 4u);
+    const double reach = csg::solid::kFarthestReach * std::sqrt(48.0) + 2;
+    for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
+        EXPECT_TRUE(closed(leaf));
+        EXPECT_EQ(leaf.planes.size(), leaf.triangles.size());
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_LE(leaf.box.hi[axis], reach * (1 + 1e-12));
+            EXPECT_GE(leaf.box.lo[axis], -reach * (1 + 1e-12));
+        }
+    }
+    const auto volume = [&](int leaf) {
+        return test::mesh_volume(geometry.leaves[leaf].points, geometry.leaves[leaf].triangles);
+    };
+    EXPECT_EQ(volume(0), 64);
+    EXPECT_NEAR(volume(1), 2 * reach * 3.5 * std::sin(2 * std::acos(-1.0) / 7), 1e-6);
+    EXPECT_NEAR(volume(3), 2 * reach * 8, 1e-6) << "a hole goes through the cut";
+    EXPECT_LT(geometry.planes.tolerance(), 1e-7);
+}
+
+TEST(TrimmedLeaves, AreThoseThatReachFarOnly) {
+    const auto [scene, geometry] = placed("difference() { cube(1); translate([0.2, 0.2, -9]) cube([0.5, 0.5, 50]); }");
+    EXPECT_EQ(geometry.leaves[1].box.hi.z, 41);
+    EXPECT_EQ(geometry.leaves[1].points.size(), 8u);
+    const auto [whole, endless] = placed("cube(1e10); translate([1, 1, 1]) cube(1);");
+    EXPECT_EQ(endless.leaves[0].box.hi.z, 1e10) << "what is seen is as large as it is";
+}
+
+}  // namespace
