@@ -91,8 +91,9 @@ View::View(const Camera& camera, glm::ivec2 size, const glm::dvec3& lo, const gl
     } else {
         half_height_ = tangent;
         // Reversed depth keeps its relative precision however close the near plane is; it matters only for an eye
-        // among the solids, whose surfaces are cut there.
-        near_ = std::max(0.999 * nearest, 1e-6 * std::max(extent, farthest));
+        // among the solids, whose surfaces are cut there: never as far away as what it looks at.
+        const double close = 1e-6 * std::max(extent, farthest);
+        near_ = std::max(0.999 * nearest, camera.distance > 0 ? std::min(close, 1e-3 * camera.distance) : close);
         far_ = std::numeric_limits<double>::infinity();
     }
 }

@@ -1,5 +1,7 @@
 #include "goldfeather/leaf_buffers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "gl/stop.h"
@@ -10,7 +12,25 @@ namespace {
 /// That are projected at once where it may have to stop in between; a multiple of the shader's groups.
 constexpr unsigned kPieceTriangles = 1U << 16;
 
+/// Of a triangle in the largest of the buffers, the projected positions.
+constexpr std::size_t kTriangleBytes = 3 * sizeof(glm::vec4);
+
 }  // namespace
+
+std::size_t most_bytes_of_a_block(const gl::Functions& gl) {
+    GLint bytes = 0;
+    gl.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);  // Larger ones are clamped to the largest int.
+    return static_cast<std::size_t>(std::max(bytes, 0));
+}
+
+std::string LeafBuffers::obstacle(const gl::Functions& gl, const csg::solid::Geometry& geometry) {
+    std::size_t triangles = 0;
+    for (const csg::solid::PlacedLeaf& leaf : geometry.leaves)
+        triangles += leaf.triangles.size();
+    const std::size_t most = most_bytes_of_a_block(gl) / kTriangleBytes;
+    return triangles <= most ? ""
+                             : fmt::format("its leaves have {} triangles, and this OpenGL takes {}", triangles, most);
+}
 
 LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry, const glm::dvec3& local_centre)
     : gl_(gl),
@@ -36,7 +56,7 @@ LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& ge
     triangle_count_ = ids.size();
     vertices_.upload<glm::vec3>(vertices);
     triangle_ids_.upload<glm::uvec2>(ids);
-    positions_.reserve(3 * triangle_count_ * sizeof(glm::vec4), GL_DYNAMIC_COPY);
+    positions_.reserve(triangle_count_ * kTriangleBytes, GL_DYNAMIC_COPY);
     triangles_.reserve(triangle_count_ * 2 * sizeof(glm::vec4), GL_DYNAMIC_COPY);  // as TriangleRow
 }
 

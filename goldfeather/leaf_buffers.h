@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "csg/solid/placed.h"
@@ -11,10 +12,17 @@
 
 namespace goldfeather {
 
+/// Bytes that a shader can reach in one storage block of this OpenGL; what lies behind them is lost without an error.
+[[nodiscard]] std::size_t most_bytes_of_a_block(const gl::Functions& gl);
+
 /// Triangles of all leaves, leaf after leaf, three vertices each, in local coordinates (world minus `local_centre`:
 /// doubles become floats here and nowhere else).
 class LeafBuffers {
   public:
+    /// Why a scene cannot be held: it has more triangles than a storage block has room for. Empty where it can.
+    [[nodiscard]] static std::string obstacle(const gl::Functions& gl, const csg::solid::Geometry& geometry);
+
+    /// There must be no obstacle.
     LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry, const glm::dvec3& local_centre);
 
     struct Range {

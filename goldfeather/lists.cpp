@@ -22,12 +22,6 @@ gl::Defines class_limits() {
     return {{"kShortest", std::to_string(kShortLists[0]) + "u"}, {"kShort", std::to_string(kShortLists[1]) + "u"}};
 }
 
-std::size_t most_bytes_of_a_block(const gl::Functions& gl) {
-    GLint bytes = 0;
-    gl.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);  // Larger ones are clamped to the largest int.
-    return static_cast<std::size_t>(std::max(bytes, 1 << 27));
-}
-
 }  // namespace
 
 /// One picture, and the band at hand.

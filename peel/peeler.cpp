@@ -26,9 +26,12 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
       products(std::move(part_products)),
       box(geometry.box) {
     if (kind != EngineKind::ListsCpu) {
+        leaves_fault = goldfeather::LeafBuffers::obstacle(gl, geometry);
+    }
+    if (kind != EngineKind::ListsCpu && leaves_fault.empty()) {
         leaves.emplace(gl, geometry, tables->local_centre);
     }
-    if (kind == EngineKind::Lists) {
+    if (kind == EngineKind::Lists && leaves) {
         lists_scene.emplace(gl, scene);
     }
     leaf_boxes.reserve(geometry.leaves.size());
@@ -49,6 +52,10 @@ Peeler::Peeler(const gl::Functions& gl, std::size_t memory_budget, double minima
 LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
                         const std::stop_token& stop) {
     if (model.engine == EngineKind::ListsCpu) {
+        return peel_lists_cpu(view, model, max_layers, stats, stop);
+    }
+    if (!model.leaves) {
+        stats.fallback = model.leaves_fault;
         return peel_lists_cpu(view, model, max_layers, stats, stop);
     }
     upload_.forget();

@@ -31,8 +31,9 @@ struct PeelModel {
     goldfeather::ListsModel lists;
 
     std::shared_ptr<const goldfeather::SurfaceTables> tables;
-    std::optional<goldfeather::LeafBuffers> leaves;      ///< For the engines on OpenGL.
-    std::optional<goldfeather::ListsScene> lists_scene;  ///< For `lists`.
+    std::optional<goldfeather::LeafBuffers> leaves;      ///< For the engines on OpenGL, …
+    std::string leaves_fault;                            ///< … or why there are none.
+    std::optional<goldfeather::ListsScene> lists_scene;  ///< For `lists`, where there are leaves.
     std::vector<csg::Box> leaf_boxes;
     std::vector<std::vector<goldfeather::Product>> products;
     std::vector<csg::PartKind> kinds;

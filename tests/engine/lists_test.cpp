@@ -192,6 +192,20 @@ TEST_P(FallBack, WhereShadersComputeWrong) {
     EXPECT_EQ(reason(gl()), "");
 }
 
+/// What lies behind the end of a storage block would be lost without a word.
+TEST_P(FallBack, WhereTheTrianglesHaveNoRoom) {
+    static PFNGLGETINTEGERVPROC get = nullptr;
+    get = gl().GetIntegerv;
+    gl::Functions faulty = gl();
+    faulty.GetIntegerv = [](GLenum name, GLint* value) {
+        get(name, value);
+        if (name == GL_MAX_SHADER_STORAGE_BLOCK_SIZE) {
+            *value = 35 * 3 * 16;  // Three slabs have 36 triangles.
+        }
+    };
+    EXPECT_EQ(reason(faulty), "its leaves have 36 triangles, and this OpenGL takes 35");
+}
+
 /// A list that is not filled to its end is not taken for a shorter one.
 TEST_P(FallBack, WhereTwoPassesDisagree) {
     static PFNGLMULTIDRAWARRAYSINDIRECTPROC draw = nullptr;

@@ -107,4 +107,12 @@ TEST(View, AnEyeInsideTheBoxKeepsPrecision) {
     EXPECT_NE(static_cast<float>(view.depth(10.0)), static_cast<float>(view.depth(10.0001)));
 }
 
+TEST(View, AnEyeInsideAnEndlessBoxSeesWhatItLooksAt) {
+    Camera c;
+    c.distance = 140;
+    const View view(c, {64, 64}, glm::dvec3(-5e9), glm::dvec3(5e9));
+    EXPECT_LT(view.near_distance(), 1);
+    EXPECT_GT(static_cast<float>(view.depth(1e10)), 0.0F);
+}
+
 }  // namespace
