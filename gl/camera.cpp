@@ -9,7 +9,9 @@
 namespace gl {
 namespace {
 
-double radians(double degrees) { return degrees * glm::pi<double>() / 180.0; }
+double radians(double degrees) {
+    return degrees * glm::pi<double>() / 180.0;
+}
 
 /// Rotation about an axis with exact values at multiples of 90 degrees, so that axis-parallel views are just that.
 glm::dmat4 turn_about(double degrees, int axis) {
@@ -44,7 +46,9 @@ glm::dmat4 Camera::eye_from_world() const {
            glm::translate(glm::dmat4(1.0), -target);
 }
 
-glm::dvec3 Camera::eye() const { return glm::dvec3(glm::inverse(eye_from_world()) * glm::dvec4(0, 0, 0, 1)); }
+glm::dvec3 Camera::eye() const {
+    return glm::dvec3(glm::inverse(eye_from_world()) * glm::dvec4(0, 0, 0, 1));
+}
 
 Camera camera_between(const glm::dvec3& eye, const glm::dvec3& center) {
     Camera camera;

@@ -9,10 +9,10 @@ enum class Projection { Perspective, Orthographic };
 
 /// OpenSCAD's camera ($vpt, $vpr, $vpd, $vpf): looks at `target` from `distance` away, turned by `rotation`.
 struct Camera {
-    glm::dvec3 target{0.0};              ///< World coordinates; $vpt.
+    glm::dvec3 target{0.0};                ///< World coordinates; $vpt.
     glm::dvec3 rotation{55.0, 0.0, 25.0};  ///< Degrees about x, y, z; $vpr. (0, 0, 0) looks down -z, +y is up.
-    double distance = 140.0;             ///< From eye to target; $vpd.
-    double fov = 22.5;                   ///< Vertical field of view in degrees; $vpf.
+    double distance = 140.0;               ///< From eye to target; $vpd.
+    double fov = 22.5;                     ///< Vertical field of view in degrees; $vpf.
     Projection projection = Projection::Perspective;
 
     bool operator==(const Camera&) const = default;
@@ -52,11 +52,12 @@ class View {
     [[nodiscard]] const glm::dmat4& eye_from_world() const { return eye_from_world_; }
     /// World to clip coordinates (OpenGL, depth zero to one reversed), jitter included.
     [[nodiscard]] glm::dmat4 clip_from_world() const;
-    /// Half the height of the picture: the tangent of half the field of view (perspective), or world units (orthographic).
+    /// Half the height of the picture: the tangent of half the field of view (perspective), or world units
+    /// (orthographic).
     [[nodiscard]] double half_height() const { return half_height_; }
 
-    /// The ray through the sample of pixel (x, y): points origin + t * direction, where t is the distance from the eye's
-    /// plane along the axis of view (orthographic: from the near plane's position, t = near_distance() there).
+    /// The ray through the sample of pixel (x, y): points origin + t * direction, where t is the distance from the
+    /// eye's plane along the axis of view (orthographic: from the near plane's position, t = near_distance() there).
     struct Ray {
         glm::dvec3 origin;
         glm::dvec3 direction;

@@ -35,8 +35,7 @@ class EglContext final : public Context {
   private:
     static std::vector<EGLDisplay> displays() {
         std::vector<EGLDisplay> found;
-        const auto query =
-            reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+        const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
         const auto device_string =
             reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
         if (query && device_string) {
@@ -65,13 +64,9 @@ class EglContext final : public Context {
             return failed("eglInitialize");
         if (!eglBindAPI(EGL_OPENGL_API))
             return failed("eglBindAPI");
-        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                     4,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     5,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
+        const EGLint attributes[] = {
+            EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
         if (context == EGL_NO_CONTEXT)
             return failed("eglCreateContext");
@@ -92,6 +87,8 @@ class EglContext final : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> create_egl_context() { return std::make_unique<EglContext>(); }
+std::unique_ptr<Context> create_egl_context() {
+    return std::make_unique<EglContext>();
+}
 
 }  // namespace gl

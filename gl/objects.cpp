@@ -9,7 +9,9 @@
 
 namespace gl {
 
-Buffer::Buffer(const Functions& gl) : Name(gl, 0) { gl.CreateBuffers(1, &id_); }
+Buffer::Buffer(const Functions& gl) : Name(gl, 0) {
+    gl.CreateBuffers(1, &id_);
+}
 Buffer::~Buffer() {
     if (id_)
         gl_->DeleteBuffers(1, &id_);
@@ -68,7 +70,9 @@ void Texture::set_wrap(GLenum wrap) const {
     gl_->TextureParameteri(id_, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap));
 }
 
-Framebuffer::Framebuffer(const Functions& gl) : Name(gl, 0) { gl.CreateFramebuffers(1, &id_); }
+Framebuffer::Framebuffer(const Functions& gl) : Name(gl, 0) {
+    gl.CreateFramebuffers(1, &id_);
+}
 Framebuffer::~Framebuffer() {
     if (id_)
         gl_->DeleteFramebuffers(1, &id_);
@@ -101,7 +105,9 @@ void Framebuffer::finish(std::size_t color_count) {
         throw Error(fmt::format("framebuffer incomplete (0x{:x})", status));
 }
 
-Query::Query(const Functions& gl, GLenum target) : Name(gl, 0), target_(target) { gl.CreateQueries(target, 1, &id_); }
+Query::Query(const Functions& gl, GLenum target) : Name(gl, 0), target_(target) {
+    gl.CreateQueries(target, 1, &id_);
+}
 Query::~Query() {
     if (id_)
         gl_->DeleteQueries(1, &id_);
@@ -113,7 +119,9 @@ GLuint64 Query::result() const {
     return value;
 }
 
-VertexArray::VertexArray(const Functions& gl) : Name(gl, 0) { gl.CreateVertexArrays(1, &id_); }
+VertexArray::VertexArray(const Functions& gl) : Name(gl, 0) {
+    gl.CreateVertexArrays(1, &id_);
+}
 VertexArray::~VertexArray() {
     if (id_)
         gl_->DeleteVertexArrays(1, &id_);

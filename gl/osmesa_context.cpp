@@ -31,8 +31,8 @@ class OsmesaContext final : public Context {
         destroy_ = symbol<DestroyContext>("OSMesaDestroyContext");
         activate_ = symbol<MakeCurrent>("OSMesaMakeCurrent");
         const auto address = symbol<GetProcAddress>("OSMesaGetProcAddress");
-        const int attributes[] = {kFormat,      kRgba,         kDepthBits, 0,  kProfile,
-                                  kCoreProfile, kMajorVersion, 4,          kMinorVersion, 5, 0};
+        const int attributes[] = {kFormat,       kRgba, kDepthBits,    0, kProfile, kCoreProfile,
+                                  kMajorVersion, 4,     kMinorVersion, 5, 0};
         context_ = create(attributes, nullptr);
         if (!context_)
             throw Error("OSMesa gives no OpenGL 4.5 core context");
@@ -69,6 +69,8 @@ class OsmesaContext final : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> create_osmesa_context() { return std::make_unique<OsmesaContext>(); }
+std::unique_ptr<Context> create_osmesa_context() {
+    return std::make_unique<OsmesaContext>();
+}
 
 }  // namespace gl

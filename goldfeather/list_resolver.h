@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <stop_token>
 #include <cstdint>
+#include <stop_token>
 
 #include "gl/program.h"
 #include "goldfeather/blist_buffer.h"

@@ -55,8 +55,7 @@ using Normalized = std::variant<SumOfProducts, Empty, OverBudget>;
 /// pruning by `leaf_boxes` (indexed by LeafId, world coordinates; an empty box is a leaf without volume): a product
 /// whose box has become empty or flat is dropped before it is expanded, a complement whose leaf does not overlap the
 /// product's box is left out. Products and literals come out in document order; equal products are kept once.
-[[nodiscard]] Normalized normalize(const csg::Scene& scene, const csg::Part& part,
-                                   std::span<const csg::Box> leaf_boxes, const Budget& budget,
-                                   NormalizationStats& stats);
+[[nodiscard]] Normalized normalize(const csg::Scene& scene, const csg::Part& part, std::span<const csg::Box> leaf_boxes,
+                                   const Budget& budget, NormalizationStats& stats);
 
 }  // namespace goldfeather

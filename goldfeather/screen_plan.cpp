@@ -160,8 +160,8 @@ class Planner {
                 if (p.empty())
                     continue;
                 Tile tile;
-                tile.box = intersect(plan_.box, {(tx0 + x) * kTile, (ty0 + y) * kTile, (tx0 + x + 1) * kTile,
-                                                 (ty0 + y + 1) * kTile});
+                tile.box = intersect(
+                    plan_.box, {(tx0 + x) * kTile, (ty0 + y) * kTile, (tx0 + x + 1) * kTile, (ty0 + y + 1) * kTile});
                 tile.first_product = static_cast<std::uint32_t>(plan_.tile_products.size());
                 tile.product_count = static_cast<std::uint32_t>(p.size());
                 tile.first_leaf = static_cast<std::uint32_t>(plan_.tile_leaves.size());

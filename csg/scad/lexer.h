@@ -20,8 +20,8 @@ class Lexer {
         std::size_t line_start = 0;
     };
 
-    /// `text`, `symbols` and `sink` must outlive the lexer. A zero, or nothing that belongs to a word or number, follows
-    /// the text. `file` is the index for ranges.
+    /// `text`, `symbols` and `sink` must outlive the lexer. A zero, or nothing that belongs to a word or number,
+    /// follows the text. `file` is the index for ranges.
     Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink);
     /// Reads a piece of a file only, from `begin` on; `text` is the file's up to where the piece ends.
     Lexer(std::string_view text, std::uint32_t file, SymbolTable& symbols, const MessageSink& sink, const Place& begin);

@@ -182,8 +182,8 @@ void build(const Shape&, Solid&) {}
 
 namespace {
 
-/// So many that no edge is further from the circle than `error`; not fewer than five, and not more than the least $fa and
-/// $fs give.
+/// So many that no edge is further from the circle than `error`; not fewer than five, and not more than the least $fa
+/// and $fs give.
 int segments_by_error(double r, double error) {
     constexpr double kLeastFineness = 0.01;
     const double least = 5;

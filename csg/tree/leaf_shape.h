@@ -13,8 +13,8 @@
 namespace csg {
 
 /// OpenSCAD's $fn, $fa (degrees) and $fs (model units): how finely a curved leaf is tessellated. $fe (model units), the
-/// most that an edge may be off the arc that it stands for, takes the place of $fa and $fs where it is above zero; it is
-/// absent unless the experiment discretization-by-error is enabled.
+/// most that an edge may be off the arc that it stands for, takes the place of $fa and $fs where it is above zero; it
+/// is absent unless the experiment discretization-by-error is enabled.
 struct Fineness {
     double fn = 0;
     double fa = 12;

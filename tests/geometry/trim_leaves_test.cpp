@@ -46,7 +46,7 @@ TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
         "  rotate([20, 30, 0]) cube([1e9, 1, 1], center = true);"
         "  linear_extrude(1e11, center = true) difference() { square(3, center = true); square(1, center = true); }"
         "}";
-    const auto [scene, geometry] = placed(model);
+    const csg::solid::Geometry geometry = placed(model).geometry;
     ASSERT_EQ(geometry.leaves.size(), 4u);
     const double reach = csg::solid::kFarthestReach * std::sqrt(48.0) + 2;
     for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
@@ -57,7 +57,7 @@ TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
             EXPECT_GE(leaf.box.lo[axis], -reach * (1 + 1e-12));
         }
     }
-    const auto volume = [&](int leaf) {
+    const auto volume = [&](std::size_t leaf) {
         return test::mesh_volume(geometry.leaves[leaf].points, geometry.leaves[leaf].triangles);
     };
     EXPECT_EQ(volume(0), 64);
@@ -67,10 +67,11 @@ TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
 }
 
 TEST(TrimmedLeaves, AreThoseThatReachFarOnly) {
-    const auto [scene, geometry] = placed("difference() { cube(1); translate([0.2, 0.2, -9]) cube([0.5, 0.5, 50]); }");
+    const csg::solid::Geometry geometry =
+        placed("difference() { cube(1); translate([0.2, 0.2, -9]) cube([0.5, 0.5, 50]); }").geometry;
     EXPECT_EQ(geometry.leaves[1].box.hi.z, 41);
     EXPECT_EQ(geometry.leaves[1].points.size(), 8u);
-    const auto [whole, endless] = placed("cube(1e10); translate([1, 1, 1]) cube(1);");
+    const csg::solid::Geometry endless = placed("cube(1e10); translate([1, 1, 1]) cube(1);").geometry;
     EXPECT_EQ(endless.leaves[0].box.hi.z, 1e10) << "what is seen is as large as it is";
 }
 

@@ -10,8 +10,8 @@ using gl::Camera;
 using gl::View;
 
 void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
-    EXPECT_LE(glm::length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z << " is not " << b.x << ' ' << b.y
-                                              << ' ' << b.z;
+    EXPECT_LE(glm::length(a - b), tolerance)
+        << a.x << ' ' << a.y << ' ' << a.z << " is not " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
 Camera looking(glm::dvec3 rotation, gl::Projection projection) {
@@ -86,8 +86,7 @@ TEST_P(ViewTest, ScreenBoxHoldsTheProjection) {
     const View view(looking({55, 0, 25}, GetParam()), {200, 100}, {-10, -10, -10}, {10, 10, 10});
     const View::Rectangle r = view.screen_box({-2, -2, -2}, {3, 4, 5});
     for (int i = 0; i < 8; ++i) {
-        const glm::dvec4 clip =
-            view.clip_from_world() * glm::dvec4(i & 1 ? 3 : -2, i & 2 ? 4 : -2, i & 4 ? 5 : -2, 1);
+        const glm::dvec4 clip = view.clip_from_world() * glm::dvec4(i & 1 ? 3 : -2, i & 2 ? 4 : -2, i & 4 ? 5 : -2, 1);
         const double x = (clip.x / clip.w + 1) * 100, y = (clip.y / clip.w + 1) * 50;
         EXPECT_TRUE(r.x0 <= x && x <= r.x1 && r.y0 <= y && y <= r.y1) << x << ' ' << y;
     }

@@ -106,12 +106,12 @@ TEST(ScreenPlan, EntriesMeanTheProducts) {
                     continue;
                 for (std::uint32_t i = 0; i < tile.product_count; ++i) {
                     const auto& p = plan.products[plan.tile_products[tile.first_product + i]];
-                    actual |= holds(p.box) &&
-                              std::all_of(plan.entries.begin() + p.first_entry,
-                                          plan.entries.begin() + p.first_entry + p.entry_count,
-                                          [&](const goldfeather::Entry& e) {
-                                              return (bits[e.word] & e.set) == e.set && (bits[e.word] & e.clear) == 0;
-                                          });
+                    actual |= holds(p.box) && std::all_of(plan.entries.begin() + p.first_entry,
+                                                          plan.entries.begin() + p.first_entry + p.entry_count,
+                                                          [&](const goldfeather::Entry& e) {
+                                                              return (bits[e.word] & e.set) == e.set &&
+                                                                     (bits[e.word] & e.clear) == 0;
+                                                          });
                 }
             }
             ASSERT_EQ(actual, expected) << "round " << round << ", pixel " << x << ", " << y;

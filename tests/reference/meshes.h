@@ -19,6 +19,6 @@ struct PictureErrors {
 
 /// Errors of the CPU engine's picture against the mesh, all layers, from six views, both projections.
 [[nodiscard]] PictureErrors picture_errors(const csg::Scene& scene, const csg::solid::Geometry& geometry,
-                                        const csg::reference::Mesh& mesh, int size);
+                                           const csg::reference::Mesh& mesh, int size);
 
 }  // namespace meshes

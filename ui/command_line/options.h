@@ -48,7 +48,7 @@ struct Options {
     bool check_parameters = true;
     bool check_ranges = false;
     bool by_error = false;  ///< $fe has its meaning.
-    bool preview = true;  ///< $preview
+    bool preview = true;    ///< $preview
     bool transparent_background = false;
     bool quiet = false;
     bool hard_warnings = false;
