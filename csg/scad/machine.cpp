@@ -29,7 +29,9 @@ Value Evaluator::run(Activation& a, std::uint32_t entry) {
     Value* r = a.registers;
     unsigned tail_calls = 0;
     const auto at = [&](std::uint32_t o) __attribute__((always_inline))->const Value& {
-        return ((o & 1U) != 0 ? constants : r)[o >> 1U];
+        // In two steps: GCC 12 with -fsanitize=undefined takes the wrong element of (… ? … : …)[o >> 1].
+        const Value* const base = (o & 1U) != 0 ? constants : r;
+        return base[o >> 1U];
     };
     const auto arithmetic = [&](const Instruction& i, auto&& of_numbers) {
         const Value &x = at(i.a), &y = at(i.b);
