@@ -23,6 +23,11 @@ struct DxfEntity {
         const auto found = numbers.find(code);
         return found == numbers.end() ? otherwise : found->second;
     }
+    /// Group 70: bits, which fit into 16; 0 for other numbers.
+    [[nodiscard]] int flags() const {
+        const double bits = number(70);
+        return bits >= 0 && bits < 65536 ? static_cast<int>(bits) : 0;
+    }
     [[nodiscard]] glm::dvec2 point(int code) const { return {number(code), number(code + 10)}; }
 };
 

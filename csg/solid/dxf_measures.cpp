@@ -37,7 +37,7 @@ double angle_of(const glm::dvec2& v) {
 }
 
 std::optional<double> measure(const DxfEntity& e, const Import& import) {
-    const auto flags = static_cast<int>(e.number(70));
+    const int flags = e.flags();
     const Points at(e, import);
     switch (static_cast<DimensionKind>(flags & kKindBits)) {
         case DimensionKind::Rotated: {  // Projected on a line at an angle.

@@ -75,7 +75,7 @@ class Drawing {
                 return;
             constexpr int kFrame = 16;  // Of a spline, which has its points beside it.
             if (e.kind == "VERTEX") {
-                if ((static_cast<int>(e.number(70)) & kFrame) != 0)
+                if ((e.flags() & kFrame) != 0)
                     continue;
                 polyline.push_back({e.point(10), e.number(42)});
                 continue;
@@ -90,7 +90,7 @@ class Drawing {
             if (!wanted)
                 continue;
             if (e.kind == "POLYLINE")
-                closed = (static_cast<int>(e.number(70)) & 1) != 0;
+                closed = (e.flags() & 1) != 0;
             else if (e.kind == "INSERT")
                 insert(e, placed);
             else
@@ -152,7 +152,7 @@ class Drawing {
             else if (code == 21 && !through.empty())
                 through.back().y = number;
         }
-        const bool closed = (static_cast<int>(e.number(70)) & 1) != 0;
+        const bool closed = (e.flags() & 1) != 0;
         if (curve.points.empty() && through.size() > 1) {
             add(std::move(through), closed, placed);
             return;
@@ -175,7 +175,7 @@ class Drawing {
             else if (!corners.empty() && (code == 20 || code == 42))
                 (code == 20 ? corners.back().at.y : corners.back().bulge) = number;
         }
-        add_polyline(corners, (static_cast<int>(e.number(70)) & 1) != 0, placed);
+        add_polyline(corners, (e.flags() & 1) != 0, placed);
     }
 
     void add_polyline(const std::vector<Corner>& corners, bool closed, const glm::dmat4& placed) {
