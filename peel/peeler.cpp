@@ -27,9 +27,9 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
       box(geometry.box) {
     if (kind != EngineKind::ListsCpu) {
         leaves_fault = goldfeather::LeafBuffers::obstacle(gl, geometry);
-    }
-    if (kind != EngineKind::ListsCpu && leaves_fault.empty()) {
-        leaves.emplace(gl, geometry, tables->local_centre);
+        if (leaves_fault.empty()) {
+            leaves.emplace(gl, geometry, tables->local_centre);
+        }
     }
     if (kind == EngineKind::Lists && leaves) {
         lists_scene.emplace(gl, scene);

@@ -178,10 +178,6 @@ void warn_of(const MeshFaults& faults, std::vector<std::string>& warnings) {
 template <typename Shape>
 void build(const Shape&, Solid&) {}
 
-}  // namespace
-
-namespace {
-
 /// So many that no edge is further from the circle than `error`; not fewer than five, and not more than the least $fa
 /// and $fs give.
 int segments_by_error(double r, double error) {

@@ -12,18 +12,10 @@
 
 namespace {
 
-struct Placed {
-    csg::Scene scene;
-    csg::solid::Geometry geometry;
-};
-
-Placed placed(const std::string& model) {
+csg::solid::Geometry placed(const std::string& model) {
     const test::Run run = test::run(model);
     csg::solid::SolidCache cache;
-    Placed result;
-    result.scene = csg::make_scene(*run.evaluation.tree);
-    result.geometry = csg::solid::place(*run.evaluation.tree, result.scene, cache);
-    return result;
+    return csg::solid::place(*run.evaluation.tree, csg::make_scene(*run.evaluation.tree), cache);
 }
 
 /// As often in one direction as in the other.
@@ -46,7 +38,7 @@ TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
         "  rotate([20, 30, 0]) cube([1e9, 1, 1], center = true);"
         "  linear_extrude(1e11, center = true) difference() { square(3, center = true); square(1, center = true); }"
         "}";
-    const csg::solid::Geometry geometry = placed(model).geometry;
+    const csg::solid::Geometry geometry = placed(model);
     ASSERT_EQ(geometry.leaves.size(), 4u);
     const double reach = csg::solid::kFarthestReach * std::sqrt(48.0) + 2;
     for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
@@ -68,10 +60,10 @@ TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
 
 TEST(TrimmedLeaves, AreThoseThatReachFarOnly) {
     const csg::solid::Geometry geometry =
-        placed("difference() { cube(1); translate([0.2, 0.2, -9]) cube([0.5, 0.5, 50]); }").geometry;
+        placed("difference() { cube(1); translate([0.2, 0.2, -9]) cube([0.5, 0.5, 50]); }");
     EXPECT_EQ(geometry.leaves[1].box.hi.z, 41);
     EXPECT_EQ(geometry.leaves[1].points.size(), 8u);
-    const csg::solid::Geometry endless = placed("cube(1e10); translate([1, 1, 1]) cube(1);").geometry;
+    const csg::solid::Geometry endless = placed("cube(1e10); translate([1, 1, 1]) cube(1);");
     EXPECT_EQ(endless.leaves[0].box.hi.z, 1e10) << "what is seen is as large as it is";
 }
 

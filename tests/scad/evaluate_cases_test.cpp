@@ -60,8 +60,12 @@ TEST_P(EvaluateCases, AsExpected) {
     std::vector<Case> cases = read_cases(path);
     ASSERT_FALSE(cases.empty()) << path;
     const bool update = std::getenv("CSGSCOPE_UPDATE_GOLDENS") != nullptr;
+    csg::scad::Request request;
+#ifdef __SANITIZE_ADDRESS__
+    request.limits.stack_bytes *= 4;  // Frames are several times as large.
+#endif
     for (Case& c : cases) {
-        const test::Run run = test::run(c.program, c.files);
+        const test::Run run = test::run(c.program, c.files, request);
         const std::string got = run.console + run.csg;
         EXPECT_EQ(run.evaluation.ok, run.evaluation.errors == 0) << c.name;
         EXPECT_EQ(run.evaluation.ok, run.evaluation.tree != nullptr) << c.name;

@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <condition_variable>
 #include <iostream>
 #include <thread>
-#include <vector>
 
 #include "tests/support/gl_test.h"
 #include "ui/pipeline/renderer.h"
@@ -101,25 +99,24 @@ TEST_P(StopTest, EndsSoonAndTheNextPictureIsRight) {
         const auto begun = Clock::now();
         (void)drawing.render(*model, near);
         const Seconds whole = Clock::now() - begun;
-        std::vector<double> waits;
+        double longest = 0;
+        int stopped = 0;
         for (int i = 0; i < 5; ++i) {
             const Alarm alarm(whole * (i / 6.0));
             try {
                 (void)drawing.render(*model, near, alarm.token());
             } catch (const gl::Stopped&) {
-                waits.push_back(Seconds(Clock::now() - alarm.rang()).count());
+                longest = std::max(longest, Seconds(Clock::now() - alarm.rang()).count());
+                ++stopped;
             }
             EXPECT_EQ(drawing.render(*model, far).rgba, expected.rgba) << way.style;
         }
         const auto name = way.engine ? goldfeather::name(*way.engine) : "no OpenGL";
-        ASSERT_GE(waits.size(), 2U) << name << ' ' << way.style;
-        std::sort(waits.begin(), waits.end());
-        const double median = waits[waits.size() / 2];
-        std::cout << fmt::format(
-            "{}, {}: whole {:.0f} ms, {} stopped, {:.0f} ms after it was asked for, at most {:.0f} ms\n", name,
-            way.style, 1000 * whole.count(), waits.size(), 1000 * median, 1000 * waits.back());
-        // About 20 ms where nothing else runs; other tests do, and may hold up one of them.
-        EXPECT_LT(median, std::max(0.2, 0.3 * whole.count())) << name << ' ' << way.style;
+        std::cout << fmt::format("{}, {}: whole {:.0f} ms, {} stopped, at most {:.0f} ms after it was asked for\n",
+                                 name, way.style, 1000 * whole.count(), stopped, 1000 * longest);
+        EXPECT_GE(stopped, 2) << name << ' ' << way.style;
+        // About 20 ms where nothing else runs; other tests do.
+        EXPECT_LT(longest, std::max(0.2, 0.3 * whole.count())) << name << ' ' << way.style;
     }
 }
 
