@@ -130,8 +130,8 @@ void weld(std::vector<std::uint32_t>& face, std::span<const std::uint32_t> first
 MeshFaults check_mesh(Solid& solid) {
     MeshFaults faults = check_edges(solid);
     faults.inside_out = !faults.open && volume6(solid) < 0;
-    solid.closed = !faults.open && !faults.non_manifold;
-    solid.convex = solid.closed && !faults.inside_out && is_convex(solid);
+    solid.closed = !faults.open;
+    solid.convex = solid.closed && !faults.non_manifold && !faults.inside_out && is_convex(solid);
     return faults;
 }
 

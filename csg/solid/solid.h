@@ -17,15 +17,17 @@ namespace csg::solid {
 inline constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
 
 /// A triangle mesh in leaf coordinates, oriented counter-clockwise seen from outside. Meshes made from cube, sphere
-/// and cylinder are closed and convex. A polyhedron is taken as given: where it is open, non-manifold or inside out,
-/// `warnings` says so and pictures use the even-odd rule along the ray (DESIGN, rule 6).
+/// and cylinder are closed and convex. A polyhedron is taken as given. What is inside follows from `closed`: of a closed
+/// mesh the points with a winding number that is not zero (so a mesh turned inside out is the same solid, and shells
+/// that overlap are solid throughout), of any other mesh those from which a ray meets it an odd number of times, and
+/// then `warnings` says so.
 struct Solid {
     std::vector<glm::dvec3> points;
     std::vector<glm::uvec3> triangles;
     Box box;
     bool convex = false;  ///< Computed, never declared. A convex solid is closed and oriented outwards.
     bool flat = false;    ///< An outline, drawn as a slab about z = 0; it stays 1 thick whatever its transform.
-    bool closed = false;  ///< Every directed edge has exactly one opposite.
+    bool closed = false;  ///< Each directed edge occurs as often as its opposite (an edge may have more than two faces).
     std::vector<std::string> warnings;
 };
 
