@@ -101,7 +101,7 @@ def close(stack):
     parent = stack[-1]
     if node[0] != "group()":
         parent[1].append(node)
-    elif parent[0].lstrip("%#!*") in OPERATIONS and len(node[1]) > 1:
+    elif parent[0].lstrip("%#!*") in OPERATIONS and len(node[1]) != 1:  # One that is empty is an operand, too.
         parent[1].append(node)
     else:
         parent[1].extend(node[1])

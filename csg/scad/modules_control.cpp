@@ -151,6 +151,7 @@ class ChildSelection {
         if (which.is_number()) {
             add_index(which.number());
         } else if (which.is_vector()) {
+            list_ = true;
             for (const Value& e : which.elements()) {
                 if (e.is_number()) {
                     add_index(e.number());
@@ -159,6 +160,7 @@ class ChildSelection {
                 }
             }
         } else if (which.is_range()) {
+            list_ = true;
             const std::uint32_t steps = which.range().count();
             if (steps >= kMostOfRange) {
                 c_.warn(fmt::format("Bad range parameter for children: too many elements ({})", steps));
@@ -177,7 +179,7 @@ class ChildSelection {
         for (const std::size_t i : indices_) {
             c_.evaluator.run_child(call_, i, nodes);
         }
-        if (!indices_.empty()) {
+        if (!indices_.empty() || list_) {
             combine(c_, Operation::Group, nodes, out);
         }
     }
@@ -201,6 +203,7 @@ class ChildSelection {
     const ModuleCall& call_;
     const std::size_t count_;
     std::vector<std::size_t> indices_;
+    bool list_ = false;  ///< A list or range that names no child is an empty operand; a number that names none is none.
 };
 
 void run_children(const ModuleContext& c, Nodes& out) {
@@ -217,11 +220,12 @@ void run_children(const ModuleContext& c, Nodes& out) {
         selection.run(out);
         return;
     }
+    // Without children, too: an operand that is empty is not the same as no operand.
+    Nodes nodes;
     if (c.evaluator.child_count(*call) != 0) {
-        Nodes nodes;
         c.evaluator.children_of(*call->instantiation, call->caller, nodes);
-        combine(c, Operation::Group, nodes, out);
     }
+    combine(c, Operation::Group, nodes, out);
 }
 
 constexpr std::array kControl{
