@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "csg/reference/plane_cells.h"
+#include "csg/reference/winding.h"
 #include "csg/tree/scene.h"
 
 namespace csg::reference {
@@ -12,26 +13,39 @@ namespace csg::reference {
 /// A cell of a plane with what is on its two sides.
 struct ComplexCell {
     std::uint32_t plane = 0;
-    std::vector<LeafId> leaves;
+    Covers covers;  ///< Winding numbers below are those above plus these.
     std::vector<glm::uvec3> triangles;
     std::uint32_t above = 0, below = 0;  ///< Regions: on the side the plane's normal points to, and on the other.
 };
 
-struct CellComplex {
-    std::vector<ComplexCell> cells;
-    std::size_t regions = 0;
-    std::size_t words = 0;              ///< Of 64 leaves each.
-    std::vector<std::uint64_t> inside;  ///< By region, `words` each: bit i is set where the i-th leaf holds the region.
-
-    [[nodiscard]] std::span<const std::uint64_t> holders(std::uint32_t region) const {
-        return std::span(inside).subspan(region * words, words);
-    }
+/// A cell at an edge between points lo < hi.
+struct ComplexSide {
+    std::uint32_t lo, hi;
+    std::uint32_t cell;
+    bool left;  ///< The cell is to the left of lo → hi, seen against its plane's normal.
 };
 
-/// `cells[i]` are those of plane i; bit i of `holders` stands for `leaves[i]` (sorted). Around every edge the cells are
+struct CellComplex {
+    std::vector<ComplexCell> cells;
+    std::vector<ComplexSide> sides;  ///< By edge, and around each edge counter-clockwise seen against lo → hi.
+    std::size_t regions = 0;
+    RegionWindings windings;
+};
+
+/// What the complex asks of geometry; each method answers in its own arithmetic.
+class ComplexSpace {
+  public:
+    virtual ~ComplexSpace() = default;
+    /// Sorts the sides at one edge counter-clockwise seen against lo → hi, beginning with any.
+    virtual void sort_around(std::span<ComplexSide> sides, std::span<const ComplexCell> cells) const = 0;
+    /// The winding numbers of all leaves just above the cell.
+    [[nodiscard]] virtual Covers windings_above(const ComplexCell& cell) const = 0;
+};
+
+/// `cells[i]` are those of plane i; `leaves` (sorted) take part, of `all_leaves`. Around every edge the cells are
 /// sorted by angle, which tells the regions between them; which leaves hold a region follows from a neighbour, and for
 /// each connected piece from one ray. Throws Undecided.
-[[nodiscard]] CellComplex make_complex(const solid::Geometry& geometry, std::span<const LeafId> leaves,
-                                       const PointTable& points, std::vector<PlaneCells> cells);
+[[nodiscard]] CellComplex make_complex(std::vector<PlaneCells> cells, const ComplexSpace& space, const InsideRule& rule,
+                                       std::span<const LeafId> leaves, std::size_t all_leaves);
 
 }  // namespace csg::reference

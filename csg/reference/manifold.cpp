@@ -1,6 +1,7 @@
 #include "csg/reference/manifold.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -17,20 +18,35 @@ struct Edge {
     std::uint32_t triangle;
     std::uint32_t corner;  ///< The edge runs from this corner of the triangle to the next.
     bool forward;          ///< From lo to hi.
-    double angle = 0;
 };
+
+std::vector<Edge> sorted_edges(const Mesh& mesh) {
+    std::vector<Edge> edges;
+    edges.reserve(mesh.triangles.size() * 3);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = mesh.triangles[t][static_cast<int>(k)];
+            const std::uint32_t b = mesh.triangles[t][static_cast<int>((k + 1) % 3)];
+            edges.push_back({std::min(a, b), std::max(a, b), t, k, a < b});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        return std::tie(a.lo, a.hi, a.triangle) < std::tie(b.lo, b.hi, b.triangle);
+    });
+    return edges;
+}
 
 class Separator {
   public:
-    Separator(Mesh& mesh, std::span<const glm::dvec3> normals)
-        : mesh_(mesh), normals_(normals), root_(mesh.triangles.size() * 3) {
+    Separator(Mesh& mesh, std::span<const double> turns)
+        : mesh_(mesh), turns_(turns), root_(mesh.triangles.size() * 3) {
         std::iota(root_.begin(), root_.end(), 0u);
     }
 
     /// Gives the edges (geometric ends) at which two sheets still share both ends: they touch there and are connected
     /// around each end.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> run() {
-        std::vector<Edge> edges = sorted_edges();
+        std::vector<Edge> edges = sorted_edges(mesh_);
         for (std::size_t i = 0, j; i < edges.size(); i = j) {
             for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
             }
@@ -52,36 +68,11 @@ class Separator {
     }
 
   private:
-    std::vector<Edge> sorted_edges() const {
-        std::vector<Edge> edges;
-        edges.reserve(mesh_.triangles.size() * 3);
-        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = mesh_.triangles[t][static_cast<int>(k)];
-                const std::uint32_t b = mesh_.triangles[t][static_cast<int>((k + 1) % 3)];
-                edges.push_back({std::min(a, b), std::max(a, b), t, k, a < b});
-            }
-        }
-        std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-            return std::tie(a.lo, a.hi, a.triangle) < std::tie(b.lo, b.hi, b.triangle);
-        });
-        return edges;
-    }
-
     /// Around the edge, counter-clockwise seen against lo → hi, a forward triangle has the solid before it and a
     /// backward one behind it.
     void pair_up(std::span<Edge> around) {
-        const glm::dvec3 along = glm::normalize(mesh_.points[around[0].hi] - mesh_.points[around[0].lo]);
-        const glm::dvec3 a = glm::abs(along);
-        const glm::dvec3 helper = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
-                                  : a.y <= a.z             ? glm::dvec3(0, 1, 0)
-                                                           : glm::dvec3(0, 0, 1);
-        const glm::dvec3 x = glm::normalize(glm::cross(along, helper)), y = glm::cross(along, x);
-        for (Edge& e : around) {
-            const glm::dvec3 into = glm::cross(normals_[e.triangle], along) * (e.forward ? 1.0 : -1.0);
-            e.angle = std::atan2(glm::dot(into, y), glm::dot(into, x));
-        }
-        std::sort(around.begin(), around.end(), [](const Edge& p, const Edge& q) { return p.angle < q.angle; });
+        const auto turn = [&](const Edge& e) { return turns_.empty() ? 0 : turns_[3 * e.triangle + e.corner]; };
+        std::stable_sort(around.begin(), around.end(), [&](const Edge& p, const Edge& q) { return turn(p) < turn(q); });
         for (std::size_t i = 0; i < around.size(); ++i) {
             const Edge &e = around[i], &next = around[(i + 1) % around.size()];
             if (!e.forward && next.forward)
@@ -135,13 +126,25 @@ class Separator {
     }
 
     Mesh& mesh_;
-    std::span<const glm::dvec3> normals_;
+    std::span<const double> turns_;
     std::vector<std::uint32_t> root_;  ///< By corner.
 };
 
+/// For a triangle divided in the middle of its edge from corner k on: itself and the new last one. The middle has a
+/// larger number than both ends, so the half at the edge's larger end runs the other way.
+void divide_turns(std::vector<double>& turns, std::size_t triangle, std::size_t k, bool forward) {
+    if (turns.empty())
+        return;
+    const std::array whole{turns[3 * triangle], turns[3 * triangle + 1], turns[3 * triangle + 2]};
+    const double edge = whole[k], next = whole[(k + 1) % 3], last = whole[(k + 2) % 3];
+    // {corner k, middle, corner k + 2} and {middle, corner k + 1, corner k + 2}
+    const std::array own{forward ? edge : -edge, 0.0, last}, added{forward ? -edge : edge, next, 0.0};
+    std::copy(own.begin(), own.end(), turns.begin() + static_cast<std::ptrdiff_t>(3 * triangle));
+    turns.insert(turns.end(), added.begin(), added.end());
+}
+
 /// Divides the triangles at the edges (sorted) by a new point in the middle of each.
-void divide(Mesh& mesh, std::vector<glm::dvec3>& normals,
-            const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
+void divide(Mesh& mesh, std::vector<double>& turns, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (const auto& [a, b] : edges)
         mesh.points.push_back(0.5 * (mesh.points[a] + mesh.points[b]));
@@ -161,22 +164,50 @@ void divide(Mesh& mesh, std::vector<glm::dvec3>& normals,
             mesh.triangles[t] = {whole[k], m, whole[(k + 2) % 3]};
             mesh.triangles.emplace_back(m, whole[(k + 1) % 3], whole[(k + 2) % 3]);
             mesh.sources.push_back(mesh.sources[t]);
-            normals.push_back(normals[t]);
+            divide_turns(turns, t, static_cast<std::size_t>(k), whole[k] < whole[(k + 1) % 3]);
             k = -1;
         }
     }
 }
 
+/// By the angles of the triangles around each edge that more than two share.
+std::vector<double> turns_of(const Mesh& mesh, std::span<const glm::dvec3> normals) {
+    std::vector<double> turns(3 * mesh.triangles.size());
+    const std::vector<Edge> edges = sorted_edges(mesh);
+    for (std::size_t i = 0, j; i < edges.size(); i = j) {
+        for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
+        }
+        if (j - i == 2)
+            continue;
+        const glm::dvec3 along = glm::normalize(mesh.points[edges[i].hi] - mesh.points[edges[i].lo]);
+        const glm::dvec3 a = glm::abs(along);
+        const glm::dvec3 helper = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
+                                  : a.y <= a.z             ? glm::dvec3(0, 1, 0)
+                                                           : glm::dvec3(0, 0, 1);
+        const glm::dvec3 x = glm::normalize(glm::cross(along, helper)), y = glm::cross(along, x);
+        for (std::size_t k = i; k < j; ++k) {
+            const Edge& e = edges[k];
+            const glm::dvec3 into = glm::cross(normals[e.triangle], along) * (e.forward ? 1.0 : -1.0);
+            turns[3 * e.triangle + e.corner] = std::atan2(glm::dot(into, y), glm::dot(into, x));
+        }
+    }
+    return turns;
+}
+
 }  // namespace
 
-void separate_sheets(Mesh& mesh, std::vector<glm::dvec3> normals) {
-    const auto shared = Separator(mesh, normals).run();
+void separate_sheets(Mesh& mesh, std::vector<double> turns) {
+    const auto shared = Separator(mesh, turns).run();
     if (shared.empty())
         return;
-    divide(mesh, normals, shared);
+    divide(mesh, turns, shared);
     // Around the new points the sheets are apart, so nothing is shared any more. Were it so, the points would stay as
     // they are and the check of the result would find the edge.
-    (void)Separator(mesh, normals).run();
+    (void)Separator(mesh, turns).run();
+}
+
+void separate_sheets(Mesh& mesh, std::span<const glm::dvec3> normals) {
+    separate_sheets(mesh, turns_of(mesh, normals));
 }
 
 }  // namespace csg::reference

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "csg/solid/mesh_checks.h"
+
 namespace csg::reference {
 
 MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operands) {
@@ -13,7 +15,9 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
     double largest = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         auto shape = std::make_shared<solid::Solid>();
-        shape->closed = true;
+        shape->points = operands[i].points;
+        shape->triangles = operands[i].triangles;
+        (void)solid::check_mesh(*shape);
         solid::PlacedLeaf leaf;
         leaf.solid = std::move(shape);
         leaf.points = operands[i].points;

@@ -15,8 +15,8 @@ struct MeshScene {
 
 [[nodiscard]] MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operands);
 
-/// Union, intersection or difference (first minus the others) of closed meshes, which may intersect themselves (then
-/// the even-odd rule holds). Sources are indices of operands. Throws as make_mesh does.
+/// Union, intersection or difference (first minus the others) of closed meshes, which may intersect themselves: inside
+/// is where the winding number is not 0. Sources are indices of operands. Throws as make_mesh does.
 [[nodiscard]] BooleanResult combine(ExpressionKind operation, std::span<const Mesh> operands);
 
 }  // namespace csg::reference

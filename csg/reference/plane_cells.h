@@ -1,10 +1,10 @@
-// The cells of one plane: maximal areas that no segment crosses, with the leaves whose faces cover them.
+// The cells of one plane: maximal areas that no segment crosses, with how often the faces of leaves cover them.
 #pragma once
 
-#include <span>
 #include <stdexcept>
 
 #include "csg/reference/segments.h"
+#include "csg/reference/winding.h"
 
 namespace csg::reference {
 
@@ -17,7 +17,9 @@ class Undecided : public std::runtime_error {
 
 struct PlaneCells {
     struct Cell {
-        std::vector<LeafId> leaves;         ///< Sorted: whoever passes through the cell enters or leaves these.
+        /// How often each leaf's faces cover the cell: those that face as the plane does minus those that face the
+        /// other way, or of a leaf whose inside is where it is met an odd number of times, whether their number is odd.
+        Covers covers;
         std::vector<glm::uvec3> triangles;  ///< Points of the table, counter-clockwise about the plane's normal.
     };
     struct Side {
@@ -31,6 +33,7 @@ struct PlaneCells {
 
 /// Triangulates (constrained Delaunay) the plane's segments after they have been split. Cells that no leaf covers are
 /// left out. Throws Undecided.
-[[nodiscard]] PlaneCells make_cells(const Content& content, const PlaneContent& plane, const glm::dvec3& normal);
+[[nodiscard]] PlaneCells make_cells(const Content& content, const PlaneContent& plane, const glm::dvec3& normal,
+                                    const InsideRule& rule);
 
 }  // namespace csg::reference

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace csg::reference {
@@ -68,8 +69,8 @@ std::optional<Interval> cut(const Face& face, const Plane& plane, const glm::dve
 
 class Collector {
   public:
-    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves)
-        : geometry_(geometry), leaves_(leaves), content_(tolerance_of(geometry.box)) {
+    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule)
+        : geometry_(geometry), leaves_(leaves), rule_(rule), content_(tolerance_of(geometry.box)) {
         content_.planes.resize(geometry.planes.planes().size());
     }
 
@@ -110,24 +111,43 @@ class Collector {
         return faces;
     }
 
-    /// Edges with an odd number of the leaf's triangles in a plane.
+    /// Edges that the leaf's triangles in a plane do not pass in both directions alike.
     void add_borders(LeafId leaf, const std::vector<Face>& faces) {
-        std::vector<std::pair<std::uint32_t, std::uint64_t>> edges;
+        struct Use {
+            std::uint64_t edge;
+            std::uint32_t plane;
+            std::int32_t count;
+        };
+        std::vector<Use> uses;
+        uses.reserve(3 * faces.size());
         for (const Face& face : faces) {
-            for (std::size_t k = 0; k < 3; ++k)
-                edges.emplace_back(face.plane, key(face.ids[k], face.ids[(k + 1) % 3]));
-        }
-        std::sort(edges.begin(), edges.end());
-        for (std::size_t i = 0, j; i < edges.size(); i = j) {
-            for (j = i + 1; j < edges.size() && edges[j] == edges[i]; ++j) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = face.ids[k], b = face.ids[(k + 1) % 3];
+                uses.push_back({key(a, b), face.plane, a < b ? 1 : -1});
             }
-            if ((j - i) % 2 == 0)
-                continue;
-            const auto segment = content_.segments.add(static_cast<std::uint32_t>(edges[i].second >> 32),
-                                                       static_cast<std::uint32_t>(edges[i].second));
-            PlaneContent& plane = content_.planes[edges[i].first];
-            plane.segments.push_back(segment);
-            plane.borders.push_back({segment, leaf});
+        }
+        std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+            return std::tie(a.edge, a.plane, a.count) < std::tie(b.edge, b.plane, b.count);
+        });
+        for (std::size_t i = 0, end; i < uses.size(); i = end) {
+            for (end = i + 1; end < uses.size() && uses[end].edge == uses[i].edge; ++end) {
+            }
+            // Where faces in other planes end at an edge that ends nothing in this one, it is an edge of the complex.
+            const bool one_plane = uses[i].plane == uses[end - 1].plane;
+            for (std::size_t j = i, k; j < end; j = k) {
+                std::int32_t count = 0;
+                for (k = j; k < end && uses[k].plane == uses[j].plane; ++k)
+                    count += uses[k].count;
+                count = rule_.reduced(leaf, count);
+                if (count == 0 && one_plane)
+                    continue;
+                const auto segment = content_.segments.add(static_cast<std::uint32_t>(uses[i].edge >> 32),
+                                                           static_cast<std::uint32_t>(uses[i].edge));
+                PlaneContent& plane = content_.planes[uses[j].plane];
+                plane.segments.push_back(segment);
+                if (count != 0)
+                    plane.borders.push_back({segment, leaf, count});
+            }
         }
     }
 
@@ -201,12 +221,11 @@ class Collector {
     void meet(const Face& a, const Face& b, bool same) {
         if (a.plane == b.plane || intersect(a.box, b.box).empty())
             return;
-        if (same) {
-            for (const std::uint32_t id : a.ids) {
-                if (std::find(b.ids.begin(), b.ids.end(), id) != b.ids.end())
-                    return;
-            }
-        }
+        // Neighbours meet in their edge; faces with one corner in common may cross from there on.
+        if (same && std::count_if(a.ids.begin(), a.ids.end(), [&](std::uint32_t id) {
+                        return std::find(b.ids.begin(), b.ids.end(), id) != b.ids.end();
+                    }) > 1)
+            return;
         const Plane& p = geometry_.planes.planes()[a.plane];
         const Plane& q = geometry_.planes.planes()[b.plane];
         const double tolerance = content_.points.tolerance();
@@ -232,6 +251,7 @@ class Collector {
 
     const solid::Geometry& geometry_;
     std::span<const LeafId> leaves_;
+    const InsideRule& rule_;
     std::vector<std::vector<Face>> faces_;  ///< In the order of `leaves_`.
     Content content_;
 };
@@ -264,8 +284,8 @@ std::vector<std::uint32_t> SegmentTable::chain(std::uint32_t id, const PointTabl
     return inner;
 }
 
-Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves) {
-    return Collector(geometry, leaves).collect();
+Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule) {
+    return Collector(geometry, leaves, rule).collect();
 }
 
 }  // namespace csg::reference

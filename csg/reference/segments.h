@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "csg/reference/point_table.h"
+#include "csg/reference/winding.h"
 #include "csg/solid/placed.h"
 
 namespace csg::reference {
@@ -36,7 +37,8 @@ class SegmentTable {
 struct PlaneContent {
     struct Border {
         std::uint32_t segment;
-        LeafId leaf;  ///< Whose faces in this plane end there: on one side it has one, on the other not (mod 2).
+        LeafId leaf;
+        std::int32_t count;  ///< How much more often its faces cover the left of the segment than the right.
     };
     std::vector<std::uint32_t> segments;  ///< Sorted, each once; those of the borders among them.
     std::vector<Border> borders;
@@ -51,7 +53,8 @@ struct Content {
 
 /// Collects the borders of the faces of `leaves`, and the segments in which faces of two leaves (or, of one that is not
 /// convex, of its own) on different planes meet. Not yet split where they cross.
-[[nodiscard]] Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves);
+[[nodiscard]] Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves,
+                                       const InsideRule& rule);
 
 /// Splits the segments of each plane where they cross or touch.
 void split_segments(const solid::Geometry& geometry, Content& content);

@@ -283,7 +283,7 @@ Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness
         const glm::dvec3& a = mesh.points[t.x];
         normals.push_back(glm::cross(mesh.points[t.y] - a, mesh.points[t.z] - a));
     }
-    separate_sheets(mesh, std::move(normals));
+    separate_sheets(mesh, std::span<const glm::dvec3>(normals));
     if (!facts(mesh).manifold)
         throw std::runtime_error("the roof does not close");
     return mesh;

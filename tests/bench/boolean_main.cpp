@@ -1,5 +1,6 @@
-// csgscope_boolean FILE.scad [LEAVES.json]: what the boolean of a model's leaves costs, without reading, evaluating or
-// placing them, as JSON; and the leaves with the expression over them, for other libraries to combine.
+// csgscope_boolean FILE.scad [LEAVES.json] [planes|exact]: what the boolean of a model's leaves costs, by the named
+// method or by whichever decides, without reading, evaluating or placing them, as JSON; and the leaves with the
+// expression over them, for other libraries to combine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ Json leaves_json(const ui::SolidScene& solid) {
     return {{"leaves", leaves}, {"expressions", expressions}};
 }
 
-int run(const std::string& file, const char* leaves_file) {
+int run(const std::string& file, const std::string& leaves_file, const csg::reference::BooleanRequest& how) {
     csg::scad::Request request;
     request.path = file;
     request.preview = false;
@@ -55,20 +56,23 @@ int run(const std::string& file, const char* leaves_file) {
         throw std::runtime_error(file + " has errors");
     const auto model = ui::ModelBuilder().build(evaluation.tree);
     const ui::SolidScene solid = ui::solid_scene(model->scene, model->geometry);
-    if (leaves_file != nullptr)
+    if (!leaves_file.empty())
         std::ofstream(leaves_file) << leaves_json(solid);
     double best = 1e300;
     csg::reference::BooleanResult result;
     for (int i = 0; i < 3; ++i) {
         const double start = cpu_ms();
-        result = csg::reference::make_mesh(solid.scene, solid.geometry);
+        result = csg::reference::make_mesh(solid.scene, solid.geometry, how);
         best = std::min(best, cpu_ms() - start);
     }
     fmt::print("{}\n", Json{{"cpu_ms", best},
                             {"leaves", solid.scene.leaves.size()},
                             {"triangles", result.mesh.triangles.size()},
                             {"volume", result.facts.volume},
-                            {"method", csg::reference::name(result.method)}}
+                            {"components", result.facts.components},
+                            {"genus", result.facts.genus},
+                            {"method", csg::reference::name(result.method)},
+                            {"reason", result.reason}}
                            .dump());
     return 0;
 }
@@ -77,9 +81,20 @@ int run(const std::string& file, const char* leaves_file) {
 
 int main(int argc, char** argv) {
     try {
-        if (argc < 2 || argc > 3)
-            throw std::runtime_error("usage: csgscope_boolean FILE.scad [LEAVES.json]");
-        return run(argv[1], argc == 3 ? argv[2] : nullptr);
+        std::vector<std::string> files;
+        csg::reference::BooleanRequest how;
+        for (int i = 1; i < argc; ++i) {
+            const std::string argument = argv[i];
+            if (argument == "planes")
+                how.method = csg::reference::Method::Planes;
+            else if (argument == "exact")
+                how.method = csg::reference::Method::Nef;
+            else
+                files.push_back(argument);
+        }
+        if (files.empty() || files.size() > 2)
+            throw std::runtime_error("usage: csgscope_boolean FILE.scad [LEAVES.json] [planes|exact]");
+        return run(files[0], files.size() == 2 ? files[1] : "", how);
     } catch (const std::exception& error) {
         fmt::print(stderr, "csgscope_boolean: {}\n", error.what());
         return 1;

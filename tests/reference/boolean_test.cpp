@@ -84,19 +84,50 @@ TEST(Booleans, NefGivesTheSame) {
     EXPECT_EQ(facts.genus, mesh.facts.genus);
 }
 
-/// A polyhedron of two cubes, one in the other: the inner one is a cavity, for either method.
-TEST(Booleans, AShellInAShellIsACavity) {
-    const auto model = meshes::model_of(
-        "p = [for (s = [1, 3], z = [-s, s], y = [-s, s], x = [-s, s]) [x, y, z]];\n"
-        "f = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];\n"
-        "intersection() { polyhedron(p, concat(f, [for (g = f) [for (i = g) i + 8]])); cube(4); }");
-    for (const auto method : {csg::reference::Method::Planes, csg::reference::Method::Nef}) {
-        csg::reference::BooleanRequest request;
-        request.method = method;
-        const auto result = csg::reference::make_mesh(model->scene, model->geometry, request);
-        EXPECT_NEAR(result.facts.volume, 27 - 1, 1e-9) << csg::reference::name(method);
-    }
+/// Shells of one polyhedron: boxes given by two corners, turned inside out where the first is the larger one.
+std::string shells(const std::string& boxes) {
+    return "function box(b) = [for (z = [b[0].z, b[1].z], y = [b[0].y, b[1].y], x = [b[0].x, b[1].x]) [x, y, z]];\n"
+           "f = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [1, 5, 7, 3], [3, 7, 6, 2], [2, 6, 4, 0]];\n"
+           "module shells(boxes) polyhedron([for (b = boxes) each box(b)],\n"
+           "    [for (i = [0:len(boxes) - 1]) each [for (g = f) [for (k = g) k + 8 * i]]]);\n"
+           "shells(" +
+           boxes + ");";
 }
+
+struct Shells {
+    const char* name;
+    const char* boxes;
+    double volume;
+};
+
+/// Inside is where the winding number is not 0.
+class ShellsOfOneLeaf : public testing::TestWithParam<Shells> {};
+
+TEST_P(ShellsOfOneLeaf, AreInsideWhereTheyWind) {
+    const auto model = meshes::model_of(shells(GetParam().boxes));
+    const ui::ModelMesh mesh = ui::make_mesh(*model);
+    EXPECT_TRUE(mesh.facts.manifold);
+    EXPECT_NEAR(mesh.facts.volume, GetParam().volume, 1e-9 * GetParam().volume);
+}
+
+const Shells kShells[] = {
+    {"Overlapping", "[[[0,0,0],[2,2,2]], [[1,1,1],[3,3,3]]]", 15},
+    {"OneInTheOther", "[[[0,0,0],[3,3,3]], [[1,1,1],[2,2,2]]]", 27},
+    {"ReversedInTheOtherIsACavity", "[[[0,0,0],[3,3,3]], [[2,2,2],[1,1,1]]]", 26},
+    {"ReversedOverlapIsTakenAway", "[[[0,0,0],[2,2,2]], [[3,3,3],[1,1,1]]]", 14},
+    {"BothReversed", "[[[2,2,2],[0,0,0]], [[3,3,3],[1,1,1]]]", 15},
+    {"Doubled", "[[[0,0,0],[2,2,2]], [[0,0,0],[2,2,2]]]", 8},
+    {"ThreeTimes", "[[[0,0,0],[2,2,2]], [[0,0,0],[2,2,2]], [[0,0,0],[2,2,2]]]", 8},
+    {"DoubledAndReversed", "[[[0,0,0],[2,2,2]], [[0,0,0],[2,2,2]], [[2,2,2],[0,0,0]]]", 8},
+    {"SharingAFace", "[[[0,0,0],[2,2,2]], [[2,0,0],[4,2,2]]]", 16},
+    {"SharingAPartOfAFace", "[[[0,0,0],[2,2,2]], [[2,1,1],[4,3,3]]]", 16},
+    {"SharingAnEdge", "[[[0,0,0],[2,2,2]], [[2,2,0],[4,4,2]]]", 16},
+    {"SharingACorner", "[[[0,0,0],[2,2,2]], [[2,2,2],[4,4,4]]]", 16},
+    {"FaceInFace", "[[[0,0,0],[2,2,2]], [[0,0,0],[1,1,3]]]", 9},
+};
+
+INSTANTIATE_TEST_SUITE_P(Booleans, ShellsOfOneLeaf, testing::ValuesIn(kShells),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Booleans, SourcesAreTheLeavesThatShow) {
     const auto model = meshes::model_of("difference() { cube(4); translate([1, 1, 2]) cube([2, 2, 2]); }");
