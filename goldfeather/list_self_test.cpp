@@ -78,11 +78,12 @@ class Lists {
     Lists() : scene(make_scene()) {
         Numbers random;
         const ExpressionTree tree(scene);
+        const std::vector<char> none(kLeaves, 0);
         for (csg::LeafId leaf = 0; leaf < kLeaves; ++leaf) {
             behind.push_back(leaf % 5 == 1 ? 1 : 0);
             triangles.push_back({{}, {}, 7 * leaf % kLeaves, leaf});
         }
-        PixelWalk walk(tree, scene, behind, kLayers);
+        PixelWalk walk(tree, scene, behind, none, kLayers);
         for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
             add_pixel(pixel, walk, random);
         }
@@ -109,7 +110,7 @@ class Lists {
             const std::uint32_t leaf = random.next() % kLeaves;
             const float depth = static_cast<float>(1 + random.next() % (count + count / 2)) / 256.0F;
             entries.emplace_back(std::bit_cast<std::uint32_t>(depth), leaf);
-            fragments.push_back({static_cast<double>(depth), leaf, triangles[leaf].plane, 0});
+            fragments.push_back({static_cast<double>(depth), leaf, triangles[leaf].plane, 0, 0});
         }
         const std::size_t list_class = count <= kShortLists[0] ? 0 : count <= kShortLists[1] ? 1 : 2;
         jobs[list_class * kPixels + status.class_sizes[list_class]++] = {pixel, first};

@@ -81,6 +81,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     }
     const std::uint32_t drawn_before = stats.drawn_leaves;
     job.counted_from_behind.assign(model.geometry.leaves.size(), 0);
+    job.wound.assign(model.geometry.leaves.size(), 0);
     for (csg::LeafId id = 0; id < model.geometry.leaves.size(); ++id) {
         gl::end_if_asked(stop);
         const csg::solid::PlacedLeaf& leaf = model.geometry.leaves[id];
@@ -90,6 +91,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         }
         ++stats.drawn_leaves;
         job.counted_from_behind[id] = leaf.solid->closed && near_plane_cuts(view, leaf.box) ? 1 : 0;
+        job.wound[id] = leaf.solid->winds() ? 1 : 0;
         const std::size_t before = job.triangles.size();
         project_leaf(leaf, id, view, job.triangles);
         // Clipping may make more of a triangle than one.

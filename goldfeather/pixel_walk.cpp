@@ -5,11 +5,22 @@
 
 namespace goldfeather {
 
+namespace {
+
+/// What passing the surface adds to the winding number.
+std::int32_t step_of(const Fragment& f) {
+    return f.from_behind != 0 ? -1 : 1;
+}
+
+}  // namespace
+
 PixelWalk::PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::span<const char> counted_from_behind,
-                     int max_layers)
+                     std::span<const char> wound, int max_layers)
     : tree_(tree),
       scene_(scene),
       counted_from_behind_(counted_from_behind),
+      wound_(wound),
+      winding_(wound.size(), 0),
       max_layers_(max_layers <= 0 ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(max_layers)),
       state_(tree),
       known_(kRemembered + 1) {}
@@ -19,7 +30,9 @@ std::span<const FoundSurface> PixelWalk::walk(std::span<const Fragment> fragment
     std::uint64_t hash = fragments.size();
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         const bool same_event = i > 0 && fragments[i].depth == fragments[i - 1].depth;
-        key_[i] = fragments[i].leaf << 1 | (same_event ? 1U : 0U);
+        const Fragment& f = fragments[i];
+        const std::uint32_t direction = wound_[f.leaf] != 0 ? f.from_behind : 0;
+        key_[i] = f.leaf << 2 | direction << 1 | (same_event ? 1U : 0U);
         hash = (hash ^ key_[i]) * 0x9e3779b97f4a7c15U;
     }
     Known& known = known_[fragments.size() > kLongest ? kRemembered : hash >> 56];
@@ -40,7 +53,7 @@ void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
             ++end;
         }
         if (end == first + 1) {
-            single_event(fragments[first].leaf, first, known.found);
+            single_event(fragments[first], first, known.found);
         } else {
             event(fragments, first, end, known.found);
         }
@@ -51,11 +64,20 @@ void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
     }
 }
 
-/// Inside at the near plane is what has an odd number of surfaces behind it.
+bool PixelWalk::turns(csg::LeafId leaf, std::int32_t step) {
+    if (wound_[leaf] == 0) {
+        return true;
+    }
+    const bool outside = winding_[leaf] == 0;
+    winding_[leaf] += step;
+    return outside != (winding_[leaf] == 0);
+}
+
+/// Inside at the near plane is what has an odd number of surfaces behind it, or, counted with their directions, some.
 void PixelWalk::enter_from_behind(std::span<const Fragment> fragments) {
     switching_.clear();
     for (const Fragment& f : fragments) {
-        if (counted_from_behind_[f.leaf] != 0) {
+        if (counted_from_behind_[f.leaf] != 0 && turns(f.leaf, -step_of(f))) {
             switching_.push_back(f.leaf);
         }
     }
@@ -66,6 +88,9 @@ void PixelWalk::enter_from_behind(std::span<const Fragment> fragments) {
 
 /// Back to the outside.
 void PixelWalk::leave_all(std::span<const Fragment> fragments) {
+    for (const Fragment& f : fragments) {
+        winding_[f.leaf] = 0;
+    }
     if (fragments.size() <= kOneByOne) {
         for (const Fragment& f : fragments) {
             if (state_.inside_leaf(f.leaf)) {
@@ -107,8 +132,9 @@ void PixelWalk::toggle_switching() {
 }
 
 /// One leaf by itself that turns its part has turned every gate on the way, so it is responsible on the result's side.
-void PixelWalk::single_event(csg::LeafId leaf, std::uint32_t at, std::vector<FoundSurface>& found) {
-    if (state_.toggle(leaf)) {
+void PixelWalk::single_event(const Fragment& fragment, std::uint32_t at, std::vector<FoundSurface>& found) {
+    const csg::LeafId leaf = fragment.leaf;
+    if (turns(leaf, step_of(fragment)) && state_.toggle(leaf)) {
         const bool complement = tree_.literal(leaf).complement;
         found.push_back({at, at + 1, leaf, complement, state_.inside_leaf(leaf) == complement});
     }
@@ -118,7 +144,9 @@ void PixelWalk::event(std::span<const Fragment> fragments, std::uint32_t first, 
                       std::vector<FoundSurface>& found) {
     switching_.clear();
     for (std::uint32_t i = first; i < end; ++i) {
-        switching_.push_back(fragments[i].leaf);
+        if (turns(fragments[i].leaf, step_of(fragments[i]))) {
+            switching_.push_back(fragments[i].leaf);
+        }
     }
     toggle_switching();
     if (changed_.empty()) {

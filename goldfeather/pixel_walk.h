@@ -14,7 +14,8 @@ struct Fragment {
     double depth = 0;  ///< Reversed: the larger is nearer.
     csg::LeafId leaf = 0;
     std::uint32_t plane = 0;
-    std::uint32_t slot = 0;  ///< The caller's own.
+    std::uint32_t slot = 0;         ///< The caller's own.
+    std::uint32_t from_behind = 0;  ///< 1: the surface is seen from inside the leaf. Counts where the leaf is wound.
 };
 
 /// A surface of the result, found among sorted fragments.
@@ -30,8 +31,10 @@ struct FoundSurface {
 class PixelWalk {
   public:
     /// `counted_from_behind`: for each leaf whether the near plane may cut it, so that a ray may begin inside it.
+    /// `wound`: for each leaf whether its inside is where its winding number is not zero; otherwise it is where the
+    /// parity says so, and directions are not looked at.
     PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::span<const char> counted_from_behind,
-              int max_layers);
+              std::span<const char> wound, int max_layers);
 
     /// `fragments`: all of the ray's, nearest first. The result stands until the next call.
     [[nodiscard]] std::span<const FoundSurface> walk(std::span<const Fragment> fragments);
@@ -39,7 +42,8 @@ class PixelWalk {
   private:
     /// A sequence and what it comes to.
     struct Known {
-        std::vector<std::uint32_t> key;  ///< Leaf << 1 | same event as the fragment before.
+        /// Leaf << 2 | direction, where the leaf is wound, << 1 | same event as the fragment before.
+        std::vector<std::uint32_t> key;
         std::vector<FoundSurface> found;
     };
     static constexpr std::size_t kRemembered = 256;
@@ -49,7 +53,9 @@ class PixelWalk {
     void evaluate(std::span<const Fragment> fragments, Known& known);
     void enter_from_behind(std::span<const Fragment> fragments);
     void leave_all(std::span<const Fragment> fragments);
-    void single_event(csg::LeafId leaf, std::uint32_t at, std::vector<FoundSurface>& found);
+    /// Counts a surface of a leaf. Gives true where the leaf is entered or left there.
+    bool turns(csg::LeafId leaf, std::int32_t step);
+    void single_event(const Fragment& fragment, std::uint32_t at, std::vector<FoundSurface>& found);
     void event(std::span<const Fragment> fragments, std::uint32_t first, std::uint32_t end,
                std::vector<FoundSurface>& found);
     /// Enters or leaves those in switching_; adds to changed_ the parts that are others then.
@@ -59,7 +65,8 @@ class PixelWalk {
 
     const ExpressionTree& tree_;
     const csg::Scene& scene_;
-    std::span<const char> counted_from_behind_;
+    std::span<const char> counted_from_behind_, wound_;
+    std::vector<std::int32_t> winding_;  ///< By leaf: how often the mesh is around the point. Of wound leaves.
     std::size_t max_layers_;
     ExpressionState state_;
     std::vector<std::uint32_t> key_;  ///< Of the ray at hand.

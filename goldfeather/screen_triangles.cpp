@@ -82,7 +82,7 @@ class Projector {
         if (solid.count < 3) {
             return;
         }
-        ScreenTriangle t{{}, {}, leaf_, plane, 1, 0};
+        ScreenTriangle t{{}, {}, leaf_, plane << 1, 1, 0};
         Polygon<glm::dvec2> flat;
         for (const glm::dvec3& p : std::span(solid.points).first(static_cast<std::size_t>(solid.count))) {
             flat.add(on_screen(p));
@@ -114,6 +114,7 @@ class Projector {
         if (area < 0) {
             std::swap(t.x[1], t.x[2]);
             std::swap(t.y[1], t.y[2]);
+            t.plane_and_side |= 1U;
         }
         const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
         const auto [y0, y1] = std::minmax({t.y[0], t.y[1], t.y[2]});
@@ -163,7 +164,7 @@ void project_leaf(const csg::solid::PlacedLeaf& leaf, csg::LeafId id, const gl::
         const Vertex &a = vertices[t.x], &b = vertices[t.y], &c = vertices[t.z];
         if (a.plain && b.plain && c.plain) {
             const auto [farthest, nearest] = std::minmax({a.depth, b.depth, c.depth});
-            projector.add({{}, {}, id, leaf.planes[i].index, farthest, nearest}, {a.screen, b.screen, c.screen});
+            projector.add({{}, {}, id, leaf.planes[i].index << 1, farthest, nearest}, {a.screen, b.screen, c.screen});
         } else {
             projector.add_cut({a.eye, b.eye, c.eye}, leaf.planes[i].index);
         }

@@ -42,7 +42,7 @@ TileWorker::TileWorker(ListsJob& job)
       half_width_(0.5 * job.size.x),
       half_height_(0.5 * job.size.y),
       spans_(job.triangles),
-      walk_(job.model.expressions, job.model.scene, job.counted_from_behind, job.max_layers),
+      walk_(job.model.expressions, job.model.scene, job.counted_from_behind, job.wound, job.max_layers),
       seen_(job.model.geometry.leaves.size(), 0) {}
 
 void TileWorker::run(int tile) {
@@ -127,13 +127,13 @@ void TileWorker::row(const TileBox& box, int y) {
 
 void TileWorker::enter(std::uint32_t triangle, int last, int y) {
     const ScreenTriangle& t = job_.triangles[triangle];
-    const gl::View::ExactPlaneDepth& plane = job_.planes[t.plane];
+    const gl::View::ExactPlaneDepth& plane = job_.planes[t.plane()];
     // Snapping has moved the border by up to 2⁻¹⁴ pixel: a sample there must not be thrown far along a steep plane.
     const double slack = std::min(0x1p-13 * (std::abs(plane.a) + std::abs(plane.b)), 0.25 * (t.nearest - t.farthest)) +
                          1e-12 * t.nearest;
     const double base = plane.edge_on ? 0.5 * (t.farthest + t.nearest)
                                       : plane.b * (static_cast<double>(y) + 0.5 - half_height_) + plane.c;
-    entering_.push_back({0, t.leaf, t.plane, static_cast<std::uint32_t>(slots_.size())});
+    entering_.push_back({0, t.leaf, t.plane(), static_cast<std::uint32_t>(slots_.size()), t.from_behind()});
     slots_.push_back({plane.edge_on ? 0 : plane.a, base, t.farthest - slack, t.nearest + slack, last});
 }
 
@@ -159,12 +159,13 @@ void TileWorker::advance(int x, int at) {
         to.leaf = from.leaf;
         to.plane = from.plane;
         to.slot = from.slot;
+        to.from_behind = from.from_behind;
     }
     sorted_.resize(kept);
     std::size_t entered = 0;
     for (const Fragment& f : entering_) {
         if (f.slot != kTaken) {
-            sorted_.push_back({depth(slots_[f.slot], sample), f.leaf, f.plane, f.slot});
+            sorted_.push_back({depth(slots_[f.slot], sample), f.leaf, f.plane, f.slot, f.from_behind});
             ++entered;
         }
     }
@@ -187,7 +188,7 @@ bool TileWorker::take_entering(Fragment& f) {
         if (place == 0) {
             return false;
         }
-        f = std::exchange(entering_[place - 1], {0, f.leaf, 0, kTaken});
+        f = std::exchange(entering_[place - 1], {0, f.leaf, 0, kTaken, 0});
         place = 0;
         return true;
     }

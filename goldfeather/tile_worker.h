@@ -34,7 +34,7 @@ struct ListsJob {
     const std::stop_token& stop;
     std::vector<ScreenTriangle> triangles{};
     std::vector<gl::View::ExactPlaneDepth> planes{};
-    std::vector<char> counted_from_behind{};
+    std::vector<char> counted_from_behind{}, wound{};  ///< By leaf: as PixelWalk wants them.
     Bins bins{};
     std::mutex growing{};  ///< Of out.planes.
 };

@@ -90,6 +90,8 @@ std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude&
         }
     }
     finish(*solid);
+    // Where it turns or is not scaled alike, walls are bent, and those of thin places may pass through each other.
+    solid->simple = how.twist.value_or(0) == 0 && how.scale.x == how.scale.y && how.scale.x >= 0;
     return solid;
 }
 

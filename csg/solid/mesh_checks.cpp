@@ -1,6 +1,8 @@
 #include "csg/solid/mesh_checks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -20,11 +22,28 @@ double volume6(const Solid& solid) {
     return sum;
 }
 
-/// No point is outside any triangle's plane by more than rounding.
+/// How often the mesh is around the point, which must not be on it: the sum of the solid angles of its triangles (Van
+/// Oosterom and Strackee 1983).
+double winding_number(const Solid& solid, const glm::dvec3& point) {
+    double half_angles = 0;
+    for (const glm::uvec3& t : solid.triangles) {
+        const glm::dvec3 a = solid.points[t.x] - point, b = solid.points[t.y] - point, c = solid.points[t.z] - point;
+        const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+        half_angles += std::atan2(glm::dot(a, glm::cross(b, c)),
+                                  la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+    }
+    return half_angles / (2 * std::numbers::pi);
+}
+
+/// No point is outside any triangle's plane by more than rounding, and there are not several such shells in one.
 bool is_convex(const Solid& solid) {
     if (solid.triangles.size() * solid.points.size() > kMostConvexityTests)
         return false;
     const double tolerance = solid.box.diagonal() * 1e-13;
+    glm::dvec3 middle(0.0);
+    for (const glm::uvec3& t : solid.triangles)
+        middle += solid.points[t.x] + solid.points[t.y] + solid.points[t.z];
+    middle /= 3.0 * static_cast<double>(solid.triangles.size());
     for (const glm::uvec3& t : solid.triangles) {
         const glm::dvec3 &a = solid.points[t.x], &b = solid.points[t.y], &c = solid.points[t.z];
         const glm::dvec3 n = glm::cross(b - a, c - a);
@@ -37,7 +56,7 @@ bool is_convex(const Solid& solid) {
                 return false;
         }
     }
-    return true;
+    return std::lround(winding_number(solid, middle)) == 1;
 }
 
 /// Counts the uses of each edge.
@@ -132,6 +151,7 @@ MeshFaults check_mesh(Solid& solid) {
     faults.inside_out = !faults.open && volume6(solid) < 0;
     solid.closed = !faults.open;
     solid.convex = solid.closed && !faults.non_manifold && !faults.inside_out && is_convex(solid);
+    solid.simple = solid.convex;
     return faults;
 }
 

@@ -26,8 +26,8 @@ struct MeshFaults {
     bool inside_out = false;    ///< Never told of an open mesh.
 };
 
-/// Sets `closed` and `convex`, and tells what was found. A mesh too big to be tested for convexity counts as not
-/// convex.
+/// Sets `closed`, `convex` and `simple`, and tells what was found. A mesh too big to be tested for convexity counts as
+/// not convex.
 MeshFaults check_mesh(Solid& solid);
 
 }  // namespace csg::solid

@@ -151,7 +151,7 @@ class MeshMaker {
     void operator()(const Fill&) const { result_.outline = share(fill(flat_children())); }
     void operator()(const Render&) const { unite(children_, dimension_, nullptr, result_); }
     void operator()(const Roof& how) const {
-        add(result_, to_solid(ask(need(tools_, kMeshes).roof(flat_children(), how))));
+        add(result_, to_solid(ask(need(tools_, kMeshes).roof(flat_children(), how)), true));
     }
 
     void operator()(const Projection& how) const {
@@ -173,7 +173,7 @@ class MeshMaker {
         for (const Mesh& mesh : meshes_of(pieces_of(children_, result_, kMixed), tools_))
             points.insert(points.end(), mesh.points.begin(), mesh.points.end());
         if (!points.empty())
-            add(result_, to_solid(ask(need(tools_, kMeshes).hull(points))));
+            add(result_, to_solid(ask(need(tools_, kMeshes).hull(points)), true));
     }
 
     void operator()(const Minkowski&) const {
@@ -197,7 +197,7 @@ class MeshMaker {
         Mesh sum = std::move(operands[0]);
         for (std::size_t i = 1; i < operands.size(); ++i)
             sum = ask(need(tools_, kMeshes).minkowski(sum, operands[i]));
-        add(result_, to_solid(std::move(sum)));
+        add(result_, to_solid(std::move(sum), operands.size() > 1));
     }
 
     void operator()(const Resize& how) const {
@@ -286,7 +286,9 @@ std::shared_ptr<const Solid> as_solid(const NodeGeometry& geometry, const Tools&
     if (geometry.pieces.size() == 1 && geometry.pieces[0].solid && geometry.pieces[0].placed == glm::dmat4(1.0))
         return geometry.pieces[0].solid;
     try {
-        return to_solid(united(meshes_of(geometry.pieces, tools), tools));
+        const bool simple = std::all_of(geometry.pieces.begin(), geometry.pieces.end(),
+                                        [](const Piece& piece) { return !piece.solid || piece.solid->simple; });
+        return to_solid(united(meshes_of(geometry.pieces, tools), tools), simple);
     } catch (const GeometryError& error) {
         auto nothing = std::make_shared<Solid>();
         nothing->warnings.push_back(std::string("this object is left out: ") + error.what());

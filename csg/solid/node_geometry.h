@@ -67,7 +67,8 @@ void check_depth(const BooleanNode& node);
 [[nodiscard]] std::vector<Mesh> meshes_of(std::span<const Piece> pieces, const Tools& tools);
 /// All as one closed mesh; meshes whose boxes are apart are only put together.
 [[nodiscard]] Mesh united(std::vector<Mesh> meshes, const Tools& tools);
-[[nodiscard]] std::shared_ptr<Solid> to_solid(Mesh mesh);
+/// `simple`: as in Solid.
+[[nodiscard]] std::shared_ptr<Solid> to_solid(Mesh mesh, bool simple);
 [[nodiscard]] Box bounds_of(std::span<const Mesh> meshes);
 
 /// The cut of the pieces by z = 0, needing no boolean of meshes: what is inside just above or just below the plane.

@@ -32,7 +32,7 @@ std::shared_ptr<const Solid> compute(const BooleanNode& node, const Tools& tools
     std::vector<Mesh> operands;
     for (const auto& pieces : node.operands)
         operands.push_back(united(meshes_of(pieces, tools), tools));
-    node.computed = to_solid(boolean(node.kind, operands, tools));
+    node.computed = to_solid(boolean(node.kind, operands, tools), true);
     return node.computed;
 }
 
@@ -55,11 +55,12 @@ void check_depth(const BooleanNode& node) {
         throw GeometryError(fmt::format("differences and intersections nest deeper than {}", kDeepest));
 }
 
-std::shared_ptr<Solid> to_solid(Mesh mesh) {
+std::shared_ptr<Solid> to_solid(Mesh mesh, bool simple) {
     auto solid = std::make_shared<Solid>();
     solid->points = std::move(mesh.points);
     solid->triangles = std::move(mesh.triangles);
     finish(*solid);
+    solid->simple = solid->simple || simple;
     return solid;
 }
 

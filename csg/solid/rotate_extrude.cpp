@@ -91,6 +91,7 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& outline, const RotateExtrud
         }
     }
     finish(*solid);
+    solid->simple = std::abs(angle) < 180 * sweep.steps;
     return solid;
 }
 

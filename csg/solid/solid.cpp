@@ -211,7 +211,7 @@ std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
         solid->box = enclose(solid->box, p);
     if (!std::holds_alternative<std::shared_ptr<const Polyhedron>>(shape)) {
         solid->closed = !solid->triangles.empty();
-        solid->convex = solid->closed;
+        solid->convex = solid->simple = solid->closed;
         return solid;
     }
     if (!solid->triangles.empty()) {

@@ -159,6 +159,7 @@ std::shared_ptr<Solid> surface_solid(const Surface& surface) {
     }
     build(heights, surface.center, *solid);
     finish(*solid);
+    solid->simple = true;
     return solid;
 }
 

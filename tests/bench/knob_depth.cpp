@@ -117,7 +117,7 @@ void turn_depth(const Subject& subject, std::vector<KnobRow>& rows) {
                              Format{53, false, [](double d) { return d; }}};
     const goldfeather::ExpressionTree tree(model.scene);
     const std::vector<char> outside(model.geometry.leaves.size(), 0);
-    goldfeather::PixelWalk walk(tree, model.scene, outside, 0);
+    goldfeather::PixelWalk walk(tree, model.scene, outside, outside, 0);
     std::array<std::array<int, formats.size()>, 2> wrong{};
     int decided = 0;
     for (int i = 0; i < kSide * kSide; i += (kSide * kSide / kRays) | 1) {

@@ -17,11 +17,12 @@ struct Sample {
     gl::Camera camera;
 };
 
-Sample make_sample(std::uint64_t seed) {
+Sample make_sample(std::uint64_t seed, bool wound = false) {
     std::mt19937_64 random(seed);
     random_tree::Options options;
     if (seed % 16 == 0)
         options = {60, 8, true};  // more leaves than parity bits in a word
+    options.wound = wound;
     Sample sample{random_tree::make_model(random, options), {}};
     // Some are tiny, huge, or far from the origin.
     glm::dmat4 placed(1.0);
@@ -79,16 +80,17 @@ class Check {
 
 class RandomTrees : public comparison::EngineTest {};
 
-TEST_P(RandomTrees, AgreeWithTheRayCaster) {
-    Check check(engine());
+/// So many random models, from CSGSCOPE_TEST_SEED on.
+void compare_with_truth(comparison::Engine& engine, int otherwise, bool wound) {
+    Check check(engine);
     comparison::Count count;
     std::size_t over_budget = 0;
     const int first = environment("CSGSCOPE_TEST_SEED", 1);
-    const int trees = environment("CSGSCOPE_TEST_TREES", 1000);
+    const int trees = environment("CSGSCOPE_TEST_TREES", otherwise);
     int failures = 0;
     for (int i = 0; i < trees && failures < 5; ++i) {
         const auto seed = static_cast<std::uint64_t>(first + i);
-        const Sample sample = make_sample(seed);
+        const Sample sample = make_sample(seed, wound);
         if (check.run(sample, count, over_budget).empty())
             continue;
         ++failures;
@@ -104,6 +106,17 @@ TEST_P(RandomTrees, AgreeWithTheRayCaster) {
         "surfaces compared, {} parts over budget\n",
         trees, count.pixels, count.undecided, 100 * band, count.surfaces, over_budget);
     EXPECT_LT(band, 0.05);
+}
+
+TEST_P(RandomTrees, AgreeWithTheRayCaster) {
+    compare_with_truth(engine(), 1000, false);
+}
+
+class WoundTrees : public comparison::EngineTest {};
+
+/// Leaves of shells that overlap, are reversed, doubled, or cross themselves: inside is a winding number.
+TEST_P(WoundTrees, AgreeWithTheRayCaster) {
+    compare_with_truth(engine(), 500, true);
 }
 
 /// The first k layers are the first k of all.
@@ -125,6 +138,7 @@ TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
 
 INSTANTIATE_TEST_SUITE_P(Engines, RandomTrees, testing::Values("goldfeather_egl", "lists_egl", "lists_cpu"),
                          comparison::engine_name);
+INSTANTIATE_TEST_SUITE_P(Engines, WoundTrees, testing::Values("lists_cpu"), comparison::engine_name);
 
 class Bands : public test_support::GlTest {};
 

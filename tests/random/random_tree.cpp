@@ -110,8 +110,48 @@ class Maker {
             case 6:
                 return csg::Cylinder{size(), chance(2) ? 0.0 : size(), chance(3) ? 0.0 : size(), chance(2), fineness};
             default:
-                return polyhedron();
+                return options_.wound ? wound() : polyhedron();
         }
+    }
+
+    /// Several shells, whose winding numbers are any.
+    csg::LeafShape wound() {
+        auto mesh = std::make_shared<csg::Polyhedron>();
+        for (int shells = 1 + pick(3); shells > 0; --shells) {
+            const csg::LeafShape shape = chance(4) ? csg::LeafShape(crossing_prism()) : polyhedron();
+            const glm::dvec3 offset(grid(), grid(), grid());
+            const bool reversed = chance(3);
+            for (int times = chance(4) ? 2 : 1; times > 0; --times)
+                append(*mesh, *std::get<std::shared_ptr<const csg::Polyhedron>>(shape), offset, reversed);
+        }
+        return mesh;
+    }
+
+    static void append(csg::Polyhedron& mesh, const csg::Polyhedron& shell, const glm::dvec3& offset, bool reversed) {
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        for (const glm::dvec3& p : shell.points)
+            mesh.points.push_back(p + offset);
+        for (std::vector<std::uint32_t> face : shell.faces) {
+            for (std::uint32_t& index : face)
+                index += first;
+            if (reversed)
+                std::reverse(face.begin(), face.end());
+            mesh.faces.push_back(std::move(face));
+        }
+    }
+
+    /// A prism over an outline that crosses itself: a bow, of winding numbers 1 and -1, or a star, of 1 and 2.
+    std::shared_ptr<const csg::Polyhedron> crossing_prism() {
+        static const std::vector<std::vector<glm::dvec2>> outlines{{{0, 0}, {3, 3}, {3, 0}, {0, 3}},
+                                                                   {{0, 0}, {4, 3}, {0, 3}, {4, 0}, {2, 4}}};
+        auto mesh = prism(outlines[static_cast<std::size_t>(pick(2))], size());
+        const auto n = static_cast<std::uint32_t>(mesh->points.size() / 2);
+        mesh->faces.erase(mesh->faces.begin(), mesh->faces.begin() + 2);
+        for (std::uint32_t i = 2; i < n; ++i) {  // A triangulation that minds nothing but the border.
+            mesh->faces.push_back({0, i - 1, i});
+            mesh->faces.push_back({n, n + i, n + i - 1});
+        }
+        return mesh;
     }
 
     /// A prism over a polygon that need not be convex, or a tetrahedron, on the grid.
@@ -128,8 +168,12 @@ class Maker {
             {{0, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 2}, {0, 2}},  // Z
             {{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 3}, {0, 2}}};                 // arrow
         const auto& outline = outlines[static_cast<std::size_t>(pick(static_cast<int>(outlines.size())))];
+        return prism(outline, size());
+    }
+
+    static std::shared_ptr<csg::Polyhedron> prism(const std::vector<glm::dvec2>& outline, double height) {
+        auto mesh = std::make_shared<csg::Polyhedron>();
         const auto n = static_cast<std::uint32_t>(outline.size());
-        const double height = size();
         for (const double z : {0.0, height})
             for (const glm::dvec2& p : outline)
                 mesh->points.emplace_back(p, z);

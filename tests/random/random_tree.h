@@ -26,6 +26,7 @@ struct Options {
     int most_leaves = 14;
     int depth = 5;
     bool modifiers = true;  ///< `%`, `#` and translucent colours, which make further parts.
+    bool wound = false;     ///< Polyhedra of shells that overlap, lie in each other, are reversed or doubled, or cross.
 };
 
 /// Nested operations on shapes with coordinates from a small grid, so that faces often coincide; some leaves are

@@ -22,7 +22,13 @@ bool left_of(const gl::View::Ray& ray, const glm::dvec3& p, const glm::dvec3& q)
     return (glm::dot(ray.direction, glm::cross(from, to)) >= 0) == forward;
 }
 
-std::optional<double> hit(const gl::View::Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+/// Where the ray goes through a triangle, and whether against its normal: into what it bounds.
+struct Hit {
+    double t;
+    bool into;
+};
+
+std::optional<Hit> hit(const gl::View::Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const bool ab = left_of(ray, a, b), bc = left_of(ray, b, c), ca = left_of(ray, c, a);
     if (ab != bc || bc != ca)
         return {};
@@ -30,7 +36,7 @@ std::optional<double> hit(const gl::View::Ray& ray, const glm::dvec3& a, const g
     const double slope = glm::dot(normal, ray.direction);
     if (slope == 0)
         return {};
-    return glm::dot(normal, a - ray.origin) / slope;
+    return Hit{glm::dot(normal, a - ray.origin) / slope, !ab};
 }
 
 /// A leaf that an event is due to.
@@ -112,8 +118,8 @@ void RayCaster::find_crossings(int x, int y, std::vector<Crossing>& crossings) c
     for (const Triangle& t : triangles_) {
         if (x < t.box.x0 || x >= t.box.x1 || y < t.box.y0 || y >= t.box.y1)
             continue;
-        if (const auto distance = hit(ray, t.a, t.b, t.c))
-            crossings.push_back({*distance, t.leaf, t.plane});
+        if (const auto at = hit(ray, t.a, t.b, t.c))
+            crossings.push_back({at->t, t.leaf, t.plane, at->into ? 1 : -1});
     }
 }
 
@@ -142,19 +148,23 @@ std::vector<RayCaster::Event> RayCaster::make_events(std::vector<Crossing> cross
     return events;
 }
 
-void RayCaster::add_surfaces(csg::PartId id, std::span<const Event> events, std::vector<char> inside,
+bool RayCaster::holds(csg::LeafId leaf, int winding) const {
+    return geometry_.leaves[leaf].solid->closed ? winding != 0 : winding % 2 != 0;
+}
+
+void RayCaster::add_surfaces(csg::PartId id, std::span<const Event> events, std::vector<int> windings,
                              std::vector<std::vector<Surface>>& by_event) const {
     const csg::Part& part = scene_.parts[id];
     const auto evaluate = [&](std::vector<char>& values) {
         return csg::evaluate(
-            scene_, part, [&](csg::LeafId leaf) { return inside[leaf] != 0; }, values);
+            scene_, part, [&](csg::LeafId leaf) { return holds(leaf, windings[leaf]); }, values);
     };
     std::vector<char> values_before, values_after;
     bool was = evaluate(values_before);
     for (std::size_t i = 0; i < events.size(); ++i) {
         Surface surface{events[i].distance, events[i].depth, events[i].error, {}, {}, {}, false};
         for (const Crossing& c : events[i].crossings) {
-            inside[c.leaf] ^= 1;
+            windings[c.leaf] += c.winding;
             surface.planes.push_back(c.plane);
         }
         const bool is = evaluate(values_after);
@@ -188,13 +198,13 @@ Ray RayCaster::cast(int x, int y) const {
         return result;
     std::erase_if(crossings, [&](const Crossing& c) { return part_enabled_[scene_.leaves[c.leaf].part] == 0; });
     result.hit = true;
-    // Inside at the near plane: what has an odd number of surfaces behind it. Open meshes count from the eye, which
-    // sees them from outside.
-    std::vector<char> inside(scene_.leaves.size(), 0);
+    // Winding numbers at the near plane: what undoes that of the surfaces behind it. Open meshes count from the eye,
+    // which sees them from outside.
+    std::vector<int> windings(scene_.leaves.size(), 0);
     const double near = view_.near_distance();
     for (const Crossing& c : crossings)
         if (c.t >= near && geometry_.leaves[c.leaf].solid->closed)
-            inside[c.leaf] ^= 1;
+            windings[c.leaf] -= c.winding;
     std::erase_if(crossings, [&](const Crossing& c) { return c.t < near && view_.depth(c.t) > 1.0001; });
     if (!view_.orthographic())
         std::erase_if(crossings, [](const Crossing& c) { return c.t <= 0; });
@@ -204,7 +214,7 @@ Ray RayCaster::cast(int x, int y) const {
     for (const bool highlight : {true, false})
         for (csg::PartId p = 0; p < scene_.parts.size(); ++p)
             if (part_enabled_[p] != 0 && (scene_.parts[p].kind == csg::PartKind::Highlight) == highlight)
-                add_surfaces(p, events, inside, by_event);
+                add_surfaces(p, events, windings, by_event);
     for (auto& surfaces : by_event)
         std::move(surfaces.begin(), surfaces.end(), std::back_inserter(result.surfaces));
     return result;

@@ -34,7 +34,9 @@ struct Ray {
 /// Casts rays in double precision. Whether a ray hits a triangle is a question of signs; outside the band (band.h)
 /// their arguments are larger than 1e-3 pixel, a billion times the rounding of doubles, so the answer is exact there.
 /// On an edge inside a face the sign is taken from the edge in one direction for both of its triangles, so that just
-/// one of them is hit. Nothing here is shared with the engines: no products, no slots, no depth coefficients.
+/// one of them is hit. Nothing here is shared with the engines: no products, no slots, no depth coefficients. A closed
+/// leaf holds a point where its winding number there is not zero, any other where a ray meets it an odd number of
+/// times.
 class RayCaster {
   public:
     /// All three must outlive the caster. `part_enabled`: 0 for parts that are left out
@@ -57,6 +59,7 @@ class RayCaster {
         double t;
         csg::LeafId leaf;
         std::uint32_t plane;
+        int winding;  ///< What passing the surface adds to the winding number.
     };
     /// All crossings at one depth.
     struct Event {
@@ -65,7 +68,8 @@ class RayCaster {
     };
     void find_crossings(int x, int y, std::vector<Crossing>& crossings) const;
     [[nodiscard]] std::vector<Event> make_events(std::vector<Crossing> crossings, int x, int y, bool& decided) const;
-    void add_surfaces(csg::PartId part, std::span<const Event> events, std::vector<char> inside,
+    [[nodiscard]] bool holds(csg::LeafId leaf, int winding) const;
+    void add_surfaces(csg::PartId part, std::span<const Event> events, std::vector<int> windings,
                       std::vector<std::vector<Surface>>& by_event) const;
 
     const csg::Scene& scene_;
