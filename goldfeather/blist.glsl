@@ -2,7 +2,7 @@
 const uint kTrue = 0xfffffffeu, kFalse = 0xffffffffu;
 const uint kNone = 0xffffffffu;
 
-// Two rows a leaf: (inside, first, last, chain end), (group, complement, rank, counted from behind);
+// Two rows a leaf: (inside, first, last, chain end), (group, complement, rank, flags);
 // two rows a group: (start, last, when true, when false), (parent, operand, next); a row a part: (start, …).
 layout(std430, binding = 6) readonly buffer BlistRows { uvec4 blist_rows[]; };
 
@@ -11,6 +11,11 @@ uniform uint first_start;  // before the parts
 
 // The leaves that hold the point, from whoever includes this. `cursor` begins as list_inside_begin().
 uint work;  // iterations of loops, about
+
+// Flags of a leaf: inside is counted from behind; inside is where the winding number is not zero, not the parity odd
+// (kWindings: is there any such leaf?).
+bool is_behind(uint leaf) { return (blist_rows[2u * leaf + 1u].w & 1u) != 0u; }
+bool is_wound(uint leaf) { return kWindings && (blist_rows[2u * leaf + 1u].w & 2u) != 0u; }
 
 uint list_inside_begin();
 bool list_inside_next(inout uint cursor, out uint leaf);

@@ -35,7 +35,7 @@ class Blist {
         std::uint32_t group = kNone;       ///< The innermost AND that the leaf is in.
         std::uint32_t complement = 0;      ///< 1: the leaf must not hold the point.
         std::uint32_t rank = 0;            ///< Of its part: highlighted parts first, then by id.
-        std::uint32_t behind = 0;          ///< Not used here: blist_buffer.h.
+        std::uint32_t flags = 0;           ///< Not used here: blist_buffer.h.
     };
 
     /// An AND that is not directly in another AND. It is true where the value from `start` leaves the leaves up to

@@ -18,22 +18,26 @@ BlistBuffer::BlistBuffer(const gl::Functions& gl, const Blist& blist)
     for (const std::uint32_t start : blist.starts()) {
         others_.emplace_back(start, 0, 0, 0);
     }
-    std::vector<char> none(leaves_.size(), 1);  // What differs from the rows is uploaded.
-    count_from_behind(none);
+    upload();
 }
 
-void BlistBuffer::count_from_behind(std::span<const char> leaves) {
-    const auto same = [](const Blist::Leaf& row, char behind) { return row.behind == (behind != 0 ? 1U : 0U); };
-    if (std::equal(leaves_.begin(), leaves_.end(), leaves.begin(), leaves.end(), same)) {
+void BlistBuffer::set_flags(std::span<const std::uint32_t> flags) {
+    const auto same = [](const Blist::Leaf& row, std::uint32_t wanted) { return row.flags == wanted; };
+    if (std::equal(leaves_.begin(), leaves_.end(), flags.begin(), flags.end(), same)) {
         return;
     }
+    for (std::size_t i = 0; i < leaves_.size(); ++i) {
+        leaves_[i].flags = flags[i];
+    }
+    upload();
+}
+
+void BlistBuffer::upload() {
     std::vector<glm::uvec4> rows;
     rows.reserve(first_start_ + parts_);
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-        Blist::Leaf& leaf = leaves_[i];
-        leaf.behind = leaves[i] != 0 ? 1 : 0;
+    for (const Blist::Leaf& leaf : leaves_) {
         rows.emplace_back(leaf.inside, leaf.first, leaf.last, leaf.chain_end);
-        rows.emplace_back(leaf.group, leaf.complement, leaf.rank, leaf.behind);
+        rows.emplace_back(leaf.group, leaf.complement, leaf.rank, leaf.flags);
     }
     rows.insert(rows.end(), others_.begin(), others_.end());
     rows_.upload<glm::uvec4>(rows, GL_DYNAMIC_DRAW);

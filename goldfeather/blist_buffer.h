@@ -1,6 +1,7 @@
 // Expressions in linear form on the GPU.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,13 +15,20 @@ class BlistBuffer {
   public:
     BlistBuffer(const gl::Functions& gl, const Blist& blist);
 
-    /// Which leaves (by LeafId) a ray may begin inside of. Uploads only what has changed.
-    void count_from_behind(std::span<const char> leaves);
+    /// Of a leaf.
+    enum Flag : std::uint32_t {
+        kBehind = 1,  ///< A ray may begin inside of it: that is counted from behind.
+        kWound = 2,   ///< Its inside is where its winding number is not zero, not where the parity says so.
+    };
+    /// Flags by LeafId. Uploads only what has changed.
+    void set_flags(std::span<const std::uint32_t> flags);
     /// Binds storage block 6 and sets the uniforms of a program that includes goldfeather/blist.glsl and
     /// goldfeather/resolve_lists.glsl.
     void bind(const gl::Program& program) const;
 
   private:
+    void upload();
+
     gl::Buffer rows_;
     std::vector<Blist::Leaf> leaves_;
     std::vector<glm::uvec4> others_;  ///< Rows of groups and of parts.

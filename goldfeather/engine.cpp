@@ -57,8 +57,9 @@ struct Goldfeather::Band {
     glm::ivec2 size;
     int first_row = 0;
     glm::ivec2 picture;
-    std::uint32_t words = 0;
+    std::uint32_t words = 0, first_counter = 0;
     bool count_inside = false;
+    const Programs& programs;
 };
 
 Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget, double minimal_fraction)
@@ -66,8 +67,7 @@ Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget, dou
       memory_budget_(memory_budget),
       minimal_fraction_(minimal_fraction),
       prepare_(gl, shaders(), {"goldfeather/prepare.comp"}),
-      geometry_(gl, shaders(), {"goldfeather/leaf.vert", "goldfeather/walk.frag"}),
-      resolve_(gl, shaders(), {"goldfeather/tile.vert", "goldfeather/resolve.frag"}),
+      programs_(make_programs(false)),
       view_block_(gl),
       leaf_array_(gl),
       tile_array_(gl),
@@ -101,6 +101,18 @@ Goldfeather::Goldfeather(const gl::Functions& gl, std::size_t memory_budget, dou
 }
 
 Goldfeather::~Goldfeather() = default;
+
+Goldfeather::Programs Goldfeather::make_programs(bool counters) const {
+    const gl::Defines defines{{"kCounters", counters ? "true" : "false"}};
+    return {gl::Program(gl_, shaders(), {"goldfeather/leaf.vert", "goldfeather/walk.frag"}, defines),
+            gl::Program(gl_, shaders(), {"goldfeather/tile.vert", "goldfeather/resolve.frag"}, defines)};
+}
+
+const Goldfeather::Programs& Goldfeather::programs(bool counters) {
+    if (counters && !counting_)
+        counting_ = make_programs(true);
+    return counters ? *counting_ : programs_;
+}
 
 void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves) {
     std::vector<glm::uvec2> ids;
@@ -141,7 +153,7 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves) {
 LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const PartProducts& part,
                              std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats,
                              const std::stop_token& stop) {
-    const ScreenPlan screen = plan(view, part.products, part.leaf_boxes);
+    const ScreenPlan screen = plan(view, part.products, part.leaf_boxes, part.wound);
     LayerStack stack;
     stack.size = view.size();
     stack.layers = 0;
@@ -168,12 +180,13 @@ LayerStack Goldfeather::walk(const gl::View& view, LeafBuffers& leaves, const Pa
         static_cast<std::size_t>(view.size().x) * (sizeof(PixelState) + 8 * std::size_t{screen.words()});
     const auto rows = static_cast<int>(std::clamp<std::size_t>(memory_budget_ / row, 1, screen.box.y1 - screen.box.y0));
     for (int first = static_cast<int>(screen.box.y0); first < static_cast<int>(screen.box.y1); first += rows) {
-        Band band;
-        band.first_row = first;
-        band.size = {view.size().x, std::min(rows, static_cast<int>(screen.box.y1) - first)};
-        band.picture = view.size();
-        band.words = screen.words();
-        band.count_inside = eye_among(view, screen, part.leaf_boxes);
+        const Band band{{view.size().x, std::min(rows, static_cast<int>(screen.box.y1) - first)},
+                        first,
+                        view.size(),
+                        screen.words(),
+                        screen.first_counter(),
+                        eye_among(view, screen, part.leaf_boxes),
+                        programs(screen.counters > 0)};
         most = std::max(most, draw_band(band, stack, max_layers, stats, stop));
         ++stats.bands;
     }
@@ -213,15 +226,17 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
     }
 
     const auto first_row = static_cast<float>(band.first_row);
-    for (const gl::Program* program : {&geometry_, &resolve_}) {
+    const auto& [geometry, resolve] = band.programs;
+    for (const gl::Program* program : {&geometry, &resolve}) {
         program->set("first_row", first_row);
         program->set("band_size", band.size);
         program->set("starting", true);
         program->set("count_inside", band.count_inside);
+        program->set("first_counter", band.first_counter);
     }
-    resolve_.set("words", band.words);
-    resolve_.set("layer_limit",
-                 max_layers == kAllLayers ? std::numeric_limits<unsigned>::max() : static_cast<unsigned>(max_layers));
+    resolve.set("words", band.words);
+    resolve.set("layer_limit",
+                max_layers == kAllLayers ? std::numeric_limits<unsigned>::max() : static_cast<unsigned>(max_layers));
 
     gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     gl_.Disable(GL_BLEND);
@@ -237,8 +252,8 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
         gl_.ClearNamedFramebufferfv(geometry_target_.id(), GL_DEPTH, 0, &far);
         gl_.Viewport(0, -band.first_row, band.picture.x, band.picture.y);
         gl_.Enable(GL_DEPTH_TEST);
-        geometry_.use();
-        geometry_.set("starting", starting);
+        geometry.use();
+        geometry.set("starting", starting);
         leaf_array_.bind();
         candidates_.begin();
         leaf_draws_.draw(GL_TRIANGLES, stop);
@@ -254,9 +269,9 @@ int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, 
         next_depth_.bind(10);
         gl_.BindImageTexture(0, stack.depth.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
         gl_.BindImageTexture(1, stack.surface.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RG32UI);
-        resolve_.use();
-        resolve_.set("starting", starting);
-        resolve_.set("layer_capacity", static_cast<unsigned>(stack.layers));
+        resolve.use();
+        resolve.set("starting", starting);
+        resolve.set("layer_capacity", static_cast<unsigned>(stack.layers));
         tile_array_.bind();
         filled_.begin();
         tile_draws_.draw(GL_TRIANGLE_STRIP, stop);

@@ -4,7 +4,8 @@
 // Wiegand 1996; Kirsch and Döllner 2004, 2005: visibility is carried to the merge in a texture.
 //
 // As built here, the candidate layers of all products of a part are peeled together, front to back, a "walk" of every
-// pixel along its ray. The parity of all leaves is kept in one bit each and toggled from event to event instead of
+// pixel along its ray. The parity of all leaves is kept in one bit each (of leaves whose
+// shells may overlap, the winding number in a word) and toggled from event to event instead of
 // being counted again for every candidate; leaves that do not touch on the screen share a bit (screen_plan.h). After
 // each event the sum of products is evaluated by tiles, and where its value changes the pixel stores the next layer as
 // discrete ids (leaf, orientation, plane). So layer k+1 continues where layer k ended, faces that coincide are one
@@ -45,6 +46,12 @@ class Goldfeather {
 
   private:
     struct Band;
+    /// The passes. Those that count winding numbers are made when a scene first needs them, so that no other pays.
+    struct Programs {
+        gl::Program geometry, resolve;
+    };
+    [[nodiscard]] Programs make_programs(bool counters) const;
+    [[nodiscard]] const Programs& programs(bool counters);
     /// Gives the most layers that a pixel of the band has.
     int draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats, const std::stop_token& stop);
     [[nodiscard]] int most_layers(std::size_t pixel_count) const;
@@ -53,7 +60,9 @@ class Goldfeather {
     const gl::Functions& gl_;
     std::size_t memory_budget_;
     double minimal_fraction_;
-    gl::Program prepare_, geometry_, resolve_;
+    gl::Program prepare_;
+    Programs programs_;
+    std::optional<Programs> counting_;
     gl::ViewBlock view_block_;
     gl::VertexArray leaf_array_, tile_array_;
     gl::Buffer draw_ids_, tiles_;

@@ -26,30 +26,55 @@ bool list_event_next(inout uint cursor, out uint leaf, out uint triangle) {
     triangle = 0u;
     if (cursor >= event_end)
         return false;
-    triangle = entries[list_first + cursor].y;
+    triangle = entries[list_first + cursor].y & ~kFromBehind;
     leaf = triangles[triangle].leaf;
     ++cursor;
     return true;
 }
 
-void toggle(uint leaf) {
+// What passing a surface adds to a winding number, modulo 2^32.
+uint turn(uint entry, bool back) { return ((entry & kFromBehind) != 0u) == back ? 1u : 0xffffffffu; }
+
+// Behind each leaf that holds the point there is how often it does, where that is counted.
+void toggle(uint leaf, uint by) {
     uint at = 0u;
     while (at < inside_count && entries[inside_first + at].x != leaf)
         ++at;
     work += at + 1u;
-    if (at < inside_count) {
+    if (at == inside_count) {
+        entries[inside_first + inside_count] = uvec2(leaf, by);
+        ++inside_count;
+        return;
+    }
+    uint winding = is_wound(leaf) ? entries[inside_first + at].y + by : 0u;
+    if (winding != 0u) {
+        entries[inside_first + at].y = winding;
+    } else {
         --inside_count;
         entries[inside_first + at] = entries[inside_first + inside_count];
-    } else {
-        entries[inside_first + inside_count] = uvec2(leaf, 0u);
-        ++inside_count;
     }
 }
 
-void list_toggle_event() {
+// Passes the surfaces of the event, or goes back before them.
+void list_pass_event(bool back) {
     uint leaf = 0u, triangle = 0u;
     for (uint cursor = list_event_begin(); list_event_next(cursor, leaf, triangle);)
-        toggle(leaf);
+        toggle(leaf, turn(entries[list_first + cursor - 1u].y, back));
+}
+
+// Does the event enter or leave the leaf? `odd`: the number of its surfaces there; `after`: they have been passed.
+bool list_switches(uint leaf, bool odd, bool after) {
+    if (!is_wound(leaf))
+        return odd;
+    uint winding = 0u, by = 0u, other = 0u, triangle = 0u;
+    for (uint at = 0u; at < inside_count; ++at)
+        if (entries[inside_first + at].x == leaf)
+            winding = entries[inside_first + at].y;
+    for (uint cursor = list_event_begin(); list_event_next(cursor, other, triangle);)
+        if (other == leaf)
+            by += turn(entries[list_first + cursor - 1u].y, after);
+    work += inside_count;
+    return (winding != 0u) != (winding + by != 0u);
 }
 
 // Puts `entry` at `at` or below, in a heap of `size`.
@@ -90,9 +115,10 @@ void list_begin(uint count) {
     if (!count_inside)
         return;
     for (uint i = 0u; i < count; ++i) {
-        uint leaf = triangles[entries[list_first + i].y].leaf;
-        if (blist_rows[2u * leaf + 1u].w != 0u)
-            toggle(leaf);
+        uint entry = entries[list_first + i].y;
+        uint leaf = triangles[entry & ~kFromBehind].leaf;
+        if (is_behind(leaf))
+            toggle(leaf, turn(entry, true));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "gl/error.h"
 #include "gl/stop.h"
@@ -24,20 +25,31 @@ gl::ShaderLibrary ListResolver::shaders() {
     return library;
 }
 
-ListResolver::ListResolver(const gl::Functions& gl, const gl::ShaderLibrary& library)
-    : gl_(gl),
-      programs_{gl::Program(gl, library, {"goldfeather/resolve_short_lists.comp"},
-                            {{"kCapacity", std::to_string(kShortLists[0])}}),
-                gl::Program(gl, library, {"goldfeather/resolve_short_lists.comp"},
-                            {{"kCapacity", std::to_string(kShortLists[1])}}),
-                gl::Program(gl, library, {"goldfeather/resolve_long_lists.comp"})},
-      most_work_(loop_limit(library)) {}
+ListResolver::ListResolver(const gl::Functions& gl, gl::ShaderLibrary library)
+    : gl_(gl), library_(std::move(library)), programs_(make_programs(false)), most_work_(loop_limit()) {}
+
+ListResolver::Programs ListResolver::make_programs(bool windings) const {
+    const std::pair<std::string, std::string> counts{"kWindings", windings ? "true" : "false"};
+    const auto short_lists = [&](std::uint32_t capacity) {
+        return gl::Program(gl_, library_, {"goldfeather/resolve_short_lists.comp"},
+                           {{"kCapacity", std::to_string(capacity)}, counts});
+    };
+    return {short_lists(kShortLists[0]), short_lists(kShortLists[1]),
+            gl::Program(gl_, library_, {"goldfeather/resolve_long_lists.comp"}, {counts})};
+}
+
+const ListResolver::Programs& ListResolver::programs(bool windings) {
+    if (windings && !counting_) {
+        counting_ = make_programs(true);
+    }
+    return windings ? *counting_ : programs_;
+}
 
 /// llvmpipe ends loops after 65535 iterations in all, counted over the invocations that it runs in one vector, of which
 /// there are at most 16.
-std::uint32_t ListResolver::loop_limit(const gl::ShaderLibrary& library) const {
+std::uint32_t ListResolver::loop_limit() const {
     constexpr std::uint32_t kEnough = 1U << 20, kWidestVector = 16;
-    const gl::Program probe(gl_, library, {"goldfeather/loop_limit.comp"});
+    const gl::Program probe(gl_, library_, {"goldfeather/loop_limit.comp"});
     gl::Buffer result(gl_);
     std::uint32_t done = 0;
     result.upload_bytes(&done, sizeof done, GL_STREAM_READ);
@@ -58,7 +70,7 @@ ListStatus ListResolver::status(const ListBuffers& buffers) const {
 
 ListStatus ListResolver::resolve(const ListBuffers& buffers, const BlistBuffer& blist, const ListTarget& target,
                                  const std::array<std::uint32_t, kListClasses>& class_sizes, std::uint32_t class_stride,
-                                 const std::stop_token& stop) const {
+                                 const std::stop_token& stop) {
     constexpr std::uint32_t kGroup = 64, kMostGroups = 32768;  // Every OpenGL 4.5 takes 65535 a dimension.
     constexpr std::uint32_t kPieceJobs = 1U << 14;             // At once, where it may have to stop in between.
     const std::uint32_t pause_after = target.pause_after != 0 ? target.pause_after
@@ -71,7 +83,7 @@ ListStatus ListResolver::resolve(const ListBuffers& buffers, const BlistBuffer& 
         if (class_sizes[c] == 0) {
             continue;
         }
-        const gl::Program& program = programs_[c];
+        const gl::Program& program = programs(target.windings)[c];
         blist.bind(program);
         program.set("band_size", target.band_size);
         program.set("first_row", target.first_row);

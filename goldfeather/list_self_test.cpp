@@ -75,15 +75,17 @@ csg::Scene make_scene() {
 /// Lists with known layers.
 class Lists {
   public:
-    Lists() : scene(make_scene()) {
+    explicit Lists(bool windings) : scene(make_scene()), windings_(windings) {
         Numbers random;
         const ExpressionTree tree(scene);
-        const std::vector<char> none(kLeaves, 0);
         for (csg::LeafId leaf = 0; leaf < kLeaves; ++leaf) {
             behind.push_back(leaf % 5 == 1 ? 1 : 0);
+            wound.push_back(windings && leaf % 3 != 2 ? 1 : 0);
+            flags.push_back((behind[leaf] != 0 ? BlistBuffer::kBehind : 0U) |
+                            (wound[leaf] != 0 ? BlistBuffer::kWound : 0U));
             triangles.push_back({{}, {}, 7 * leaf % kLeaves, leaf});
         }
-        PixelWalk walk(tree, scene, behind, none, kLayers);
+        PixelWalk walk(tree, scene, behind, wound, kLayers);
         for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
             add_pixel(pixel, walk, random);
         }
@@ -91,7 +93,8 @@ class Lists {
     }
 
     csg::Scene scene;
-    std::vector<char> behind;
+    std::vector<char> behind, wound;
+    std::vector<std::uint32_t> flags;
     std::vector<TriangleRow> triangles;
     std::vector<PixelList> pixels;
     std::vector<glm::uvec2> entries;
@@ -109,8 +112,9 @@ class Lists {
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t leaf = random.next() % kLeaves;
             const float depth = static_cast<float>(1 + random.next() % (count + count / 2)) / 256.0F;
-            entries.emplace_back(std::bit_cast<std::uint32_t>(depth), leaf);
-            fragments.push_back({static_cast<double>(depth), leaf, triangles[leaf].plane, 0, 0});
+            const std::uint32_t from_behind = windings_ ? random.next() % 2 : 0;
+            entries.emplace_back(std::bit_cast<std::uint32_t>(depth), leaf | (from_behind != 0 ? kFromBehind : 0U));
+            fragments.push_back({static_cast<double>(depth), leaf, triangles[leaf].plane, 0, from_behind});
         }
         const std::size_t list_class = count <= kShortLists[0] ? 0 : count <= kShortLists[1] ? 1 : 2;
         jobs[list_class * kPixels + status.class_sizes[list_class]++] = {pixel, first};
@@ -128,12 +132,14 @@ class Lists {
             layers.push_back({static_cast<float>(fragments[s.first].depth), s.leaf, plane, s.reversed, s.leaving});
         }
     }
+
+    bool windings_;
 };
 
 }  // namespace
 
-std::string self_test(const gl::Functions& gl, const ListResolver& resolver) {
-    const Lists lists;
+std::string self_test(const gl::Functions& gl, ListResolver& resolver, bool windings) {
+    const Lists lists(windings);
     ListBuffers buffers(gl);
     buffers.pixels.upload<PixelList>(lists.pixels);
     buffers.entries.upload<glm::uvec2>(lists.entries);
@@ -142,14 +148,14 @@ std::string self_test(const gl::Functions& gl, const ListResolver& resolver) {
     triangles.upload<TriangleRow>(lists.triangles);
     triangles.bind(GL_SHADER_STORAGE_BUFFER, 8);
     BlistBuffer blist(gl, Blist(lists.scene));
-    blist.count_from_behind(lists.behind);
+    blist.set_flags(lists.flags);
     for (const std::uint32_t pause_after : {0U, 1U}) {  // In as few goes as may be, and event by event.
         LayerStack stack;
         stack.size = {static_cast<int>(kPixels), 1};
         grow(gl, stack, kLayers);
         buffers.status.upload_bytes(&lists.status, sizeof lists.status, GL_DYNAMIC_COPY);
         buffers.bind();
-        (void)resolver.resolve(buffers, blist, {stack, 0, stack.size, kLayers, true, pause_after},
+        (void)resolver.resolve(buffers, blist, {stack, 0, stack.size, kLayers, true, windings, pause_after},
                                lists.status.class_sizes, kPixels);
         const HostLayers found = read_back(gl, stack);
         for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {

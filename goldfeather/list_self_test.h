@@ -9,8 +9,8 @@
 namespace goldfeather {
 
 /// Resolves lists of all classes, with all that they can hold (several parts, several surfaces at one depth, leaves
-/// that are counted from behind), and compares the layers with those that PixelWalk finds on the CPU. Empty where all
-/// are equal; otherwise what is wrong.
-[[nodiscard]] std::string self_test(const gl::Functions& gl, const ListResolver& resolver);
+/// that are counted from behind; with `windings` also leaves whose directions count), and compares the layers with
+/// those that PixelWalk finds on the CPU. Empty where all are equal; otherwise what is wrong.
+[[nodiscard]] std::string self_test(const gl::Functions& gl, ListResolver& resolver, bool windings);
 
 }  // namespace goldfeather

@@ -3,6 +3,7 @@
 uint list_depths[kCapacity];  // 0: none
 uint list_leaves[kCapacity];
 uint list_triangles[kCapacity];
+uint list_backs;  // surfaces seen from behind
 uint event_depth;
 uint event_bits;   // surfaces of the event
 uint inside_bits;  // one surface of each leaf that holds the point
@@ -28,6 +29,35 @@ bool list_event_next(inout uint cursor, out uint leaf, out uint triangle) {
     return any;
 }
 
+// How often the leaf is around the point before which all surfaces have at least this depth.
+int winding(uint leaf, uint least_depth) {
+    int passed = 0, all = 0;
+    work += kCapacity;
+    for (int i = 0; i < kCapacity; ++i) {
+        if (list_depths[i] == 0u || list_leaves[i] != leaf)
+            continue;
+        int turn = (list_backs >> i & 1u) != 0u ? -1 : 1;
+        all += turn;
+        if (list_depths[i] >= least_depth)
+            passed += turn;
+    }
+    return count_inside && is_behind(leaf) ? passed - all : passed;
+}
+
+void set_inside(int i, bool inside) {
+    uint bit = 0u;
+    for (uint bits = inside_bits; bits != 0u; bits &= bits - 1u) {
+        ++work;
+        int other = findLSB(bits);
+        if (list_leaves[other] == list_leaves[i])
+            bit = 1u << other;
+    }
+    if (!inside)
+        inside_bits &= ~bit;
+    else if (bit == 0u)
+        inside_bits |= 1u << i;
+}
+
 void toggle(int i) {
     uint bit = 1u << i;
     for (uint bits = inside_bits; bits != 0u; bits &= bits - 1u) {
@@ -39,19 +69,34 @@ void toggle(int i) {
     inside_bits ^= bit;
 }
 
-void list_toggle_event() {
-    for (uint bits = event_bits; bits != 0u; bits &= bits - 1u)
-        toggle(findLSB(bits));
+// Passes the surfaces of the event, or goes back before them.
+void list_pass_event(bool back) {
+    for (uint bits = event_bits; bits != 0u; bits &= bits - 1u) {
+        int i = findLSB(bits);
+        if (is_wound(list_leaves[i]))
+            set_inside(i, winding(list_leaves[i], back ? event_depth + 1u : event_depth) != 0);
+        else
+            toggle(i);
+    }
+}
+
+// Does the event enter or leave the leaf? `odd`: the number of its surfaces there; `after`: they have been passed.
+bool list_switches(uint leaf, bool odd, bool after) {
+    if (!is_wound(leaf))
+        return odd;
+    return (winding(leaf, event_depth) != 0) != (winding(leaf, event_depth + 1u) != 0);
 }
 
 void list_load(uint first, uint count) {
     work = kCapacity;
     list_state = first + count;
+    list_backs = 0u;
     for (uint i = 0u; i < uint(kCapacity); ++i) {
         uvec2 entry = i < count ? entries[first + i] : uvec2(0u);
         list_depths[i] = entry.x;
-        list_triangles[i] = entry.y;
-        list_leaves[i] = triangles[entry.y].leaf;
+        list_triangles[i] = entry.y & ~kFromBehind;
+        list_leaves[i] = triangles[list_triangles[i]].leaf;
+        list_backs |= (entry.y & kFromBehind) != 0u ? 1u << i : 0u;
     }
     event_depth = 0xffffffffu;
     event_bits = 0u;
@@ -62,8 +107,12 @@ void list_begin(uint count) {
     if (!count_inside)
         return;
     for (int i = 0; i < int(count); ++i)
-        if (blist_rows[2u * list_leaves[i] + 1u].w != 0u)
+        if (is_wound(list_leaves[i])) {
+            if (is_behind(list_leaves[i]))
+                set_inside(i, winding(list_leaves[i], 0xffffffffu) != 0);
+        } else if (is_behind(list_leaves[i])) {
             toggle(i);
+        }
 }
 
 // Goes to the next event; false where there is none.

@@ -18,6 +18,8 @@ constexpr std::size_t kPixelBytes = sizeof(PixelList), kJobBytes = kListClasses 
 /// A long list has as much room again, for the leaves that hold the point.
 constexpr std::size_t kListBytes = 2 * kEntryBytes;
 
+constexpr const char* kComputesWrong = "the shader that resolves per-pixel lists computes wrong on this OpenGL: ";
+
 gl::Defines class_limits() {
     return {{"kShortest", std::to_string(kShortLists[0]) + "u"}, {"kShort", std::to_string(kShortLists[1]) + "u"}};
 }
@@ -34,7 +36,7 @@ struct Lists::Job {
     std::uint32_t layer_limit;
     const std::stop_token& stop;
     std::vector<LeafBuffers::Range> ranges{};
-    bool count_inside = false;
+    bool count_inside = false, windings = false;
     int first_row = 0;
     glm::ivec2 band_size{0};
     int most_layers = 0;
@@ -56,8 +58,8 @@ Lists::Lists(const gl::Functions& gl, std::size_t memory_budget)
       target_(gl),
       surfaces_(gl, GL_SAMPLES_PASSED) {
     LeafBuffers::describe_positions(gl, leaf_array_);
-    if (const std::string wrong = self_test(gl, resolver_); !wrong.empty()) {
-        throw gl::Error("the shader that resolves per-pixel lists computes wrong on this OpenGL: " + wrong);
+    if (const std::string wrong = self_test(gl, resolver_, false); !wrong.empty()) {
+        throw gl::Error(kComputesWrong + wrong);
     }
 }
 
@@ -72,7 +74,7 @@ LayerStack Lists::peel(const gl::View& view, const csg::solid::Geometry& geometr
             stack, stats,  all ? std::numeric_limits<std::uint32_t>::max() : static_cast<std::uint32_t>(max_layers),
             stop};
 
-    std::vector<char> behind(geometry.leaves.size(), 0);
+    std::vector<std::uint32_t> flags(geometry.leaves.size(), 0);
     for (csg::LeafId id = 0; id < geometry.leaves.size(); ++id) {
         const csg::solid::PlacedLeaf& leaf = geometry.leaves[id];
         const LeafBuffers::Range range = leaves.ranges()[id];
@@ -81,8 +83,14 @@ LayerStack Lists::peel(const gl::View& view, const csg::solid::Geometry& geometr
             continue;
         }
         ++stats.drawn_leaves;
-        behind[id] = leaf.solid->closed && near_plane_cuts(view, leaf.box) ? 1 : 0;
-        job.count_inside = job.count_inside || behind[id] != 0;
+        if (leaf.solid->closed && near_plane_cuts(view, leaf.box)) {
+            flags[id] |= BlistBuffer::kBehind;
+            job.count_inside = true;
+        }
+        if (leaf.solid->winds()) {
+            flags[id] |= BlistBuffer::kWound;
+            job.windings = true;
+        }
         if (!job.ranges.empty() &&
             job.ranges.back().first_vertex + job.ranges.back().vertex_count == range.first_vertex) {
             job.ranges.back().vertex_count += range.vertex_count;
@@ -95,7 +103,13 @@ LayerStack Lists::peel(const gl::View& view, const csg::solid::Geometry& geometr
     if (job.ranges.empty()) {
         return stack;
     }
-    scene.blist.count_from_behind(behind);
+    if (job.windings && !windings_tested_) {
+        if (const std::string wrong = self_test(gl_, resolver_, true); !wrong.empty()) {
+            throw gl::Error(kComputesWrong + wrong);
+        }
+        windings_tested_ = true;
+    }
+    scene.blist.set_flags(flags);
     view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
@@ -252,7 +266,8 @@ void Lists::peel_rectangle(Job& job, const Rectangle& rectangle) {
 
     for (;;) {
         const ListStatus resolved = resolver_.resolve(
-            buffers_, job.scene.blist, {job.stack, job.first_row, job.band_size, job.layer_limit, job.count_inside, 0},
+            buffers_, job.scene.blist,
+            {job.stack, job.first_row, job.band_size, job.layer_limit, job.count_inside, job.windings, 0},
             allocated.class_sizes, static_cast<std::uint32_t>(rectangle.pixels()), job.stop);
         const auto found = static_cast<int>(resolved.most_layers);
         job.most_layers = std::max(job.most_layers, found);

@@ -72,6 +72,7 @@ class Lists {
     gl::Framebuffer target_;
     gl::Texture target_color_;
     gl::Query surfaces_;
+    bool windings_tested_ = false;
     int layers_before_ = 4;  ///< Of the picture before: how many this one is likely to have.
 };
 

@@ -11,6 +11,7 @@ namespace goldfeather {
 struct PartProducts {
     std::span<const Product> products;
     std::span<const csg::Box> leaf_boxes;  ///< World boxes by LeafId.
+    std::span<const char> wound{};         ///< By LeafId, whether it has a winding number (Solid::winds); empty: none.
 };
 
 }  // namespace goldfeather

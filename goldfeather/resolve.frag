@@ -32,6 +32,12 @@ bool holds(uvec4 rectangle, uvec2 p) {
     return all(greaterThanEqual(p, rectangle.xy)) && all(lessThan(p, rectangle.zw));
 }
 
+// A word after the event.
+uint word_after(uint word, uint bits, uint toggled) { return is_counter(word) ? bits + toggled : bits ^ toggled; }
+
+// The slots whose leaf holds the point: for a word that is a winding number, all of them or none.
+uint slots_inside(uint word, uint bits) { return !is_counter(word) ? bits : bits != 0u ? 0xffffffffu : 0u; }
+
 // Is the product true just before (`before`) or just after the event? The toggles are still to be applied to
 // inside_bits.
 bool product_value(uint product, uint pixel, bool before) {
@@ -41,7 +47,8 @@ bool product_value(uint product, uint pixel, bool before) {
         uint at = word_index(e.x, pixel);
         uint bits = inside_bits[at];
         if (!before && !starting)
-            bits ^= toggled_bits[at];
+            bits = word_after(e.x, bits, toggled_bits[at]);
+        bits = slots_inside(e.x, bits);
         if ((bits & e.y) != e.y || (bits & e.z) != 0u)
             return false;
     }
@@ -78,11 +85,15 @@ uint find_leaf(uint pixel, uvec2 at, bool entering) {
     for (uint i = 0u; i < tile_lists.w; ++i) {
         LeafSlot row = tile_leaves[tile_lists.z + i];
         uint slot = row.leaf.y;
-        uint word = word_index(slot >> 5, pixel);
-        if (!holds(row.rectangle, at) || (toggled_bits[word] >> (slot & 31u) & 1u) == 0u)
+        uint word = slot >> 5, index = word_index(word, pixel);
+        if (!holds(row.rectangle, at) || toggled_bits[index] == 0u)
+            continue;
+        uint before = slots_inside(word, inside_bits[index]);
+        uint after = slots_inside(word, word_after(word, inside_bits[index], toggled_bits[index]));
+        if (((before ^ after) >> (slot & 31u) & 1u) == 0u)
             continue;
         if (responsible(slot, pixel, at, !entering)) {
-            bool inside_after = ((inside_bits[word] ^ toggled_bits[word]) >> (slot & 31u) & 1u) != 0u;
+            bool inside_after = (after >> (slot & 31u) & 1u) != 0u;
             return row.leaf.x << 1 | (inside_after != entering ? 1u : 0u);
         }
     }
@@ -120,7 +131,7 @@ void main() {
                 uint bits = word_index(word, pixel);
                 uint toggled = toggled_bits[bits];
                 if (toggled != 0u) {
-                    inside_bits[bits] ^= toggled;
+                    inside_bits[bits] = word_after(word, inside_bits[bits], toggled);
                     toggled_bits[bits] = 0u;
                 }
             }

@@ -34,9 +34,9 @@ uint event_rank(uint from) {
     return rank;
 }
 
-// The smallest leaf of the part that switches and is responsible on the side where the leaves inside are those of now:
-// leaf << 1 | reversed.
-uint find_leaf(uint rank) {
+// The smallest leaf of the part that switches and is responsible on the side where the leaves inside are those of now,
+// which is after or before the event: leaf << 1 | reversed.
+uint find_leaf(uint rank, bool after) {
     uint leaf = 0u, triangle = 0u;
     for (uint from = 0u;;) {
         uint smallest = kNone;
@@ -51,7 +51,7 @@ uint find_leaf(uint rank) {
         }
         if (smallest == kNone)
             return kNone;  // not reached: the value has changed
-        if (odd && responsible(smallest))
+        if (list_switches(smallest, odd, after) && responsible(smallest))
             return smallest << 1 | (holds(smallest) ? 0u : 1u);
         from = smallest + 1u;
     }
@@ -69,10 +69,10 @@ void store(ivec2 at, uint layer, uint rank, bool leaving) {
         return;
     // The result's side of the event is before it where the ray leaves.
     if (leaving)
-        list_toggle_event();
-    uint id = find_leaf(rank);
+        list_pass_event(true);
+    uint id = find_leaf(rank, !leaving);
     if (leaving)
-        list_toggle_event();
+        list_pass_event(false);
     imageStore(layer_depths, ivec3(at, layer), vec4(uintBitsToFloat(event_depth)));
     imageStore(layer_surfaces, ivec3(at, layer), uvec4(id, smallest_plane() << 1 | (leaving ? 1u : 0u), 0u, 0u));
 }
@@ -107,14 +107,14 @@ void main() {
     while (!paused && found < layer_limit && list_next_event()) {
         for (uint rank = event_rank(0u); rank != kNone;) {
             bool before = rank == known_rank ? known : part_value(rank);
-            list_toggle_event();
+            list_pass_event(false);
             known = part_value(rank);
             known_rank = rank;
             if (before != known && found < layer_limit)
                 store(at, found++, rank, before);
             rank = event_rank(rank + 1u);
             if (rank != kNone)
-                list_toggle_event();  // Each part sees the event from before it.
+                list_pass_event(true);  // Each part sees the event from before it.
         }
         paused = kPauses && work > pause_after;
     }

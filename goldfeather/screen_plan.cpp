@@ -40,8 +40,9 @@ struct Leaf {
 
 class Planner {
   public:
-    Planner(const gl::View& view, std::span<const Product> products, std::span<const csg::Box> leaf_boxes)
-        : view_(view), products_(products), leaf_boxes_(leaf_boxes) {}
+    Planner(const gl::View& view, std::span<const Product> products, std::span<const csg::Box> leaf_boxes,
+            std::span<const char> wound)
+        : view_(view), products_(products), leaf_boxes_(leaf_boxes), wound_(wound) {}
 
     ScreenPlan make() {
         place();
@@ -99,9 +100,24 @@ class Planner {
         return false;
     }
 
+    [[nodiscard]] bool is_wound(csg::LeafId leaf) const { return !wound_.empty() && wound_[leaf] != 0; }
+
     void assign_slots() {
+        plan_.slots = assign_slots(false);
+        plan_.counters = assign_slots(true);
+        for (Leaf& leaf : leaves_) {
+            if (is_wound(leaf.id))
+                leaf.slot = 32 * (plan_.first_counter() + leaf.slot);
+            plan_.leaves.push_back({leaf.box, leaf.id, leaf.slot});
+        }
+    }
+
+    /// Of the leaves that are wound, or of the others; gives how many there are.
+    std::uint32_t assign_slots(bool wound) {
         std::vector<std::vector<const Leaf*>> slots;
         for (Leaf& leaf : leaves_) {
+            if (is_wound(leaf.id) != wound)
+                continue;
             std::size_t slot = 0;
             for (; slot < slots.size(); ++slot)
                 if (std::none_of(slots[slot].begin(), slots[slot].end(), [&](const Leaf* other) {
@@ -112,9 +128,8 @@ class Planner {
                 slots.emplace_back();
             slots[slot].push_back(&leaf);
             leaf.slot = static_cast<std::uint32_t>(slot);
-            plan_.leaves.push_back({leaf.box, leaf.id, leaf.slot});
         }
-        plan_.slots = static_cast<std::uint32_t>(slots.size());
+        return static_cast<std::uint32_t>(slots.size());
     }
 
     void write_products() {
@@ -175,6 +190,7 @@ class Planner {
     const gl::View& view_;
     std::span<const Product> products_;
     std::span<const csg::Box> leaf_boxes_;
+    std::span<const char> wound_;
     std::vector<PixelBox> product_boxes_;
     std::vector<Leaf> leaves_;
     ScreenPlan plan_;
@@ -182,8 +198,9 @@ class Planner {
 
 }  // namespace
 
-ScreenPlan plan(const gl::View& view, std::span<const Product> products, std::span<const csg::Box> leaf_boxes) {
-    return Planner(view, products, leaf_boxes).make();
+ScreenPlan plan(const gl::View& view, std::span<const Product> products, std::span<const csg::Box> leaf_boxes,
+                std::span<const char> wound) {
+    return Planner(view, products, leaf_boxes, wound).make();
 }
 
 }  // namespace goldfeather

@@ -25,7 +25,9 @@ struct PixelBox {
 struct PlannedLeaf {
     PixelBox box;
     csg::LeafId leaf = 0;
-    std::uint32_t slot = 0;  ///< Which parity bit the leaf toggles.
+    /// Which parity bit the leaf toggles, or, from ScreenPlan::first_counter() · 32 on, which word · 32 it is counted
+    /// in.
+    std::uint32_t slot = 0;
 };
 
 /// Literals of a product by word of 32 slots.
@@ -51,6 +53,7 @@ struct Tile {
 
 /// A leaf's parity needs a bit in every pixel, but leaves that are apart on the screen can share one (a slot), as long
 /// as no product takes one of them for the other: five hundred holes of a plate need a few slots, not five hundred.
+/// Leaves with winding numbers share whole words likewise.
 struct ScreenPlan {
     std::vector<PlannedLeaf> leaves;  ///< In order of leaf id.
     std::vector<PlannedProduct> products;
@@ -58,15 +61,17 @@ struct ScreenPlan {
     std::vector<Tile> tiles;
     std::vector<std::uint32_t> tile_products;  ///< Indices into `products`.
     std::vector<std::uint32_t> tile_leaves;    ///< Indices into `leaves`.
-    std::uint32_t slots = 0;
-    PixelBox box;  ///< Of all products.
+    std::uint32_t slots = 0;                   ///< Of parities.
+    std::uint32_t counters = 0;                ///< Words of winding numbers, behind those of the parities.
+    PixelBox box;                              ///< Of all products.
 
-    [[nodiscard]] std::uint32_t words() const { return (slots + 31) / 32; }
+    [[nodiscard]] std::uint32_t first_counter() const { return (slots + 31) / 32; }
+    [[nodiscard]] std::uint32_t words() const { return first_counter() + counters; }
 };
 
 /// `leaf_boxes`: world boxes by LeafId. Products outside the view, and leaves that no product in the view needs, are
-/// not planned.
+/// not planned. `wound`: as in PartProducts.
 [[nodiscard]] ScreenPlan plan(const gl::View& view, std::span<const Product> products,
-                              std::span<const csg::Box> leaf_boxes);
+                              std::span<const csg::Box> leaf_boxes, std::span<const char> wound = {});
 
 }  // namespace goldfeather

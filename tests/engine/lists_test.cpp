@@ -133,15 +133,26 @@ TEST_P(ListsOnOpenGl, AgreeWithGoldfeather) {
 /// A driver that computes the shader wrong is found out, whatever it gets wrong.
 TEST_P(ListsOnOpenGl, SelfTestSeesAWrongShader) {
     const gl::ShaderLibrary right = goldfeather::ListResolver::shaders();
-    EXPECT_EQ(goldfeather::self_test(gl(), goldfeather::ListResolver(gl(), right)), "");
+    const auto found_wrong = [&](const gl::ShaderLibrary& library, bool windings) {
+        goldfeather::ListResolver resolver(gl(), library);
+        return goldfeather::self_test(gl(), resolver, windings);
+    };
+    EXPECT_EQ(found_wrong(right, false), "");
+    EXPECT_EQ(found_wrong(right, true), "");
     struct Fault {
         std::string_view file, from, to;
+        bool windings = false;  ///< Of what is done for winding numbers.
     };
     for (const Fault& fault :
          {Fault{"goldfeather/list_short.glsl", "next = max(next, list_depths[i])", "next = list_depths[i]"},
           Fault{"goldfeather/list_long.glsl", "if (other.x > below.x)", "if (other.x < below.x)"},
 
-          Fault{"goldfeather/list_long.glsl", "+ 1u].w != 0u", "+ 1u].w == 7u"},
+          Fault{"goldfeather/blist.glsl", ".w & 1u) != 0u", ".w & 4u) != 0u"},
+          Fault{"goldfeather/list_long.glsl", "== back ? 1u : 0xffffffffu", "== back ? 1u : 1u", true},
+          Fault{"goldfeather/list_long.glsl", "].y + by : 0u", "].y : 0u", true},
+          Fault{"goldfeather/list_short.glsl", "passed - all", "passed", true},
+          Fault{"goldfeather/list_short.glsl", "? -1 : 1;", "? 1 : 1;", true},
+          Fault{"goldfeather/resolve_lists.glsl", "list_switches(smallest, odd, after)", "odd", true},
           Fault{"goldfeather/list_short.glsl", "bit = 1u << other;", ";"},
 
           Fault{"goldfeather/blist.glsl", "== (nearer == group.z)", "!= (nearer == group.z)"},
@@ -159,8 +170,7 @@ TEST_P(ListsOnOpenGl, SelfTestSeesAWrongShader) {
         gl::ShaderLibrary library;
         library.add({&wrong, 1});  // Before the right one.
         library.add(right.files());
-        EXPECT_NE(goldfeather::self_test(gl(), goldfeather::ListResolver(gl(), library)), "")
-            << fault.from << " -> " << fault.to;
+        EXPECT_NE(found_wrong(library, fault.windings), "") << fault.from << " -> " << fault.to;
     }
 }
 

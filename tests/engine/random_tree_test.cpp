@@ -138,7 +138,8 @@ TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
 
 INSTANTIATE_TEST_SUITE_P(Engines, RandomTrees, testing::Values("goldfeather_egl", "lists_egl", "lists_cpu"),
                          comparison::engine_name);
-INSTANTIATE_TEST_SUITE_P(Engines, WoundTrees, testing::Values("lists_cpu"), comparison::engine_name);
+INSTANTIATE_TEST_SUITE_P(Engines, WoundTrees, testing::Values("goldfeather_egl", "lists_egl", "lists_cpu"),
+                         comparison::engine_name);
 
 class Bands : public test_support::GlTest {};
 
@@ -153,7 +154,7 @@ TEST_P(Bands, DoNotShow) {
             continue;
         peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
         const gl::View view = subject.view(sample.camera, kSize);
-        const goldfeather::PartProducts part{model.products[0], model.leaf_boxes};
+        const goldfeather::PartProducts part{model.products[0], model.leaf_boxes, model.wound};
         goldfeather::WalkStats stats, split_stats;
         const auto a = goldfeather::read_back(gl(), whole.walk(view, *model.leaves, part, model.tables, 0, stats));
         const auto b =

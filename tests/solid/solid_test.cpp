@@ -28,7 +28,7 @@ bool closed(std::span<const glm::uvec3> triangles) {
             ++edges[{t[i], t[(i + 1) % 3]}];
     return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
         const auto opposite = edges.find({e.first.second, e.first.first});
-        return e.second == 1 && opposite != edges.end();
+        return opposite != edges.end() && opposite->second == e.second;
     });
 }
 
