@@ -4,7 +4,12 @@
 #include <png.h>
 
 #include <algorithm>
+#include <csetjmp>
+#include <new>
 #include <stdexcept>
+#include <utility>
+
+#include "gl/stop.h"
 
 namespace gl {
 namespace {
@@ -16,29 +21,77 @@ bool opaque(const Image& image) {
     return true;
 }
 
+/// What libpng writes, and why it stopped. No exception may pass through its code.
+struct Written {
+    std::string bytes, problem;
+    bool out_of_memory = false;
+};
+
+[[noreturn]] void note_problem(png_structp png, png_const_charp text) {
+    static_cast<Written*>(png_get_error_ptr(png))->problem = text;
+    png_longjmp(png, 1);
+}
+
+void append(png_structp png, png_bytep data, std::size_t size) {
+    auto& written = *static_cast<Written*>(png_get_io_ptr(png));
+    try {
+        written.bytes.append(reinterpret_cast<const char*>(data), size);
+    } catch (const std::bad_alloc&) {
+        written.out_of_memory = true;
+    }
+    if (written.out_of_memory)
+        png_error(png, "out of memory");
+}
+
+enum class Outcome { Done, Stopped, Failed };
+
+/// Nothing here has a destructor that an error of libpng could jump over. `row`: room for one without alpha.
+Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alpha, std::uint8_t* row,
+                   const std::stop_token& stop) {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return Outcome::Failed;
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    for (int y = 0; y < image.height; ++y) {
+        if (stop.stop_requested())
+            return Outcome::Stopped;
+        const std::uint8_t* pixels = image.pixel(0, y);
+        if (!alpha) {
+            for (int x = 0; x < image.width; ++x)
+                std::copy_n(pixels + 4 * x, 3, row + 3 * x);
+            pixels = row;
+        }
+        png_write_row(png, pixels);
+    }
+    png_write_end(png, info);
+    return Outcome::Done;
+}
+
 }  // namespace
 
-std::string encode_png(const Image& image) {
-    std::vector<std::uint8_t> rgb;
-    const void* pixels = image.rgba.data();
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_RGBA;
-    if (opaque(image)) {
-        png.format = PNG_FORMAT_RGB;
-        rgb.resize(image.rgba.size() / 4 * 3);
-        for (std::size_t i = 0; i < rgb.size() / 3; ++i)
-            std::copy_n(&image.rgba[4 * i], 3, &rgb[3 * i]);
-        pixels = rgb.data();
+std::string encode_png(const Image& image, const std::stop_token& stop) {
+    Written written;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &written, note_problem, nullptr);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    if (info == nullptr) {
+        png_destroy_write_struct(&png, nullptr);
+        throw std::bad_alloc();
     }
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-    std::string bytes(size, '\0');
-    if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, nullptr))
-        throw std::runtime_error(std::string("PNG: ") + png.message);
-    bytes.resize(size);
-    return bytes;
+    png_set_write_fn(png, &written, append, nullptr);
+    const bool alpha = !opaque(image);
+    std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
+    const Outcome outcome = write_rows(png, info, image, alpha, row.data(), stop);
+    png_destroy_write_struct(&png, &info);
+    if (written.out_of_memory)
+        throw std::bad_alloc();
+    if (outcome == Outcome::Failed)
+        throw std::runtime_error("PNG: " + written.problem);
+    if (outcome == Outcome::Stopped)
+        throw Stopped();
+    return std::move(written.bytes);
 }
 
 Image read_png(const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct Image {
 };
 
 /// The bytes of a PNG file; RGB where every pixel is opaque, RGBA otherwise. The same image gives the same bytes.
-[[nodiscard]] std::string encode_png(const Image& image);
+/// Throws Stopped where `stop` asked for it.
+[[nodiscard]] std::string encode_png(const Image& image, const std::stop_token& stop = {});
 
 /// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the reason.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);

@@ -1,23 +1,11 @@
-// Work that can be asked to end before it is done.
+// base/stop.h under the name that the engines and styles use.
 #pragma once
 
-#include <exception>
-#include <stop_token>
+#include "base/stop.h"
 
 namespace gl {
 
-/// Thrown by work that was asked to stop: no error. What it was making is not to be read; all it works with can be used
-/// for the next.
-class Stopped : public std::exception {
-  public:
-    [[nodiscard]] const char* what() const noexcept override { return "stopped"; }
-};
-
-/// Throws Stopped where it was asked for.
-inline void end_if_asked(const std::stop_token& stop) {
-    if (stop.stop_requested()) {
-        throw Stopped();
-    }
-}
+using base::end_if_asked;
+using base::Stopped;
 
 }  // namespace gl

@@ -22,6 +22,7 @@ enum class Method {
 struct BooleanRequest {
     std::optional<Method> method;  ///< Absent: planes, and Nef polyhedra where they cannot decide.
     unsigned threads = 0;          ///< 0: one a core.
+    std::stop_token stop{};        ///< Where it is asked for, base::Stopped is thrown.
 };
 
 struct BooleanResult {
@@ -35,7 +36,7 @@ struct BooleanResult {
 /// one plane of `geometry`'s table. A leaf holds a point where a ray from there meets it an odd number of times.
 /// Every result has been checked: it is closed and manifold, holds a positive volume, and no two of its triangles cross
 /// by more than rounding (self_intersection.h). Throws std::runtime_error where no method gives such a mesh, with the
-/// reason.
+/// reason, and base::Stopped where it was asked for.
 [[nodiscard]] BooleanResult make_mesh(const Scene& scene, const solid::Geometry& geometry,
                                       const BooleanRequest& request = {});
 

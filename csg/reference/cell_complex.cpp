@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/stop.h"
+
 namespace csg::reference {
 namespace {
 
@@ -26,13 +28,15 @@ class UnionFind {
 
 class Builder {
   public:
-    Builder(const ComplexSpace& space, const InsideRule& rule) : space_(space), rule_(rule) {}
+    Builder(const ComplexSpace& space, const InsideRule& rule, const std::stop_token& stop)
+        : space_(space), rule_(rule), paced_(stop) {}
 
     CellComplex build(std::vector<PlaneCells> planes, std::span<const LeafId> leaves, std::size_t all_leaves) {
         take_cells(std::move(planes));
         const std::vector<ComplexSide>& sides = complex_.sides;
         UnionFind regions(2 * complex_.cells.size()), pieces(complex_.cells.size());
         for (std::size_t i = 0, j; i < sides.size(); i = j) {
+            paced_();
             for (j = i + 1; j < sides.size() && sides[j].lo == sides[i].lo && sides[j].hi == sides[i].hi; ++j)
                 pieces.unite(sides[i].cell, sides[j].cell);
             space_.sort_around(std::span(complex_.sides).subspan(i, j - i), complex_.cells);
@@ -98,6 +102,7 @@ class Builder {
         }
         // Every cell must lead from its one side to the other, whichever way its regions were reached.
         for (const ComplexCell& cell : complex_.cells) {
+            paced_();
             if (!complex_.windings.fits(cell.above, cell.below, cell.covers, 1, rule_))
                 throw Undecided("the regions between the faces do not fit together");
         }
@@ -116,14 +121,15 @@ class Builder {
 
     const ComplexSpace& space_;
     const InsideRule& rule_;
+    base::PacedStop paced_;
     CellComplex complex_;
 };
 
 }  // namespace
 
 CellComplex make_complex(std::vector<PlaneCells> cells, const ComplexSpace& space, const InsideRule& rule,
-                         std::span<const LeafId> leaves, std::size_t all_leaves) {
-    return Builder(space, rule).build(std::move(cells), leaves, all_leaves);
+                         std::span<const LeafId> leaves, std::size_t all_leaves, const std::stop_token& stop) {
+    return Builder(space, rule, stop).build(std::move(cells), leaves, all_leaves);
 }
 
 }  // namespace csg::reference

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "csg/reference/plane_cells.h"
@@ -46,6 +47,7 @@ class ComplexSpace {
 /// sorted by angle, which tells the regions between them; which leaves hold a region follows from a neighbour, and for
 /// each connected piece from one ray. Throws Undecided.
 [[nodiscard]] CellComplex make_complex(std::vector<PlaneCells> cells, const ComplexSpace& space, const InsideRule& rule,
-                                       std::span<const LeafId> leaves, std::size_t all_leaves);
+                                       std::span<const LeafId> leaves, std::size_t all_leaves,
+                                       const std::stop_token& stop = {});
 
 }  // namespace csg::reference

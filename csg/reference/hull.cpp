@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/stop.h"
 #include "csg/reference/disjoint_sets.h"
 
 namespace csg::reference {
@@ -116,7 +117,7 @@ Mesh mesh_of(const Points& points, std::vector<glm::uvec3> triangles) {
 
 }  // namespace
 
-Mesh hull(std::span<const glm::dvec3> points) {
+Mesh hull(std::span<const glm::dvec3> points, const std::stop_token& stop) {
     Points sorted;
     sorted.reserve(points.size());
     // Sorted, so that the order of the points does not matter to the result.
@@ -136,6 +137,7 @@ Mesh hull(std::span<const glm::dvec3> points) {
     };
     if (flat())
         return {};
+    base::end_if_asked(stop);
     CGAL::Surface_mesh<Kernel::Point_3> surface;
     CGAL::convex_hull_3(sorted.begin(), sorted.end(), surface);
     std::vector<std::uint32_t> place;  // by vertex: its place among the sorted points

@@ -48,9 +48,9 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
     return result;
 }
 
-BooleanResult combine(ExpressionKind operation, std::span<const Mesh> operands) {
+BooleanResult combine(ExpressionKind operation, std::span<const Mesh> operands, const std::stop_token& stop) {
     const MeshScene made = make_mesh_scene(operation, operands);
-    return make_mesh(made.scene, made.geometry);
+    return make_mesh(made.scene, made.geometry, {.method = {}, .stop = stop});
 }
 
 }  // namespace csg::reference

@@ -16,7 +16,9 @@ struct MeshScene {
 [[nodiscard]] MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operands);
 
 /// Union, intersection or difference (first minus the others) of closed meshes, which may intersect themselves: inside
-/// is where the winding number is not 0. Sources are indices of operands. Throws as make_mesh does.
-[[nodiscard]] BooleanResult combine(ExpressionKind operation, std::span<const Mesh> operands);
+/// is where the winding number is not 0. Sources are indices of operands. Throws as make_mesh does, and
+/// base::Stopped where `stop` asked for it.
+[[nodiscard]] BooleanResult combine(ExpressionKind operation, std::span<const Mesh> operands,
+                                    const std::stop_token& stop = {});
 
 }  // namespace csg::reference

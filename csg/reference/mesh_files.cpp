@@ -15,8 +15,8 @@ glm::dvec3 normal_of(const Mesh& mesh, const glm::uvec3& t) {
     return length > 0 ? n / length + 0.0 : glm::dvec3(0.0);
 }
 
-std::string ascii_stl(const Mesh& mesh) {
-    Text out;
+std::string ascii_stl(const Mesh& mesh, const std::stop_token& stop) {
+    Text out(stop);
     put(out, "solid csgscope\n");
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::dvec3 n = normal_of(mesh, t);
@@ -28,7 +28,7 @@ std::string ascii_stl(const Mesh& mesh) {
         put(out, "    endloop\n  endfacet\n");
     }
     put(out, "endsolid csgscope\n");
-    return fmt::to_string(out);
+    return out.str();
 }
 
 void put_bytes(std::string& out, std::uint32_t value, int bytes) {
@@ -40,12 +40,14 @@ void put_float(std::string& out, double value) {
     put_bytes(out, std::bit_cast<std::uint32_t>(static_cast<float>(value + 0.0)), 4);
 }
 
-std::string binary_stl(const Mesh& mesh) {
+std::string binary_stl(const Mesh& mesh, const std::stop_token& stop) {
     std::string out = "csgscope, binary STL, units as in the model";
     out.resize(80, ' ');
     out.reserve(84 + 50 * mesh.triangles.size());
     put_bytes(out, static_cast<std::uint32_t>(mesh.triangles.size()), 4);
+    base::PacedStop paced(stop);
     for (const glm::uvec3& t : mesh.triangles) {
+        paced();
         const glm::dvec3 n = normal_of(mesh, t);
         for (int k = 0; k < 3; ++k)
             put_float(out, n[k]);
@@ -58,8 +60,8 @@ std::string binary_stl(const Mesh& mesh) {
     return out;
 }
 
-std::string off(const MeshDocument& d) {
-    Text out;
+std::string off(const MeshDocument& d, const std::stop_token& stop) {
+    Text out(stop);
     put(out, "OFF\n{} {} 0\n", d.mesh.points.size(), d.mesh.triangles.size());
     for (const glm::dvec3& p : d.mesh.points)
         put(out, "{} {} {}\n", p.x + 0.0, p.y + 0.0, p.z + 0.0);
@@ -68,7 +70,7 @@ std::string off(const MeshDocument& d) {
         const auto& c = d.parts[part_of(d, i)].rgba;
         put(out, "3 {} {} {} {} {} {}\n", t.x, t.y, t.z, byte_of(c[0]), byte_of(c[1]), byte_of(c[2]));
     }
-    return fmt::to_string(out);
+    return out.str();
 }
 
 /// The triangles of each part.
@@ -87,8 +89,8 @@ std::string one_line(std::string text) {
     return text;
 }
 
-std::string obj(const MeshDocument& d) {
-    Text out;
+std::string obj(const MeshDocument& d, const std::stop_token& stop) {
+    Text out(stop);
     put(out, "# csgscope\n");
     for (const glm::dvec3& p : d.mesh.points)
         put(out, "v {} {} {}\n", p.x + 0.0, p.y + 0.0, p.z + 0.0);
@@ -102,11 +104,11 @@ std::string obj(const MeshDocument& d) {
             put(out, "f {} {} {}\n", t.x, t.y, t.z);
         }
     }
-    return fmt::to_string(out);
+    return out.str();
 }
 
-std::string amf(const MeshDocument& d) {
-    Text out;
+std::string amf(const MeshDocument& d, const std::stop_token& stop) {
+    Text out(stop);
     put(out,
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<amf unit=\"millimeter\">\n"
         " <metadata type=\"producer\">csgscope</metadata>\n");
@@ -134,11 +136,11 @@ std::string amf(const MeshDocument& d) {
         put(out, "   </volume>\n");
     }
     put(out, "  </mesh>\n </object>\n</amf>\n");
-    return fmt::to_string(out);
+    return out.str();
 }
 
-std::string wrl(const MeshDocument& d) {
-    Text out;
+std::string wrl(const MeshDocument& d, const std::stop_token& stop) {
+    Text out(stop);
     put(out, "#VRML V2.0 utf8\n");
     const auto parts = by_part(d);
     put(out, "Group {{ children [\n");
@@ -168,7 +170,7 @@ std::string wrl(const MeshDocument& d) {
         put(out, "] }} }}\n");
     }
     put(out, "] }}\n");
-    return fmt::to_string(out);
+    return out.str();
 }
 
 }  // namespace
@@ -196,22 +198,22 @@ std::string xml(const std::string& text) {
     return out;
 }
 
-std::string encode(const MeshDocument& document, MeshFormat format) {
+std::string encode(const MeshDocument& document, MeshFormat format, const std::stop_token& stop) {
     switch (format) {
         case MeshFormat::AsciiStl:
-            return ascii_stl(document.mesh);
+            return ascii_stl(document.mesh, stop);
         case MeshFormat::BinaryStl:
-            return binary_stl(document.mesh);
+            return binary_stl(document.mesh, stop);
         case MeshFormat::Off:
-            return off(document);
+            return off(document, stop);
         case MeshFormat::Obj:
-            return obj(document);
+            return obj(document, stop);
         case MeshFormat::Amf:
-            return amf(document);
+            return amf(document, stop);
         case MeshFormat::ThreeMf:
-            return three_mf(document);
+            return three_mf(document, stop);
         case MeshFormat::Wrl:
-            return wrl(document);
+            return wrl(document, stop);
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,8 +43,8 @@ struct MeshDocument {
 
 /// The bytes of the file. Coordinates are written so that they are read back to the last bit (STL in single precision
 /// where binary). Formats that know parts (OBJ, AMF, 3MF) keep names, those that know colours (OFF, AMF, 3MF, WRL)
-/// colours.
-[[nodiscard]] std::string encode(const MeshDocument& document, MeshFormat format);
+/// colours. Throws base::Stopped where `stop` asked for it.
+[[nodiscard]] std::string encode(const MeshDocument& document, MeshFormat format, const std::stop_token& stop = {});
 
 /// Reads STL (either kind) or OFF; equal points are one. Throws std::runtime_error with the reason.
 [[nodiscard]] Mesh decode_mesh(std::string_view bytes);

@@ -5,18 +5,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stop_token>
 #include <string>
 #include <utility>
 
+#include "base/stop.h"
 #include "csg/reference/mesh_files.h"
 
 namespace csg::reference {
 
-using Text = fmt::memory_buffer;
+/// The text of a file in the making. `put` throws base::Stopped where the token asked for it; the token must outlive
+/// the text.
+class Text {
+  public:
+    explicit Text(const std::stop_token& stop) : paced_(stop) {}
+    [[nodiscard]] std::string str() const { return fmt::to_string(buffer_); }
+
+    template <typename... Args>
+    void put(fmt::format_string<Args...> format, Args&&... args) {
+        paced_();
+        fmt::format_to(fmt::appender(buffer_), format, std::forward<Args>(args)...);
+    }
+
+  private:
+    fmt::memory_buffer buffer_;
+    base::PacedStop paced_;
+};
 
 template <typename... Args>
 void put(Text& out, fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(fmt::appender(out), format, std::forward<Args>(args)...);
+    out.put(format, std::forward<Args>(args)...);
 }
 
 inline std::uint32_t part_of(const MeshDocument& d, std::size_t triangle) {
@@ -31,6 +49,6 @@ inline int byte_of(float value) {
 [[nodiscard]] std::string xml(const std::string& text);
 
 /// The bytes of a 3MF file.
-[[nodiscard]] std::string three_mf(const MeshDocument& document);
+[[nodiscard]] std::string three_mf(const MeshDocument& document, const std::stop_token& stop);
 
 }  // namespace csg::reference

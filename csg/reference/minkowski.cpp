@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/stop.h"
 #include "csg/reference/disjoint_sets.h"
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
@@ -96,31 +97,32 @@ std::vector<Points> convex_pieces_of(const Mesh& mesh) {
     return pieces;
 }
 
-Mesh sum_of(const Mesh& a, const Mesh& b) {
+Mesh sum_of(const Mesh& a, const Mesh& b, const std::stop_token& stop) {
     const std::vector<Points> left = convex_pieces_of(a), right = convex_pieces_of(b);
     std::vector<Mesh> hulls;
     for (const Points& p : left) {
         for (const Points& q : right) {
+            base::end_if_asked(stop);
             Points sums;
             sums.reserve(p.size() * q.size());
             for (const glm::dvec3& x : p) {
                 for (const glm::dvec3& y : q)
                     sums.push_back(x + y);
             }
-            hulls.push_back(hull(sums));
+            hulls.push_back(hull(sums, stop));
         }
     }
     if (hulls.size() == 1)
         return std::move(hulls[0]);
-    return combine(ExpressionKind::Union, hulls).mesh;
+    return combine(ExpressionKind::Union, hulls, stop).mesh;
 }
 
 }  // namespace
 
-Mesh minkowski_sum(std::span<const Mesh> operands) {
+Mesh minkowski_sum(std::span<const Mesh> operands, const std::stop_token& stop) {
     Mesh sum;
     for (std::size_t i = 0; i < operands.size(); ++i)
-        sum = i == 0 ? operands[0] : sum_of(sum, operands[i]);
+        sum = i == 0 ? operands[0] : sum_of(sum, operands[i], stop);
     sum.sources.assign(sum.triangles.size(), 0);
     return sum;
 }

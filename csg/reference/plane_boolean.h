@@ -1,6 +1,8 @@
 // Booleans by an arrangement of canonical planes.
 #pragma once
 
+#include <stop_token>
+
 #include "csg/reference/mesh.h"
 #include "csg/solid/placed.h"
 #include "csg/tree/scene.h"
@@ -11,7 +13,8 @@ namespace csg::reference {
 /// plane_cells.h), the regions between them are found (cell_complex.h), and a cell is on the surface exactly where the
 /// expression differs between the regions on its two sides. Geometry is decided by the two tables, of planes and of
 /// points, and everything after that is combinatorial; where it does not fit together, Undecided is thrown
-/// (plane_cells.h) rather than a wrong mesh returned.
-[[nodiscard]] Mesh plane_boolean(const Scene& scene, const solid::Geometry& geometry, unsigned threads);
+/// (plane_cells.h) rather than a wrong mesh returned. Throws base::Stopped where `stop` asked for it.
+[[nodiscard]] Mesh plane_boolean(const Scene& scene, const solid::Geometry& geometry, unsigned threads,
+                                 const std::stop_token& stop = {});
 
 }  // namespace csg::reference

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "base/stop.h"
 #include "csg/reference/point_ids.h"
 #include "csg/solid/triangulate.h"
 #include "csg/solid/triangulate_region.h"
@@ -54,7 +55,7 @@ std::vector<Region> regions_of(std::span<const std::vector<glm::dvec2>> loops) {
 
 }  // namespace
 
-Mesh roof(std::span<const std::vector<glm::dvec2>> loops) {
+Mesh roof(std::span<const std::vector<glm::dvec2>> loops, const std::stop_token& stop) {
     Mesh mesh;
     PointIds known;
     const auto point = [&](double x, double y, double z) {
@@ -64,6 +65,7 @@ Mesh roof(std::span<const std::vector<glm::dvec2>> loops) {
         return id;
     };
     for (const Region& region : regions_of(loops)) {
+        base::end_if_asked(stop);
         const auto skeleton = CGAL::create_interior_straight_skeleton_2(region);
         if (!skeleton)
             throw std::runtime_error("no straight skeleton was found");

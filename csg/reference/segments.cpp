@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/stop.h"
+
 namespace csg::reference {
 namespace {
 
@@ -69,8 +71,9 @@ std::optional<Interval> cut(const Face& face, const Plane& plane, const glm::dve
 
 class Collector {
   public:
-    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule)
-        : geometry_(geometry), leaves_(leaves), rule_(rule), content_(tolerance_of(geometry.box)) {
+    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule,
+              const std::stop_token& stop)
+        : geometry_(geometry), leaves_(leaves), rule_(rule), paced_(stop), content_(tolerance_of(geometry.box)) {
         content_.planes.resize(geometry.planes.planes().size());
     }
 
@@ -92,11 +95,14 @@ class Collector {
         const solid::PlacedLeaf& leaf = geometry_.leaves[id];
         std::vector<std::uint32_t> ids;
         ids.reserve(leaf.points.size());
-        for (const glm::dvec3& p : leaf.points)
+        for (const glm::dvec3& p : leaf.points) {
+            paced_();
             ids.push_back(content_.points.add(p));
+        }
         std::vector<Face> faces;
         faces.reserve(leaf.triangles.size());
         for (std::size_t i = 0; i < leaf.triangles.size(); ++i) {
+            paced_();
             const glm::uvec3& t = leaf.triangles[i];
             Face face{{}, {ids[t.x], ids[t.y], ids[t.z]}, leaf.planes[i].index, {}};
             for (std::size_t k = 0; k < 3; ++k) {
@@ -194,6 +200,7 @@ class Collector {
         const auto sweep = [&](const Face* face, std::vector<const Face*>& others, bool face_is_first) {
             std::erase_if(others, [&](const Face* o) { return o->box.hi[axis] < face->box.lo[axis]; });
             for (const Face* other : others) {
+                paced_();
                 if (face_is_first)
                     meet(*face, *other, same);
                 else
@@ -252,6 +259,7 @@ class Collector {
     const solid::Geometry& geometry_;
     std::span<const LeafId> leaves_;
     const InsideRule& rule_;
+    base::PacedStop paced_;
     std::vector<std::vector<Face>> faces_;  ///< In the order of `leaves_`.
     Content content_;
 };
@@ -284,8 +292,9 @@ std::vector<std::uint32_t> SegmentTable::chain(std::uint32_t id, const PointTabl
     return inner;
 }
 
-Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule) {
-    return Collector(geometry, leaves, rule).collect();
+Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule,
+                         const std::stop_token& stop) {
+    return Collector(geometry, leaves, rule, stop).collect();
 }
 
 }  // namespace csg::reference

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <unordered_map>
 #include <vector>
 
@@ -54,9 +55,9 @@ struct Content {
 /// Collects the borders of the faces of `leaves`, and the segments in which faces of two leaves (or, of one that is not
 /// convex, of its own) on different planes meet. Not yet split where they cross.
 [[nodiscard]] Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves,
-                                       const InsideRule& rule);
+                                       const InsideRule& rule, const std::stop_token& stop = {});
 
 /// Splits the segments of each plane where they cross or touch.
-void split_segments(const solid::Geometry& geometry, Content& content);
+void split_segments(const solid::Geometry& geometry, Content& content, const std::stop_token& stop = {});
 
 }  // namespace csg::reference

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/stop.h"
 #include "csg/reference/box_pairs.h"
 
 namespace csg::reference {
@@ -87,7 +88,7 @@ class Triangle {
 
 }  // namespace
 
-std::size_t count_self_intersections(const Mesh& mesh, double tolerance) {
+std::size_t count_self_intersections(const Mesh& mesh, double tolerance, const std::stop_token& stop) {
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles)
@@ -96,8 +97,11 @@ std::size_t count_self_intersections(const Mesh& mesh, double tolerance) {
     boxes.reserve(triangles.size());
     for (const Triangle& t : triangles)
         boxes.push_back(t.box());
+    base::end_if_asked(stop);
+    base::PacedStop paced(stop);
     std::size_t count = 0;
     BoxTree(boxes).pairs([&](std::uint32_t a, std::uint32_t b) {
+        paced();
         const Triangle &t = triangles[a], &u = triangles[b];
         if (t.degenerate() ? !u.degenerate() && u.crosses(t, tolerance) : t.crosses(u, tolerance))
             ++count;

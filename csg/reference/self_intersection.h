@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 
 #include "csg/reference/mesh.h"
 
@@ -11,6 +12,7 @@ namespace csg::reference {
 /// coordinate rounded to double may push a corner through a face that it lies on, but not further. Sheets that touch
 /// do not cross. Where faces cross, some edge of one passes through the inside of another triangle: that is what is
 /// looked for, so a crossing that passes only through edges is not seen.
-[[nodiscard]] std::size_t count_self_intersections(const Mesh& mesh, double tolerance);
+[[nodiscard]] std::size_t count_self_intersections(const Mesh& mesh, double tolerance,
+                                                   const std::stop_token& stop = {});
 
 }  // namespace csg::reference

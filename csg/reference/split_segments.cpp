@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/stop.h"
 #include "csg/reference/plane_axes.h"
 #include "csg/reference/segments.h"
 
@@ -16,8 +17,8 @@ class Splitter {
   public:
     /// `overlaps`: takes the pairs of segments that have a piece in common.
     Splitter(Content& content, const PlaneContent& plane, const glm::dvec3& normal,
-             std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps)
-        : content_(content), axes_(normal), tolerance_(content.points.tolerance()), overlaps_(overlaps) {
+             std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps, const std::stop_token& stop)
+        : content_(content), axes_(normal), tolerance_(content.points.tolerance()), overlaps_(overlaps), paced_(stop) {
         items_.reserve(plane.segments.size());
         for (const std::uint32_t id : plane.segments) {
             const SegmentTable::Segment& s = content.segments[id];
@@ -40,6 +41,7 @@ class Splitter {
         for (const Item& item : items_) {
             std::erase_if(active, [&](const Item* other) { return other->hi[axis] < item.lo[axis]; });
             for (const Item* other : active) {
+                paced_();
                 if (other->lo[1 - axis] <= item.hi[1 - axis] && item.lo[1 - axis] <= other->hi[1 - axis])
                     meet(*other, item);
             }
@@ -108,6 +110,7 @@ class Splitter {
     PlaneAxes axes_;
     double tolerance_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps_;
+    base::PacedStop paced_;
     std::vector<Item> items_;
 };
 
@@ -133,12 +136,15 @@ bool pass_on(Content& content, std::uint32_t from, std::uint32_t to) {
 
 /// Where more than two planes share a line, a segment on it may be split in a plane that its neighbour on the line does
 /// not lie in: what is split in one is split in all.
-void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps) {
+void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps,
+                  const std::stop_token& stop) {
+    base::PacedStop paced(stop);
     std::sort(overlaps.begin(), overlaps.end());
     overlaps.erase(std::unique(overlaps.begin(), overlaps.end()), overlaps.end());
     for (bool again = true; again;) {
         again = false;
         for (const auto& [a, b] : overlaps) {
+            paced();
             again |= pass_on(content, a, b);
             again |= pass_on(content, b, a);
         }
@@ -147,13 +153,14 @@ void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::ui
 
 }  // namespace
 
-void split_segments(const solid::Geometry& geometry, Content& content) {
+void split_segments(const solid::Geometry& geometry, Content& content, const std::stop_token& stop) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
     for (std::size_t i = 0; i < content.planes.size(); ++i) {
+        base::end_if_asked(stop);
         if (content.planes[i].segments.size() > 1)
-            Splitter(content, content.planes[i], geometry.planes.planes()[i].normal, overlaps).split();
+            Splitter(content, content.planes[i], geometry.planes.planes()[i].normal, overlaps, stop).split();
     }
-    share_splits(content, std::move(overlaps));
+    share_splits(content, std::move(overlaps), stop);
 }
 
 }  // namespace csg::reference

@@ -38,10 +38,10 @@ void put_properties(Text& out, const MeshDocument& d) {
     put(out, "  </{}>\n", group);
 }
 
-std::string model(const MeshDocument& d) {
+std::string model(const MeshDocument& d, const std::stop_token& stop) {
     const ThreeMfOptions& how = d.three_mf;
     const bool colored = how.colors != ThreeMfColors::None;
-    Text out;
+    Text out(stop);
     put(out,
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"{}\" xml:lang=\"en-US\" "
         "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"{}>\n"
@@ -72,12 +72,12 @@ std::string model(const MeshDocument& d) {
     put(out,
         "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build><item objectid=\"2\"/></build>\n"
         "</model>\n");
-    return fmt::to_string(out);
+    return out.str();
 }
 
 }  // namespace
 
-std::string three_mf(const MeshDocument& document) {
+std::string three_mf(const MeshDocument& document, const std::stop_token& stop) {
     const std::string types =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
@@ -89,7 +89,8 @@ std::string three_mf(const MeshDocument& document) {
         "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
         "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
         "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
-    return zip({{"[Content_Types].xml", types}, {"_rels/.rels", relations}, {"3D/3dmodel.model", model(document)}});
+    return zip(
+        {{"[Content_Types].xml", types}, {"_rels/.rels", relations}, {"3D/3dmodel.model", model(document, stop)}});
 }
 
 }  // namespace csg::reference

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "base/stop.h"
 #include "csg/reference/grid_outline.h"
 #include "csg/reference/manifold.h"
 #include "csg/reference/point_ids.h"
@@ -272,10 +273,12 @@ class Builder {
 
 }  // namespace
 
-Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness& fineness) {
+Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness& fineness,
+                  const std::stop_token& stop) {
     const GridOutline outline(loops);
     if (outline.loops().empty())
         return {};
+    base::end_if_asked(stop);
     Mesh mesh = Builder(outline, fineness).run();
     mesh.sources.assign(mesh.triangles.size(), 0);
     std::vector<glm::dvec3> normals;
@@ -283,6 +286,7 @@ Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness
         const glm::dvec3& a = mesh.points[t.x];
         normals.push_back(glm::cross(mesh.points[t.y] - a, mesh.points[t.z] - a));
     }
+    base::end_if_asked(stop);
     separate_sheets(mesh, std::span<const glm::dvec3>(normals));
     if (!facts(mesh).manifold)
         throw std::runtime_error("the roof does not close");

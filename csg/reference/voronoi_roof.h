@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "csg/reference/mesh.h"
@@ -14,6 +15,7 @@ namespace csg::reference {
 /// a corner that points inwards. A cone's rim, which the curved ridges are part of, is divided as a circle through its
 /// farthest point by `fineness`. Loops may touch. Throws std::runtime_error where the loops cross, or overlap along
 /// an edge, by more than 2^-28 of their size.
-[[nodiscard]] Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness& fineness);
+[[nodiscard]] Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness& fineness,
+                                const std::stop_token& stop = {});
 
 }  // namespace csg::reference

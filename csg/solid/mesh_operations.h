@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,20 @@ struct MeshResult {
     std::string problem;  ///< Why there is no answer; empty where there is one.
 };
 
-/// Implementations are const and may be asked from one thread at a time.
+/// Implementations are const and may be asked from one thread at a time. They throw base::Stopped soon after `stop`
+/// asked for it.
 class MeshOperations {
   public:
     virtual ~MeshOperations() = default;
     /// As `combine` of outlines: the first minus the others where it is a difference.
-    [[nodiscard]] virtual MeshResult boolean(BooleanKind kind, std::span<const Mesh> operands) const = 0;
+    [[nodiscard]] virtual MeshResult boolean(BooleanKind kind, std::span<const Mesh> operands,
+                                             const std::stop_token& stop) const = 0;
     /// The convex hull of points in any number and position; empty where they lie in a plane.
-    [[nodiscard]] virtual MeshResult hull(std::span<const glm::dvec3> points) const = 0;
-    [[nodiscard]] virtual MeshResult minkowski(const Mesh& a, const Mesh& b) const = 0;
+    [[nodiscard]] virtual MeshResult hull(std::span<const glm::dvec3> points, const std::stop_token& stop) const = 0;
+    [[nodiscard]] virtual MeshResult minkowski(const Mesh& a, const Mesh& b, const std::stop_token& stop) const = 0;
     /// A roof over a region: the straight skeleton's, or as high as the nearest point of the outline is far.
-    [[nodiscard]] virtual MeshResult roof(const Outline& outline, const Roof& how) const = 0;
+    [[nodiscard]] virtual MeshResult roof(const Outline& outline, const Roof& how,
+                                          const std::stop_token& stop) const = 0;
 };
 
 }  // namespace csg::solid

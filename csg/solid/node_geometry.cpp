@@ -151,7 +151,7 @@ class MeshMaker {
     void operator()(const Fill&) const { result_.outline = share(fill(flat_children())); }
     void operator()(const Render&) const { unite(children_, dimension_, nullptr, result_); }
     void operator()(const Roof& how) const {
-        add(result_, to_solid(ask(need(tools_, kMeshes).roof(flat_children(), how)), true));
+        add(result_, to_solid(ask(need(tools_, kMeshes).roof(flat_children(), how, tools_.stop)), true));
     }
 
     void operator()(const Projection& how) const {
@@ -173,7 +173,7 @@ class MeshMaker {
         for (const Mesh& mesh : meshes_of(pieces_of(children_, result_, kMixed), tools_))
             points.insert(points.end(), mesh.points.begin(), mesh.points.end());
         if (!points.empty())
-            add(result_, to_solid(ask(need(tools_, kMeshes).hull(points)), true));
+            add(result_, to_solid(ask(need(tools_, kMeshes).hull(points, tools_.stop)), true));
     }
 
     void operator()(const Minkowski&) const {
@@ -196,7 +196,7 @@ class MeshMaker {
             return;
         Mesh sum = std::move(operands[0]);
         for (std::size_t i = 1; i < operands.size(); ++i)
-            sum = ask(need(tools_, kMeshes).minkowski(sum, operands[i]));
+            sum = ask(need(tools_, kMeshes).minkowski(sum, operands[i], tools_.stop));
         add(result_, to_solid(std::move(sum), operands.size() > 1));
     }
 

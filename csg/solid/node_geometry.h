@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,7 @@ struct Tools {
     const MeshOperations* operations = nullptr;  ///< May be missing: what needs it then gives nothing, and a warning.
     FontLibrary& fonts;
     std::function<std::shared_ptr<const Solid>(const LeafShape&)> solid_of;
+    std::stop_token stop{};  ///< Where it is asked for, base::Stopped is thrown.
 };
 
 /// Of one node from its children (in the order of the tree, `%` children left out). Never throws for what the user

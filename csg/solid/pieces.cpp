@@ -22,7 +22,7 @@ void place(Mesh& mesh, const glm::dmat4& matrix) {
 }
 
 Mesh boolean(BooleanKind kind, std::span<const Mesh> operands, const Tools& tools) {
-    return ask(need(tools, "a boolean of meshes").boolean(kind, operands));
+    return ask(need(tools, "a boolean of meshes").boolean(kind, operands, tools.stop));
 }
 
 std::shared_ptr<const Solid> compute(const BooleanNode& node, const Tools& tools) {

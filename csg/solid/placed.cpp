@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/stop.h"
 #include "csg/solid/located.h"
 #include "csg/solid/trim_leaves.h"
 
@@ -69,20 +70,23 @@ int accuracy(const PlacedLeaf& leaf, const glm::uvec3& t) {
 }
 
 /// The widest triangles first, so that an entry of the table is as accurate as can be.
-void assign_planes(Geometry& geometry) {
+void assign_planes(Geometry& geometry, const std::stop_token& stop) {
     struct Item {
         int accuracy;
         std::uint32_t leaf, triangle;
     };
     std::vector<Item> items;
     for (std::uint32_t l = 0; l < geometry.leaves.size(); ++l) {
+        base::end_if_asked(stop);
         PlacedLeaf& leaf = geometry.leaves[l];
         leaf.planes.resize(leaf.triangles.size());
         for (std::uint32_t t = 0; t < leaf.triangles.size(); ++t)
             items.push_back({accuracy(leaf, leaf.triangles[t]), l, t});
     }
     std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.accuracy > b.accuracy; });
+    base::PacedStop paced(stop);
     for (const Item& item : items) {
+        paced();
         PlacedLeaf& leaf = geometry.leaves[item.leaf];
         const glm::uvec3& t = leaf.triangles[item.triangle];
         leaf.planes[item.triangle] = geometry.planes.add(leaf.points[t.x], leaf.points[t.y], leaf.points[t.z]);
@@ -91,14 +95,15 @@ void assign_planes(Geometry& geometry) {
 
 }  // namespace
 
-Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat) {
+Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat, const std::stop_token& stop) {
     Geometry geometry;
     const std::vector<Dimension> by_node = dimensions(tree);
     geometry.leaves.resize(scene.leaves.size());
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
+        base::end_if_asked(stop);
         const LeafInstance& instance = scene.leaves[i];
         PlacedLeaf& leaf = geometry.leaves[i];
-        leaf.solid = cache.get(tree, instance.node, by_node, geometry.warnings);
+        leaf.solid = cache.get(tree, instance.node, by_node, geometry.warnings, stop);
         place_leaf(tree, instance, flat, leaf, geometry.warnings);
     }
     trim_leaves(scene, geometry.leaves);
@@ -118,7 +123,7 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
     }
     geometry.warnings = std::move(once);
     geometry.planes = PlaneTable(coincidence_tolerance(largest));
-    assign_planes(geometry);
+    assign_planes(geometry, stop);
     return geometry;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <unordered_map>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct Tools;
 class FontLibrary;
 
 /// Keeps solids and the geometry of nodes by content hash, so that an edit rebuilds only what changed. For one thread
-/// at a time.
+/// at a time. What is given a `stop` throws base::Stopped soon after it is asked for; nothing half made is kept then.
 class SolidCache {
   public:
     /// Without `operations`, what needs booleans of meshes is left out, with a warning.
@@ -46,14 +47,15 @@ class SolidCache {
     SolidCache& operator=(const SolidCache&) = delete;
 
     /// Of a shape that is solid by itself: cube, sphere, cylinder, polyhedron.
-    std::shared_ptr<const Solid> get(const LeafShape& shape);
+    std::shared_ptr<const Solid> get(const LeafShape& shape, const std::stop_token& stop = {});
     /// Of any node; `by_node` are the dimensions of the tree's nodes. Warnings of it and of what is below it are
     /// appended, with file:line.
     std::shared_ptr<const Solid> get(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
-                                     std::vector<std::string>& warnings);
+                                     std::vector<std::string>& warnings, const std::stop_token& stop = {});
     /// The whole tree as one region of the plane; null where its first object is solid or there is none. Warnings as
     /// above.
-    std::shared_ptr<const Outline> outline(const Tree& tree, std::vector<std::string>& warnings);
+    std::shared_ptr<const Outline> outline(const Tree& tree, std::vector<std::string>& warnings,
+                                           const std::stop_token& stop = {});
     struct Size {
         std::size_t entries = 0, bytes = 0;  ///< Bytes of points and triangles.
     };
@@ -64,8 +66,8 @@ class SolidCache {
   private:
     struct Entry;
     const NodeGeometry& geometry(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
-                                 std::vector<std::string>& warnings);
-    [[nodiscard]] Tools tools();
+                                 std::vector<std::string>& warnings, const std::stop_token& stop);
+    [[nodiscard]] Tools tools(const std::stop_token& stop);
 
     std::shared_ptr<const MeshOperations> operations_;
     std::unique_ptr<FontLibrary> fonts_;
@@ -75,7 +77,8 @@ class SolidCache {
 
 /// Places every leaf. Transforms run in double precision; a matrix that is not finite or is projective makes the leaf
 /// empty, with a warning; one with zero determinant makes it a leaf without volume. Outlines are slabs
-/// of thickness `flat` about their plane, whatever scales it.
-[[nodiscard]] Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat = 1);
+/// of thickness `flat` about their plane, whatever scales it. Throws base::Stopped where `stop` asked for it.
+[[nodiscard]] Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat = 1,
+                             const std::stop_token& stop = {});
 
 }  // namespace csg::solid

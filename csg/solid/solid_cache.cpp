@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "base/stop.h"
 #include "csg/solid/located.h"
 #include "csg/solid/node_geometry.h"
 #include "csg/solid/placed.h"
@@ -19,11 +20,12 @@ SolidCache::SolidCache(std::shared_ptr<const MeshOperations> operations)
     : operations_(std::move(operations)), fonts_(std::make_unique<FontLibrary>()) {}
 SolidCache::~SolidCache() = default;
 
-Tools SolidCache::tools() {
-    return {operations_.get(), *fonts_, [this](const LeafShape& shape) { return get(shape); }};
+Tools SolidCache::tools(const std::stop_token& stop) {
+    return {operations_.get(), *fonts_, [this, &stop](const LeafShape& shape) { return get(shape, stop); }, stop};
 }
 
-std::shared_ptr<const Solid> SolidCache::get(const LeafShape& shape) {
+std::shared_ptr<const Solid> SolidCache::get(const LeafShape& shape, const std::stop_token& stop) {
+    base::end_if_asked(stop);
     Entry& entry = entries_[content_hash(shape)];
     entry.used = generation_;
     if (!entry.solid)
@@ -32,21 +34,21 @@ std::shared_ptr<const Solid> SolidCache::get(const LeafShape& shape) {
 }
 
 std::shared_ptr<const Solid> SolidCache::get(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
-                                             std::vector<std::string>& warnings) {
+                                             std::vector<std::string>& warnings, const std::stop_token& stop) {
     if (tree.node(node).operation == Operation::Leaf && by_node[node] == Dimension::Solid) {
         const LeafShape& shape = tree.shape(node);
         if (!std::holds_alternative<std::shared_ptr<const Import>>(shape) &&
             !std::holds_alternative<std::shared_ptr<const Surface>>(shape)) {
-            const auto solid = get(shape);
+            const auto solid = get(shape, stop);
             for (const std::string& warning : solid->warnings)
                 warnings.push_back(located(tree, tree.node(node).where, warning));
             return solid;
         }
     }
-    const NodeGeometry& made = geometry(tree, node, by_node, warnings);
+    const NodeGeometry& made = geometry(tree, node, by_node, warnings, stop);
     Entry& entry = entries_[tree.node(node).hash];
     if (!entry.solid)
-        entry.solid = as_solid(made, tools());
+        entry.solid = as_solid(made, tools(stop));
     for (const std::string& warning : entry.solid->warnings) {
         if (std::find(made.warnings.begin(), made.warnings.end(), warning) == made.warnings.end())
             warnings.push_back(located(tree, tree.node(node).where, warning));
@@ -57,7 +59,7 @@ std::shared_ptr<const Solid> SolidCache::get(const Tree& tree, NodeId node, cons
 /// All nodes below are visited, children first: their geometry is kept as long as this node's is, and warnings are told
 /// with the places they have in this tree.
 const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std::vector<Dimension>& by_node,
-                                         std::vector<std::string>& warnings) {
+                                         std::vector<std::string>& warnings, const std::stop_token& stop) {
     std::vector<NodeId> nodes{top};
     std::unordered_set<NodeId> seen{top};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -69,6 +71,7 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
     std::sort(nodes.begin(), nodes.end());
     std::vector<const NodeGeometry*> children;
     for (const NodeId id : nodes) {
+        base::end_if_asked(stop);
         Entry& known = entries_[tree.node(id).hash];
         known.used = generation_;
         if (!known.geometry) {
@@ -77,7 +80,8 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
                 if (!tree.node(child).modifiers.background)
                     children.push_back(entries_[tree.node(child).hash].geometry.get());
             }
-            known.geometry = std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools()));
+            known.geometry =
+                std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools(stop)));
         }
         for (const std::string& warning : known.geometry->warnings)
             warnings.push_back(located(tree, tree.node(id).where, warning));
@@ -85,8 +89,9 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
     return *entries_[tree.node(top).hash].geometry;
 }
 
-std::shared_ptr<const Outline> SolidCache::outline(const Tree& tree, std::vector<std::string>& warnings) {
-    return tree.root() == kNoNode ? nullptr : geometry(tree, tree.root(), dimensions(tree), warnings).outline;
+std::shared_ptr<const Outline> SolidCache::outline(const Tree& tree, std::vector<std::string>& warnings,
+                                                   const std::stop_token& stop) {
+    return tree.root() == kNoNode ? nullptr : geometry(tree, tree.root(), dimensions(tree), warnings, stop).outline;
 }
 
 SolidCache::Size SolidCache::size() const {

@@ -28,27 +28,27 @@ double volume(const MeshResult& result) {
 TEST(ExactOperations, Booleans) {
     const auto operations = ui::exact_operations();
     const std::array operands{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
-    EXPECT_NEAR(volume(operations->boolean(BooleanKind::Union, operands)), 15, 1e-9);
-    EXPECT_NEAR(volume(operations->boolean(BooleanKind::Difference, operands)), 7, 1e-9);
-    EXPECT_NEAR(volume(operations->boolean(BooleanKind::Intersection, operands)), 1, 1e-9);
+    EXPECT_NEAR(volume(operations->boolean(BooleanKind::Union, operands, {})), 15, 1e-9);
+    EXPECT_NEAR(volume(operations->boolean(BooleanKind::Difference, operands, {})), 7, 1e-9);
+    EXPECT_NEAR(volume(operations->boolean(BooleanKind::Intersection, operands, {})), 1, 1e-9);
 }
 
 TEST(ExactOperations, HullAndMinkowski) {
     const auto operations = ui::exact_operations();
     const std::array<glm::dvec3, 5> points{{{0, 0, 0}, {6, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1, 0.1, 0.1}}};
-    EXPECT_NEAR(volume(operations->hull(points)), 1, 1e-9);
+    EXPECT_NEAR(volume(operations->hull(points, {})), 1, 1e-9);
     EXPECT_NEAR(volume(operations->minkowski(box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {2, 3, 4}))), 60, 1e-9);
 }
 
 TEST(ExactOperations, Roofs) {
     const auto operations = ui::exact_operations();
     const Outline square{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
-    EXPECT_NEAR(volume(operations->roof(square, {})), 4.0 * 4 * 2 / 3, 1e-9);  // A pyramid 2 high.
+    EXPECT_NEAR(volume(operations->roof(square, {}, {})), 4.0 * 4 * 2 / 3, 1e-9);  // A pyramid 2 high.
     // A square ring 1 wide: a ridge 0.5 high all around.
     const Outline ring{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}}};
-    EXPECT_NEAR(volume(operations->roof(ring, {.method = "straight", .fineness = {}})), 3, 1e-9);
+    EXPECT_NEAR(volume(operations->roof(ring, {.method = "straight", .fineness = {}}, {})), 3, 1e-9);
     // By distance it is higher, as the hole's corners are farther away than its edges' lines.
-    EXPECT_GT(volume(operations->roof(ring, {.method = "voronoi", .fineness = {}})), 3.05);
+    EXPECT_GT(volume(operations->roof(ring, {.method = "voronoi", .fineness = {}}, {})), 3.05);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "base/stop.h"
+
 namespace ui {
 namespace {
 
@@ -70,7 +72,7 @@ TEST(ModelBuilder, StopsWhenAsked) {
     const auto tree = finish(builder, Operation::Union, {cube(builder, 0, 10)});
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_EQ(ModelBuilder().build(tree, stop.get_token()), nullptr);
+    EXPECT_THROW((void)ModelBuilder().build(tree, stop.get_token()), base::Stopped);
 }
 
 TEST(ModelBuilder, KeepsTheMeshesOfEqualLeaves) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/stop.h"
 #include "goldfeather/lists_cpu.h"
 #include "ui/pipeline/solid_scene.h"
 
@@ -42,8 +43,8 @@ struct Sighting {
 
 class Lookout {
   public:
-    Lookout(const SolidScene& solid, const csg::Box& box)
-        : solid_(solid), lists_(solid.scene, solid.geometry), box_(box) {}
+    Lookout(const SolidScene& solid, const csg::Box& box, const std::stop_token& stop)
+        : solid_(solid), lists_(solid.scene, solid.geometry), box_(box), stop_(stop) {}
 
     /// The largest sign * coordinate of the result along the side's axis.
     [[nodiscard]] std::optional<double> height(const Side& side) {
@@ -86,7 +87,7 @@ class Lookout {
         const gl::View view(camera, count, box_.lo, box_.hi);
         goldfeather::CpuLayers layers;
         goldfeather::ListsStats ignored;
-        goldfeather::peel_lists(lists_, view, 1, 0, layers, ignored);
+        goldfeather::peel_lists(lists_, view, 1, 0, layers, ignored, stop_);
 
         // Reversed depth: the largest is the nearest. Ties go to the first pixel.
         const std::vector<float>& depth = layers.planes[0].depth;
@@ -107,6 +108,7 @@ class Lookout {
         std::vector<glm::dvec3> corners;  // Mirrored, so that the highest come first in the order of their coordinates.
         const double bound = side.sign * (side.sign > 0 ? box_.hi : box_.lo)[side.axis] + close;
         for (const csg::solid::PlacedLeaf& leaf : solid_.geometry.leaves) {
+            base::end_if_asked(stop_);
             for (const glm::dvec3& point : leaf.points) {
                 const double corner = side.sign * point[side.axis];
                 if (corner > height + close && corner < bound) {
@@ -134,6 +136,7 @@ class Lookout {
     [[nodiscard]] double snapped(const Side& side, double height, double close) const {
         double nearest = height, least = close;
         for (const csg::solid::PlacedLeaf& leaf : solid_.geometry.leaves) {
+            base::end_if_asked(stop_);
             for (const glm::dvec3& point : leaf.points) {
                 const double corner = side.sign * point[side.axis];
                 if (std::abs(corner - height) < least) {
@@ -148,12 +151,13 @@ class Lookout {
     const SolidScene& solid_;
     goldfeather::ListsModel lists_;
     csg::Box box_;
+    const std::stop_token& stop_;
     double pixel_ = 0;  ///< Side of a pixel in the last picture, world units.
 };
 
 }  // namespace
 
-csg::Box exact_bounds(const Model& model) {
+csg::Box exact_bounds(const Model& model, const std::stop_token& stop) {
     const SolidScene solid = solid_scene(model.scene, model.geometry);
     csg::Box box;
     for (const csg::Part& part : solid.scene.parts) {
@@ -170,7 +174,7 @@ csg::Box exact_bounds(const Model& model) {
         box.lo.z = box.hi.z = 0;  // Outlines have no thickness of their own.
         return box;
     }
-    Lookout lookout(solid, box);
+    Lookout lookout(solid, box, stop);
     csg::Box exact = box;
     const glm::dvec3 size = box.size();
     for (const Side& side : kSides) {

@@ -32,7 +32,7 @@ csg::ExpressionKind expression_kind(BooleanKind kind) {
     return csg::ExpressionKind::Union;
 }
 
-/// What csg/reference throws becomes a problem.
+/// What csg/reference throws becomes a problem, but for base::Stopped.
 template <typename Make>
 MeshResult answer(Make&& make) {
     MeshResult result;
@@ -47,28 +47,31 @@ MeshResult answer(Make&& make) {
 
 class ExactOperations final : public csg::solid::MeshOperations {
   public:
-    [[nodiscard]] MeshResult boolean(BooleanKind kind, std::span<const csg::solid::Mesh> operands) const override {
+    [[nodiscard]] MeshResult boolean(BooleanKind kind, std::span<const csg::solid::Mesh> operands,
+                                     const std::stop_token& stop) const override {
         return answer([&] {
             std::vector<csg::reference::Mesh> meshes;
             for (const csg::solid::Mesh& operand : operands) {
                 meshes.push_back(to_reference(operand));
             }
-            return csg::reference::combine(expression_kind(kind), meshes).mesh;
+            return csg::reference::combine(expression_kind(kind), meshes, stop).mesh;
         });
     }
-    [[nodiscard]] MeshResult hull(std::span<const glm::dvec3> points) const override {
-        return answer([&] { return csg::reference::hull(points); });
+    [[nodiscard]] MeshResult hull(std::span<const glm::dvec3> points, const std::stop_token& stop) const override {
+        return answer([&] { return csg::reference::hull(points, stop); });
     }
-    [[nodiscard]] MeshResult minkowski(const csg::solid::Mesh& a, const csg::solid::Mesh& b) const override {
+    [[nodiscard]] MeshResult minkowski(const csg::solid::Mesh& a, const csg::solid::Mesh& b,
+                                       const std::stop_token& stop) const override {
         return answer([&] {
             const std::array operands{to_reference(a), to_reference(b)};
-            return csg::reference::minkowski_sum(operands);
+            return csg::reference::minkowski_sum(operands, stop);
         });
     }
-    [[nodiscard]] MeshResult roof(const csg::solid::Outline& outline, const csg::Roof& how) const override {
+    [[nodiscard]] MeshResult roof(const csg::solid::Outline& outline, const csg::Roof& how,
+                                  const std::stop_token& stop) const override {
         return answer([&] {
-            return how.method == "straight" ? csg::reference::roof(outline.loops)
-                                            : csg::reference::voronoi_roof(outline.loops, how.fineness);
+            return how.method == "straight" ? csg::reference::roof(outline.loops, stop)
+                                            : csg::reference::voronoi_roof(outline.loops, how.fineness, stop);
         });
     }
 };

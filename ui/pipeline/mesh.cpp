@@ -10,11 +10,11 @@
 
 namespace ui {
 
-ModelMesh make_mesh(const Model& model) {
+ModelMesh make_mesh(const Model& model, const std::stop_token& stop) {
     ModelMesh result;
     Stopwatch watch;
     try {
-        auto found = csg::reference::make_mesh(model.scene, model.geometry);
+        auto found = csg::reference::make_mesh(model.scene, model.geometry, {.method = {}, .stop = stop});
         result.mesh = std::move(found.mesh);
         result.facts = found.facts;
         result.method = csg::reference::name(found.method);
@@ -46,7 +46,7 @@ std::string part_name(const Model& model, std::size_t number, csg::LeafId leaf) 
 }  // namespace
 
 std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format,
-                        const csg::reference::ThreeMfOptions& three_mf) {
+                        const csg::reference::ThreeMfOptions& three_mf, const std::stop_token& stop) {
     // One part of the file for each colour, in the order of the leaves.
     csg::reference::MeshDocument document{mesh.mesh, {}, {}, three_mf};
     std::map<std::array<float, 4>, std::uint32_t> known;
@@ -72,7 +72,7 @@ std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat fo
     for (const std::uint32_t leaf : mesh.mesh.sources) {
         document.part_of.push_back(of_leaf[leaf]);
     }
-    return csg::reference::encode(document, format);
+    return csg::reference::encode(document, format, stop);
 }
 
 nlohmann::ordered_json to_json(const ModelMesh& mesh) {

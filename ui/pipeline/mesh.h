@@ -21,13 +21,15 @@ struct ModelMesh {
     double boolean_ms = 0;       ///< Wall time.
 };
 
-/// The solid and translucent parts as one closed mesh. Throws ModelError where there is nothing, or no closed mesh.
-[[nodiscard]] ModelMesh make_mesh(const Model& model);
+/// The solid and translucent parts as one closed mesh. Throws ModelError where there is nothing, or no closed mesh,
+/// base::Stopped where `stop` asked for it.
+[[nodiscard]] ModelMesh make_mesh(const Model& model, const std::stop_token& stop = {});
 
 /// The bytes of a file. Parts of the file are the colours of the model; each is named by the place in the source where
 /// the first object of that colour stands.
 [[nodiscard]] std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format,
-                                      const csg::reference::ThreeMfOptions& three_mf = {});
+                                      const csg::reference::ThreeMfOptions& three_mf = {},
+                                      const std::stop_token& stop = {});
 
 /// For summaries, in OpenSCAD's form: {"dimensions": 3, "facets": …, "vertices": …, "simple": true, "area": …,
 /// "volume": …, "bounding_box": {"min": …, "max": …, "size": …}}.

@@ -134,7 +134,7 @@ std::optional<ModelMesh> decode_kept(const MeshKey& key, const std::string& byte
     return mesh;
 }
 
-std::shared_ptr<const ModelMesh> MeshCache::get(const Model& model) {
+std::shared_ptr<const ModelMesh> MeshCache::get(const Model& model, const std::stop_token& stop) {
     const MeshKey key = mesh_key(model);
     problem_.clear();
     hit_ = true;
@@ -158,7 +158,7 @@ std::shared_ptr<const ModelMesh> MeshCache::get(const Model& model) {
         }
     }
     hit_ = false;
-    auto mesh = keep(make_mesh(model));
+    auto mesh = keep(make_mesh(model, stop));
     if (!folder_.empty()) {
         try {
             std::filesystem::create_directories(folder_);

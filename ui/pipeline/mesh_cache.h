@@ -25,7 +25,7 @@ class MeshCache {
     explicit MeshCache(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
 
     /// As make_mesh, unless the mesh is known. That a mesh cannot be kept on disk is no error; `problem` tells.
-    [[nodiscard]] std::shared_ptr<const ModelMesh> get(const Model& model);
+    [[nodiscard]] std::shared_ptr<const ModelMesh> get(const Model& model, const std::stop_token& stop = {});
 
     [[nodiscard]] const std::string& problem() const { return problem_; }
     [[nodiscard]] bool hit() const { return hit_; }  ///< Was the last mesh known?

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/stop.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -49,7 +50,7 @@ std::vector<goldfeather::Product> products_of(Model& model, const csg::Part& par
 
 }  // namespace
 
-std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, std::stop_token stop) {
+std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, const std::stop_token& stop) {
     auto model = std::make_shared<Model>();
     model->tree = std::move(tree);
     model->generation = next_generation();
@@ -58,7 +59,7 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     const bool result = showing_ == csg::Showing::Result;
     model->flat = result && csg::is_flat(*model->tree);
     model->scene = csg::make_scene(*model->tree, showing_);
-    model->geometry = csg::solid::place(*model->tree, model->scene, solids_, result ? kFlat : kPreviewThickness);
+    model->geometry = csg::solid::place(*model->tree, model->scene, solids_, result ? kFlat : kPreviewThickness, stop);
     solids_.trim();
     statistics.place_ms = watch.lap();
 
@@ -68,9 +69,7 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
         statistics.triangles += leaf.triangles.size();
     }
     for (const csg::Part& part : model->scene.parts) {
-        if (stop.stop_requested()) {
-            return nullptr;
-        }
+        base::end_if_asked(stop);
         model->products.push_back(products_of(*model, part, boxes, budget_, statistics));
         for (const goldfeather::Product& product : model->products.back()) {
             model->box = csg::enclose(model->box, product.box);
@@ -84,9 +83,9 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     return model;
 }
 
-std::shared_ptr<const csg::solid::Outline> ModelBuilder::outline(const Model& model) {
+std::shared_ptr<const csg::solid::Outline> ModelBuilder::outline(const Model& model, const std::stop_token& stop) {
     std::vector<std::string> warnings;
-    auto outline = solids_.outline(*model.tree, warnings);
+    auto outline = solids_.outline(*model.tree, warnings, stop);
     if (!outline || outline->empty()) {
         throw ModelError("the model is empty: there is nothing to export");
     }

@@ -55,13 +55,15 @@ class ModelBuilder {
     /// In previews outlines by themselves are slabs of thickness 1, as in OpenSCAD's; in results they are next to flat.
     void show(csg::Showing showing) { showing_ = showing; }
 
-    /// A part with more products than the budget allows is left to the engines that need none. Gives null where `stop`
-    /// ended it.
-    [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree, std::stop_token stop = {});
+    /// A part with more products than the budget allows is left to the engines that need none. Throws base::Stopped
+    /// where `stop` asked for it.
+    [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree,
+                                                     const std::stop_token& stop = {});
 
     /// A flat model (ui/pipeline/outline.h) as one region of the plane; its warnings are those of the model. Throws
-    /// ModelError where nothing is left of it.
-    [[nodiscard]] std::shared_ptr<const csg::solid::Outline> outline(const Model& model);
+    /// ModelError where nothing is left of it, base::Stopped where `stop` asked for it.
+    [[nodiscard]] std::shared_ptr<const csg::solid::Outline> outline(const Model& model,
+                                                                     const std::stop_token& stop = {});
 
     /// What the meshes kept from one model to the next take.
     [[nodiscard]] csg::solid::SolidCache::Size cache_size() const { return solids_.size(); }

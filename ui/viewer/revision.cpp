@@ -3,6 +3,7 @@
 #include <mutex>
 #include <new>
 
+#include "base/stop.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/stopwatch.h"
 
@@ -76,9 +77,6 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     }
     auto model = builder.build(evaluation.tree, ended.get_token());
     revision.build_ms = watch.lap();
-    if (!model) {
-        return;
-    }
     for (const std::string& warning : model->warnings) {
         revision.messages.add(LineKind::Warning, "WARNING: " + warning);
     }
@@ -94,6 +92,8 @@ Revision make_revision(const Source& source, const csg::scad::View& camera, Mode
     Revision revision;
     try {
         evaluate_and_build(revision, source, camera, builder, measures, stop);
+    } catch (const base::Stopped&) {
+        // Another revision takes its place.
     } catch (const std::bad_alloc&) {
         revision.messages.add(LineKind::Error, "ERROR: out of memory");
     } catch (const std::exception& error) {
