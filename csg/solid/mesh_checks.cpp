@@ -11,17 +11,6 @@ namespace {
 
 constexpr std::size_t kMostConvexityTests = std::size_t{1} << 24;
 
-/// Six times the volume; negative for a mesh turned inside out.
-double volume6(const Solid& solid) {
-    const glm::dvec3 origin = solid.box.centre();
-    double sum = 0;
-    for (const glm::uvec3& t : solid.triangles) {
-        const glm::dvec3 a = solid.points[t.x] - origin, b = solid.points[t.y] - origin, c = solid.points[t.z] - origin;
-        sum += glm::dot(a, glm::cross(b, c));
-    }
-    return sum;
-}
-
 /// How often the mesh is around the point, which must not be on it: the sum of the solid angles of its triangles (Van
 /// Oosterom and Strackee 1983).
 double winding_number(const Solid& solid, const glm::dvec3& point) {
@@ -59,8 +48,8 @@ bool is_convex(const Solid& solid) {
     return std::lround(winding_number(solid, middle)) == 1;
 }
 
-/// Counts the uses of each edge.
-MeshFaults check_edges(const Solid& solid) {
+/// Is each directed edge there as often as its opposite?
+bool is_closed(const Solid& solid) {
     struct Edge {
         std::uint32_t lo, hi;
         int direction;
@@ -75,19 +64,16 @@ MeshFaults check_edges(const Solid& solid) {
     }
     std::sort(edges.begin(), edges.end(),
               [](const Edge& a, const Edge& b) { return std::tie(a.lo, a.hi) < std::tie(b.lo, b.hi); });
-    MeshFaults result;
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t j = i;
         int balance = 0;
         for (; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j)
             balance += edges[j].direction;
         if (balance != 0)
-            result.open = true;
-        else if (j - i > 2)
-            result.non_manifold = true;
+            return false;
         i = j;
     }
-    return result;
+    return true;
 }
 
 }  // namespace
@@ -146,13 +132,9 @@ void weld(std::vector<std::uint32_t>& face, std::span<const std::uint32_t> first
         face.pop_back();
 }
 
-MeshFaults check_mesh(Solid& solid) {
-    MeshFaults faults = check_edges(solid);
-    faults.inside_out = !faults.open && volume6(solid) < 0;
-    solid.closed = !faults.open;
-    solid.convex = solid.closed && !faults.non_manifold && !faults.inside_out && is_convex(solid);
-    solid.simple = solid.convex;
-    return faults;
+void check_mesh(Solid& solid) {
+    solid.closed = is_closed(solid);
+    solid.convex = solid.simple = solid.closed && is_convex(solid);
 }
 
 }  // namespace csg::solid

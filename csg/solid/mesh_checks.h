@@ -1,4 +1,4 @@
-// What a mesh given by hand is: closed, oriented, convex.
+// What a mesh given by hand is: closed, convex.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,7 @@ namespace csg::solid {
 /// Puts the first of equals for each index of the loop `face`; of neighbours that become one, one is left.
 void weld(std::vector<std::uint32_t>& face, std::span<const std::uint32_t> first);
 
-/// What keeps a mesh from being a solid.
-struct MeshFaults {
-    bool open = false;          ///< Or its faces are not all oriented alike.
-    bool non_manifold = false;  ///< An edge has more than two faces.
-    bool inside_out = false;    ///< Never told of an open mesh.
-};
-
-/// Sets `closed`, `convex` and `simple`, and tells what was found. A mesh too big to be tested for convexity counts as
-/// not convex.
-MeshFaults check_mesh(Solid& solid);
+/// Sets `closed`, `convex` and `simple`. A mesh too big to be tested for convexity counts as not convex.
+void check_mesh(Solid& solid);
 
 }  // namespace csg::solid

@@ -150,28 +150,18 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
 }
 
 /// Where a polyhedron is open, gaps that no picture shows are closed, if that is all that was missing.
-void close_gaps(const Polyhedron& polyhedron, Solid& solid, MeshFaults& faults) {
+void close_gaps(const Polyhedron& polyhedron, Solid& solid) {
     constexpr double kGap = 1e-11;  // Of the diagonal.
     Solid closed;
     (void)add_faces(polyhedron, first_of_near(polyhedron.points, kGap * solid.box.diagonal()), closed);
     closed.box = solid.box;
     if (closed.triangles.empty())
         return;
-    const MeshFaults left = check_mesh(closed);
-    if (!left.open) {
+    check_mesh(closed);
+    if (closed.closed) {
         closed.warnings = std::move(solid.warnings);
         solid = std::move(closed);
-        faults = left;
     }
-}
-
-void warn_of(const MeshFaults& faults, std::vector<std::string>& warnings) {
-    if (faults.open)
-        warnings.emplace_back("polyhedron is not closed, or its faces are not all oriented alike");
-    else if (faults.non_manifold)
-        warnings.emplace_back("polyhedron has an edge that more than two faces share");
-    if (faults.inside_out)
-        warnings.emplace_back("polyhedron is inside out: its faces are to be clockwise seen from outside");
 }
 
 /// Outlines and what comes from files are made elsewhere (node_geometry.h).
@@ -215,10 +205,11 @@ std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
         return solid;
     }
     if (!solid->triangles.empty()) {
-        MeshFaults faults = check_mesh(*solid);
-        if (faults.open)
-            close_gaps(*std::get<std::shared_ptr<const Polyhedron>>(shape), *solid, faults);
-        warn_of(faults, solid->warnings);
+        check_mesh(*solid);
+        if (!solid->closed)
+            close_gaps(*std::get<std::shared_ptr<const Polyhedron>>(shape), *solid);
+        if (!solid->closed)
+            solid->warnings.emplace_back("polyhedron is not closed, or its faces are not all oriented alike");
     }
     return solid;
 }

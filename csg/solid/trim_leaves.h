@@ -15,7 +15,7 @@ inline constexpr double kFarthestReach = 64;
 /// side of an intersection, of 1e10, as people write for "endless") down to that reach. The result of the part lies in
 /// its box, so nothing of it changes; but depth, and the tolerance of coincidence, need not span what nobody sees. Cuts
 /// are closed by triangles from one of their points: for convex leaves a convex face, for others one that overlaps
-/// itself so that an even number of triangles lies where there is no leaf. `planes` must not be assigned yet.
+/// itself, where the directions of its triangles add up to the winding numbers of the leaf, and so do their parities. `planes` must not be assigned yet.
 void trim_leaves(const Scene& scene, std::span<PlacedLeaf> leaves);
 
 }  // namespace csg::solid

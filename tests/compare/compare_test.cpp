@@ -323,6 +323,48 @@ TEST_F(Export, AnotherMeshIsFoundOut) {
     EXPECT_EQ(run("compare other.scad --imgsize 96 --against m.stl --tolerance 1").status, 0);
 }
 
+/// Moves the keyword of the second corner of each facet chosen behind that of the third.
+std::string turned(const std::string& stl, bool all) {
+    std::string result;
+    std::size_t from = 0;
+    for (std::size_t loop = stl.find("outer loop"); loop != std::string::npos; loop = stl.find("outer loop", from)) {
+        const std::size_t a = stl.find("vertex", loop), b = stl.find("vertex", a + 1), c = stl.find("vertex", b + 1),
+                          end = stl.find("endloop", c);
+        result += stl.substr(from, b - from);
+        result += all || from == 0 ? stl.substr(c, end - c) + stl.substr(b, c - b) : stl.substr(b, end - b);
+        from = end;
+    }
+    return result + stl.substr(from);
+}
+
+TEST_F(Export, ATurnedMeshIsFoundOut) {
+    ASSERT_EQ(run("m.scad -o m.stl").status, 0);
+    folder_.write("inside_out.stl", turned(folder_.read("m.stl"), true));
+    const Result inside_out = run("compare m.scad --imgsize 64 --against inside_out.stl");
+    EXPECT_EQ(inside_out.status, 1) << inside_out.err;
+    const Json json = Json::parse(inside_out.out);
+    EXPECT_EQ(json.at("without_band").at("layer_error"), 0.0);
+    EXPECT_EQ(json.at("without_band").at("orientation_error"), 1.0);
+    EXPECT_EQ(json.at("without_band").at("normal_error"), 1.0);
+    EXPECT_EQ(json.at("volume").at("agrees"), false);
+    folder_.write("die.scad", "cube(10);");
+    ASSERT_EQ(run("die.scad -o die.stl").status, 0);
+    folder_.write("one.stl", turned(folder_.read("die.stl"), false));
+    const Result one = run("compare die.scad --imgsize 96 --views 6 --against one.stl");
+    EXPECT_EQ(one.status, 1) << one.err;
+    EXPECT_GT(Json::parse(one.out).at("without_band").at("orientation_error"), 0.0);
+}
+
+TEST_F(Export, TheVolumeOfThePictureIsThatOfTheMesh) {
+    const Result result = run("compare m.scad --views 4 --imgsize 200");
+    ASSERT_EQ(result.status, 0) << result.out << result.err;
+    const Json json = Json::parse(result.out);
+    const double mesh = json.at("mesh").at("volume"), picture = json.at("volume").at("picture");
+    EXPECT_EQ(json.at("volume").at("agrees"), true);
+    EXPECT_NEAR(picture, mesh, 0.01 * mesh);
+    EXPECT_LT(json.at("volume").at("uncertainty"), 0.1 * mesh);
+}
+
 TEST_F(Export, PictureToPicture) {
     ASSERT_EQ(run("m.scad -o m.png --imgsize 96,96 --engine lists-cpu").status, 0);
     EXPECT_EQ(run("compare m.scad --reference m.png").status, 0);

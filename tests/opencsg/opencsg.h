@@ -1,5 +1,9 @@
 // OpenCSG (libopencsg) beside our engines: the same products, the same meshes, in an OpenGL context of its own.
 // For comparison only; nothing of it is part of the program.
+//
+// What is inside, OpenCSG finds by parity: it peels as many layers of a leaf as the leaf's convexity says, and counts
+// surfaces in front of each, whichever way they face (its SCS takes front for entering and back for leaving, once). Of
+// leaves whose shells overlap it shows the even-odd solid.
 #pragma once
 
 #include <memory>

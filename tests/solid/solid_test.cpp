@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "csg/solid/extrude.h"
 #include "csg/solid/placed.h"
 #include "tests/random/random_tree.h"
 #include "tests/solid/mesh_volume.h"
@@ -20,7 +21,7 @@ using csg::solid::make_solid;
 using csg::solid::Solid;
 using test::mesh_volume;
 
-/// Every directed edge has exactly one opposite, and no other use.
+/// Every directed edge is there as often as its opposite.
 bool closed(std::span<const glm::uvec3> triangles) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (const glm::uvec3& t : triangles)
@@ -180,7 +181,8 @@ TEST(Solid, PolyhedraAreCheckedNotBelieved) {
     for (auto& face : inside_out.faces)
         std::reverse(face.begin(), face.end());
     EXPECT_TRUE(solid_of(inside_out).closed);
-    EXPECT_FALSE(solid_of(inside_out).warnings.empty());
+    EXPECT_FALSE(solid_of(inside_out).convex);
+    EXPECT_TRUE(solid_of(inside_out).warnings.empty());  // The same solid, as in OpenSCAD.
 
     // Points that are given twice are one.
     csg::Polyhedron doubled;
@@ -199,6 +201,47 @@ TEST(Solid, PolyhedraAreCheckedNotBelieved) {
     wild.faces.push_back({});
     EXPECT_NO_THROW(static_cast<void>(solid_of(wild)));
     EXPECT_FALSE(solid_of(wild).warnings.empty());
+}
+
+/// Two of `a`, the second moved.
+csg::Polyhedron two_shells(const csg::Polyhedron& a, const glm::dvec3& by) {
+    csg::Polyhedron both = a;
+    for (const glm::dvec3& p : a.points)
+        both.points.push_back(p + by);
+    for (std::vector<std::uint32_t> face : a.faces) {
+        for (std::uint32_t& i : face)
+            i += static_cast<std::uint32_t>(a.points.size());
+        both.faces.push_back(face);
+    }
+    return both;
+}
+
+TEST(Solid, ConvexIsOneSheet) {
+    // Apart, overlapping, within rounding of each other, the same, sharing an edge.
+    for (const glm::dvec3& by :
+         {glm::dvec3(3, 0, 0), glm::dvec3(0.1), glm::dvec3(1e-16), glm::dvec3(0.0), glm::dvec3(-1, 1, 0)}) {
+        const Solid both = solid_of(two_shells(tetrahedron(), by));
+        EXPECT_TRUE(both.closed && both.warnings.empty()) << by.x;
+        EXPECT_FALSE(both.convex || both.simple) << by.x;
+        EXPECT_TRUE(both.winds()) << by.x;
+    }
+    EXPECT_FALSE(solid_of(tetrahedron()).winds());
+}
+
+TEST(Solid, WhatIsMadeSimpleIsKnownToBe) {
+    EXPECT_FALSE(make_solid(csg::Sphere{2, {}})->winds());
+    const csg::solid::Outline square{{{{1, 0}, {2, 0}, {2, 1}, {1, 1}}}};
+    csg::LinearExtrude how;
+    how.height = 3;
+    EXPECT_FALSE(csg::solid::linear_extrude(square, how)->winds());
+    how.scale = {0.5, 0.5};
+    EXPECT_FALSE(csg::solid::linear_extrude(square, how)->winds());
+    how.scale = {0.5, 2};
+    EXPECT_TRUE(csg::solid::linear_extrude(square, how)->winds());
+    how.scale = {1, 1};
+    how.twist = 90;
+    EXPECT_TRUE(csg::solid::linear_extrude(square, how)->winds());
+    EXPECT_FALSE(csg::solid::rotate_extrude(square, {})->winds());
 }
 
 TEST(Solid, GapsThatNoPictureShowsAreClosed) {

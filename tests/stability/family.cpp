@@ -12,6 +12,7 @@ std::vector<Family> families() {
     add_scales(all);
     add_counts(all);
     add_meshes(all);
+    add_windings(all);
     add_views(all);
     return all;
 }

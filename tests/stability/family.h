@@ -34,6 +34,7 @@ void add_thin(std::vector<Family>& families);
 void add_scales(std::vector<Family>& families);
 void add_counts(std::vector<Family>& families);
 void add_meshes(std::vector<Family>& families);
+void add_windings(std::vector<Family>& families);
 void add_views(std::vector<Family>& families);
 
 /// Builds trees in a line or two. Nothing recurses, so that chains may be long.

@@ -66,7 +66,9 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
     Settings settings;
-    CLI::App app("Families of hard models over their difficulty, every engine against the exact ray caster.");
+    CLI::App app(
+        "Families of hard models over their difficulty, every engine against the exact ray caster. Inside is a winding "
+        "number that is not zero; OpenCSG, beside, counts parity.");
     app.add_option("--only", settings.only, "Names of families instead of all")->delimiter(';');
     app.add_option("--size", settings.sweep.size, "Side of the pictures in pixels")->capture_default_str();
     app.add_option("--most-leaves", settings.sweep.most_leaves, "Leave out levels with more leaves");

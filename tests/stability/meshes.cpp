@@ -73,7 +73,7 @@ void add_meshes(std::vector<Family>& all) {
                        return m.seen(drilled, {30, -6, 9}, {0, 1, 3}, 16);
                    }});
     all.push_back({"self-intersecting meshes",
-                   "n boxes that overlap within one mesh: even-odd.",
+                   "n boxes that overlap within one mesh: solid throughout.",
                    "boxes",
                    {1, 2, 3, 5, 8},
                    [](double n) {
@@ -113,7 +113,7 @@ void add_meshes(std::vector<Family>& all) {
              return m.seen(m.subtract(body), kEye, {0, 0, 0});
          }});
     all.push_back({"duplicate faces",
-                   "A box with every face n times: an even number is nothing.",
+                   "A box with every face n times, which is the same box.",
                    "times",
                    {1, 2, 3, 4, 5},
                    [](double n) {

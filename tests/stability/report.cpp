@@ -143,6 +143,13 @@ std::string to_markdown(const std::vector<FamilyResult>& results, const std::str
         sections += fmt::format("\n### {}\n{}\n\n![{}]({}/{})\n", r.family.name, r.family.what, r.family.name, plots,
                                 plot_name(r.family));
     }
+    if (std::find(names.begin(), names.end(), kForeign) != names.end()) {
+        table += fmt::format(
+            "\n{} finds what is inside by parity, in as many layers of a leaf as its convexity says: where the shells "
+            "of "
+            "a leaf overlap, it is wrong by that.\n",
+            kForeign);
+    }
     return table + sections;
 }
 

@@ -1,7 +1,9 @@
 #include "ui/command_line/compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,6 +17,7 @@
 #include "ui/command_line/compare_views.h"
 #include "ui/command_line/files.h"
 #include "ui/pipeline/errors.h"
+#include "ui/pipeline/layer_volume.h"
 
 namespace ui {
 
@@ -33,6 +36,33 @@ MeshLayers first_layers(MeshLayers layers, int most) {
     return layers;
 }
 
+/// The volume by a picture of all layers: by the view where least may lie between the samples.
+class PictureVolume {
+  public:
+    void look(const goldfeather::HostLayers& stack, const gl::View& view) {
+        const LayerVolume seen = layer_volume(stack, view);
+        if (!known_ || seen.uncertainty < known_->uncertainty) {
+            known_ = seen;
+        }
+    }
+    [[nodiscard]] bool known() const { return known_.has_value(); }
+    [[nodiscard]] bool agrees(double volume, double tolerance) const {
+        return !known_ ||
+               std::abs(known_->volume - volume) <=
+                   known_->uncertainty + (tolerance + kRounding) * std::max(known_->volume, std::abs(volume));
+    }
+    [[nodiscard]] Json to_json(double volume, double tolerance) const {
+        return !known_ ? Json(nullptr)
+                       : Json{{"picture", known_->volume},
+                              {"uncertainty", known_->uncertainty},
+                              {"agrees", agrees(volume, tolerance)}};
+    }
+
+  private:
+    static constexpr double kRounding = 1e-4;  ///< Of depths in single precision.
+    std::optional<LayerVolume> known_;
+};
+
 int compare_with_mesh(const CompareOptions& o) {
     const ComparedModel loaded = load(o);
     const SolidScene solid = solid_scene(loaded.model->scene, loaded.model->geometry);
@@ -43,6 +73,7 @@ int compare_with_mesh(const CompareOptions& o) {
     const csg::reference::MeshFacts facts = csg::reference::facts(mesh);
     csg::Box box = csg::enclose(solid.geometry.box, facts.box);
     Errors all, outside;
+    PictureVolume volume;
     std::vector<ComparedView> views;
     Drawer drawer(solid, o.engine);
     for (int i = 0; i < o.views; ++i) {
@@ -51,6 +82,9 @@ int compare_with_mesh(const CompareOptions& o) {
         const auto stack = drawer.layers(view);
         const MeshLayers truth = first_layers(mesh_layers(mesh, view), drawer.most_layers());
         const Comparison comparison = compare_layers(stack, solid.geometry, mesh, truth, view, box.diagonal());
+        if (view.orthographic() && drawer.most_layers() == peel::kAllLayers && !o.camera) {
+            volume.look(stack, view);
+        }
         all.add(comparison.all);
         outside.add(comparison.outside);
         if (!o.report.empty()) {
@@ -59,8 +93,12 @@ int compare_with_mesh(const CompareOptions& o) {
                 fmt::format("View {} of {}, {}", i + 1, o.views, view.orthographic() ? "orthographic" : "perspective");
         }
     }
-    const double worst = std::max({outside.coverage(), outside.layers(), outside.normals()});
-    bool good = worst <= o.tolerance;
+    if (!volume.known() && drawer.most_layers() == peel::kAllLayers) {
+        const gl::View view(spread_camera(1, 2, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo, box.hi);
+        volume.look(drawer.layers(view), view);
+    }
+    const double worst = std::max({outside.coverage(), outside.layers(), outside.order(), outside.normals()});
+    bool good = worst <= o.tolerance && volume.agrees(facts.volume, o.tolerance);
     Json openscad;
     if (o.against == "openscad") {
         const gl::Camera camera = o.camera ? *o.camera : spread_camera(0, 1, facts.box);
@@ -74,6 +112,7 @@ int compare_with_mesh(const CompareOptions& o) {
                  {"layers", drawer.most_layers() == peel::kAllLayers ? Json("all") : Json(drawer.most_layers())},
                  {"views", o.views},
                  {"mesh", {{"triangles", mesh.triangles.size()}, {"volume", facts.volume}}},
+                 {"volume", volume.to_json(facts.volume, o.tolerance)},
                  {"all", to_json(all)},
                  {"without_band", to_json(outside)},
                  {"tolerance", o.tolerance},

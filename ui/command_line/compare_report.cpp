@@ -46,7 +46,7 @@ std::string layer_table(const ComparedView& view) {
         return "";
     }
     std::string rows =
-        "</table>\n<table><tr><th>layer</th><th>pixels</th><th>coverage error</th><th>normal error</th>"
+        "</table>\n<table><tr><th>layer</th><th>pixels</th><th>coverage error</th><th>normal error</th><th>orientation error</th>"
         "<th>depth, RMS</th><th>depth, largest</th></tr>\n";
     std::size_t number = 0;
     for (const auto& layer : *layers) {

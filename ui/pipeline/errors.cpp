@@ -12,15 +12,23 @@ constexpr double kCrease = 0.94;                    // of the first layer's edge
 constexpr double kWrongDepth = 1e-4;                // over the diagonal: a pixel that is off by more is shown as wrong
 constexpr double kStep = 0.05;                      // over the diagonal: a larger step of the first layer is an edge
 
-/// A surface as both sides tell it: the normal does not tell the side.
+/// A surface as both sides tell it. The normal is to point out of the solid.
 struct Sample {
     double distance;
     glm::dvec3 normal;
+    bool leaving;
 };
 using Field = std::vector<std::vector<Sample>>;
 
 bool alike(const Sample& a, const Sample& b) {
-    return std::abs(glm::dot(a.normal, b.normal)) >= kOneDegree;
+    return glm::dot(a.normal, b.normal) >= kOneDegree;
+}
+
+/// Does a ray enter and leave in turn?
+bool in_turn(const std::vector<Sample>& surfaces) {
+    return std::adjacent_find(surfaces.begin(), surfaces.end(), [](const Sample& a, const Sample& b) {
+               return a.leaving == b.leaving;
+           }) == surfaces.end();
 }
 
 double rms(double squares, std::size_t count) {
@@ -94,7 +102,8 @@ class Comparer {
             }
             Errors e;
             pixel(drawn[i], truth[i], e);
-            const bool wrong = e.coverage_wrong + e.layers_wrong + e.normals_wrong > 0 || e.depth_largest > kWrongDepth;
+            const bool wrong = e.coverage_wrong + e.layers_wrong + e.order_wrong + e.normals_wrong > 0 ||
+                               e.depth_largest > kWrongDepth;
             result.wrong_layers[i] =
                 static_cast<std::uint16_t>(std::count_if(e.layer.begin(), e.layer.end(), [](const LayerErrors& l) {
                     return l.coverage_wrong + l.normals_wrong > 0 || l.depth_largest > kWrongDepth;
@@ -128,6 +137,7 @@ class Comparer {
         e.pixels = 1;
         e.coverage_wrong = drawn.empty() != truth.empty() ? 1 : 0;
         e.layers_wrong = drawn.size() != truth.size() ? 1 : 0;
+        e.order_wrong = in_turn(drawn) && in_turn(truth) ? 0 : 1;
         layer_by_layer(drawn, truth, e);
         if (e.layers_wrong != 0) {
             return;
@@ -137,6 +147,7 @@ class Comparer {
             e.depth_squares += off * off;
             e.depth_largest = std::max(e.depth_largest, off);
             e.normals_wrong += alike(drawn[k], truth[k]) ? 0 : 1;
+            e.turned += drawn[k].leaving == truth[k].leaving ? 0 : 1;
             ++e.surfaces;
         }
     }
@@ -154,6 +165,7 @@ class Comparer {
             const double off = std::abs(drawn[k].distance - truth[k].distance) / diagonal_;
             layer.surfaces = 1;
             layer.normals_wrong = alike(drawn[k], truth[k]) ? 0 : 1;
+            layer.turned = drawn[k].leaving == truth[k].leaving ? 0 : 1;
             layer.depth_squares = off * off;
             layer.depth_largest = off;
         }
@@ -179,6 +191,7 @@ void LayerErrors::add(const LayerErrors& other) {
     coverage_wrong += other.coverage_wrong;
     surfaces += other.surfaces;
     normals_wrong += other.normals_wrong;
+    turned += other.turned;
     depth_squares += other.depth_squares;
     depth_largest = std::max(depth_largest, other.depth_largest);
 }
@@ -194,6 +207,7 @@ double Errors::edge_f_score() const {
 void Errors::add(const Errors& other) {
     LayerErrors::add(other);
     layers_wrong += other.layers_wrong;
+    order_wrong += other.order_wrong;
     layer.resize(std::max(layer.size(), other.layer.size()));
     for (std::size_t k = 0; k < other.layer.size(); ++k) {
         layer[k].add(other.layer[k]);
@@ -212,12 +226,16 @@ Comparison compare_layers(const goldfeather::HostLayers& stack, const csg::solid
     for (int y = 0; y < truth.size.y; ++y) {
         for (int x = 0; x < truth.size.x; ++x) {
             const std::size_t i = comparer.index(x, y);
+            const glm::dvec3 ray = view.ray(x, y).direction;
             for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
                 const goldfeather::Surface& s = stack.at(layer, x, y);
-                drawn[i].push_back({view.distance(s.depth), geometry.planes.planes()[s.plane].normal});
+                const glm::dvec3& normal = geometry.planes.planes()[s.plane].normal;
+                drawn[i].push_back(
+                    {view.distance(s.depth), (glm::dot(normal, ray) > 0) == s.leaving ? normal : -normal, s.leaving});
             }
             for (const MeshSurface& s : truth.of[i]) {
-                expected[i].push_back({s.distance, normal_of(mesh, s.triangle)});
+                const glm::dvec3 normal = normal_of(mesh, s.triangle);
+                expected[i].push_back({s.distance, normal, glm::dot(normal, ray) > 0});
             }
         }
     }
@@ -233,12 +251,21 @@ nlohmann::ordered_json to_json(const Errors& e) {
         layers.push_back({{"pixels", l.pixels},
                           {"coverage_error", share(l.coverage_wrong, l.pixels)},
                           {"normal_error", share(l.normals_wrong, l.surfaces)},
+                          {"orientation_error", share(l.turned, l.surfaces)},
                           {"depth_rms", rms(l.depth_squares, l.surfaces)},
                           {"depth_max", l.depth_largest}});
     }
-    return {{"pixels", e.pixels},           {"surfaces", e.surfaces},           {"coverage_error", e.coverage()},
-            {"layer_error", e.layers()},    {"normal_error", e.normals()},      {"depth_rms", e.depth_rms()},
-            {"depth_max", e.depth_largest}, {"edge_f_score", e.edge_f_score()}, {"layers", layers}};
+    return {{"pixels", e.pixels},
+            {"surfaces", e.surfaces},
+            {"coverage_error", e.coverage()},
+            {"layer_error", e.layers()},
+            {"order_error", e.order()},
+            {"normal_error", e.normals()},
+            {"orientation_error", share(e.turned, e.surfaces)},
+            {"depth_rms", e.depth_rms()},
+            {"depth_max", e.depth_largest},
+            {"edge_f_score", e.edge_f_score()},
+            {"layers", layers}};
 }
 
 }  // namespace ui
