@@ -17,7 +17,7 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
         auto shape = std::make_shared<solid::Solid>();
         shape->points = operands[i].points;
         shape->triangles = operands[i].triangles;
-        (void)solid::check_mesh(*shape);
+        solid::check_mesh(*shape);
         solid::PlacedLeaf leaf;
         leaf.solid = std::move(shape);
         leaf.points = operands[i].points;

@@ -123,7 +123,7 @@ solid::Outline shadow(const std::string& program) {
 
 solid::Outline cut(const std::string& program) {
     Mesh mesh = mesh_of(program);
-    const solid::Piece piece{solid::to_solid({std::move(mesh.points), std::move(mesh.triangles)}), nullptr};
+    const solid::Piece piece{solid::to_solid({std::move(mesh.points), std::move(mesh.triangles)}, true), nullptr};
     return solid::cut(std::span(&piece, 1));
 }
 
