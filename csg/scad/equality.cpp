@@ -95,6 +95,7 @@ class Comparison {
     }
 
     bool compare(Values x, Values y, int depth) {
+        note_values(x.size() + 1);
         if (++pairs_ > kMostPairs) {
             throw ValueLimit("The lists are too large to compare");
         }

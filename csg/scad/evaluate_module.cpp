@@ -1,6 +1,7 @@
 // Blocks, instantiations and user-defined modules.
 #include <algorithm>
 
+#include "base/stop.h"
 #include "csg/scad/argument_roles.h"
 #include "csg/scad/builtin_modules.h"
 #include "csg/scad/evaluator.h"
@@ -64,6 +65,8 @@ void Evaluator::run_assignments(const Block& block, const Frame& frame) {
             }
         } catch (const ValueLimit& limit) {
             fail_limit(a.where, limit);
+        } catch (const base::Stopped&) {
+            fail_stopped(a.where);
         }
     }
 }
@@ -154,6 +157,8 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
         }
     } catch (const ValueLimit& limit) {
         fail_limit(i.where, limit);
+    } catch (const base::Stopped&) {
+        fail_stopped(i.where);
     }
     has_root_modifier_ |= i.modifiers.root;
     if ((nodes_ += out.size() - before) > request_.limits.nodes) {

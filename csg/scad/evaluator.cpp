@@ -51,6 +51,7 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
     host_.random.seed(std::mt19937::default_seed);
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
+    end_values_at(request.stop);
     strings_.reserve(p_.symbols.size() + p_.lazy.most.names);
     function_codes_.assign(p_.functions.size() + p_.lazy.most.functions, nullptr);
     dynamic_.assign(r_.dynamics, Value::unset());

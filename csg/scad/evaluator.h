@@ -133,7 +133,7 @@ class Evaluator {
     void echo_statement(const Instantiation& i, const Frame* frame);
     void assert_statement(const Instantiation& i, const Frame* frame);
     void check_stop(const SourceRange& where) {
-        if ((++steps_ & 1023U) == 0 && request_.stop.stop_requested()) {
+        if (request_.stop.stop_requested()) {
             fail_stopped(where);
         }
     }
@@ -306,7 +306,6 @@ class Evaluator {
     BuiltinFunction is_undef_, len_;
     std::uint32_t parent_modules_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
     std::uint32_t fn_index_, fa_index_, fs_index_, fe_index_;
-    std::uint32_t steps_ = 0;
     std::size_t nodes_ = 0;
     std::set<std::string> data_files_;
 };

@@ -42,6 +42,7 @@ Value concat(std::string_view, std::span<const Value> a, FunctionHost&) {
     std::vector<Value> result;
     for (const Value& value : a) {
         if (value.is_vector()) {
+            note_values(value.elements().size());
             result.insert(result.end(), value.elements().begin(), value.elements().end());
         } else {
             result.push_back(value);
@@ -73,6 +74,7 @@ void append_characters(std::string& out, const Value& value, std::size_t limit, 
             if (left-- == 0) {
                 throw ValueLimit("A list is too long to be converted to text");
             }
+            note_values(1);
             append_characters(out, e, limit, left, depth + 1);
         }
     } else if (value.is_range()) {
@@ -130,6 +132,7 @@ Value lookup(std::string_view name, std::span<const Value> a, FunctionHost& host
         return Entry{v.elements()[0].number(), v.elements()[1].number()};
     };
     const auto table = a[1].elements();
+    note_values(table.size());
     const auto first = table.empty() ? std::nullopt : entry(table[0]);
     if (!first) {
         return {};
@@ -163,6 +166,14 @@ std::vector<std::string_view> characters(std::string_view text) {
     return result;
 }
 
+/// To be called at every row of a table, of which it notes many at once.
+void note_rows(std::size_t row) {
+    constexpr std::size_t kAtOnce = 64;
+    if (row % kAtOnce == 0) {
+        note_values(kAtOnce);
+    }
+}
+
 /// The rows that `matches`, as search() returns them for one thing sought: with `per_match` 1 the first index goes
 /// to `result` itself, else a list of up to `per_match` (0: of all) does.
 template <typename Matches>
@@ -170,6 +181,7 @@ void search_one(std::vector<Value>& result, std::size_t rows, std::size_t per_ma
                 Matches&& matches) {
     std::vector<Value> found;
     for (std::size_t row = 0; row < rows && (per_match == 0 || found.size() < per_match); ++row) {
+        note_rows(row);
         if (matches(row)) {
             found.emplace_back(static_cast<double>(row));
         }
@@ -203,6 +215,7 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
     std::vector<Value> result;
     if (sought.is_number()) {
         for (std::size_t row = 0; row < rows.size() && (per_match == 0 || result.size() < per_match); ++row) {
+            note_rows(row);
             if (row_equals(sought, row)) {
                 result.emplace_back(static_cast<double>(row));
             }

@@ -72,6 +72,7 @@ class ValueMaker : public nlohmann::json_sax<nlohmann::json> {
         return add(std::move(value));
     }
     bool add(Value value) {
+        note_values(1);
         if (open_.empty()) {
             result = std::move(value);
         } else {

@@ -9,6 +9,7 @@ namespace csg::scad {
 
 void Evaluator::append_each(const Value& value, const SourceRange& where) {
     if (value.is_vector()) {
+        note_values(value.elements().size());
         gathered_.insert(gathered_.end(), value.elements().begin(), value.elements().end());
     } else if (value.is_range() || value.is_string()) {
         const Sequence sequence(value, *this, where);

@@ -32,6 +32,7 @@ std::optional<int> order(const Value& a, const Value& b, std::size_t& steps, int
     if (++steps > kMostSteps) {
         throw ValueLimit("The lists are too large to compare");
     }
+    note_values(1);
     switch (a.type()) {
         case ValueType::Bool:
             return three_way(a.boolean(), b.boolean());

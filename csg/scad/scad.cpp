@@ -10,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/stop.h"
 #include "csg/scad/evaluator.h"
 #include "csg/scad/parser.h"
 
@@ -120,6 +121,9 @@ class Job {
             }
         } catch (const ValueLimit& limit) {
             gate({Severity::Error, {}, limit.what()});
+        } catch (const base::Stopped&) {
+            result.stopped = true;
+            gate({Severity::Error, {}, "Stopped"});
         } catch (const std::bad_alloc&) {
             result.out_of_memory = true;
             gate({Severity::Error, {}, "Out of memory"});

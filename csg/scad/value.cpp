@@ -1,5 +1,6 @@
 #include "csg/scad/value.h"
 
+#include "base/stop.h"
 #include "csg/scad/object.h"
 
 #include <algorithm>
@@ -16,12 +17,17 @@ namespace {
 
 thread_local std::size_t g_live_elements = 0;
 thread_local std::size_t g_most_elements = std::numeric_limits<std::size_t>::max();
+thread_local std::size_t g_noted = 0;
+thread_local std::stop_token g_stop;
+
+constexpr std::size_t kLookedAt = 4096;  // Values between two looks at the token: some microseconds.
 
 /// Counts `size` more elements in.
 void count_in(std::size_t size) {
     if (size > g_most_elements || g_live_elements > g_most_elements - size) {
         throw ValueLimit("Lists hold more than " + std::to_string(g_most_elements) + " elements");
     }
+    note_values(size);
     g_live_elements += size;
 }
 
@@ -175,6 +181,18 @@ std::size_t live_elements() {
 
 void limit_elements(std::size_t most) {
     g_most_elements = most;
+}
+
+void end_values_at(const std::stop_token& stop) {
+    g_stop = stop;
+}
+
+void note_values(std::size_t count) {
+    g_noted += count;
+    if (g_noted >= kLookedAt) {
+        g_noted = 0;
+        base::end_if_asked(g_stop);
+    }
 }
 
 std::string_view type_name(ValueType type) {

@@ -9,6 +9,7 @@
 #include <new>
 #include <span>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -248,6 +249,13 @@ class ValueLimit : public std::runtime_error {
 
 /// How many may be alive on this thread: making one more list or string throws ValueLimit.
 void limit_elements(std::size_t most);
+
+/// Where the work on the values of this thread is to end: once `stop` asks for it, making lists and texts and going
+/// through them throws base::Stopped.
+void end_values_at(const std::stop_token& stop);
+
+/// By what goes through many values: `count` more of them were looked at. Throws base::Stopped.
+void note_values(std::size_t count);
 
 // UTF-8. The first byte of a code point tells how long it is, as in OpenSCAD (GLib), even where what follows does not
 // fit: whoever needs to know asks `is_valid_utf8`.

@@ -121,6 +121,7 @@ std::string text_of(const Value& value, bool quoted, std::size_t most_bytes) {
             continue;
         }
         const Value& part = top.next(result);
+        note_values(1);
         if (result.size() > most_bytes) {
             throw ValueLimit("A list is too long to be converted to text");
         }

@@ -34,6 +34,7 @@ Value no_number_in_matrix(std::size_t row, std::size_t column, std::string& prob
 
 /// Both as long.
 Value dot(Elements a, Elements b, std::string& problem) {
+    note_values(a.size());
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (!a[i].is_number() || !b[i].is_number()) {
@@ -49,6 +50,7 @@ Value dot(Elements a, Elements b, std::string& problem) {
 Value vector_times_matrix(Elements v, Elements matrix, std::string& problem) {
     const std::size_t columns = matrix[0].elements().size();
     const auto element = [&](std::size_t column) -> Value {
+        note_values(matrix.size());
         double sum = 0;
         for (std::size_t row = 0; row < matrix.size(); ++row) {
             if (!matrix[row].is_vector() || matrix[row].elements().size() != columns) {
@@ -76,6 +78,7 @@ Value matrix_times_vector(Elements matrix, Elements v, std::string& problem) {
             return not_rectangular(row, problem);
         }
         const Elements numbers = matrix[row].elements();
+        note_values(numbers.size());
         double sum = 0;
         for (std::size_t column = 0; column < v.size(); ++column) {
             if (!numbers[column].is_number()) {

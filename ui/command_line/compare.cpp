@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/stop.h"
 #include "csg/scad/csg_text.h"
 #include "ui/command_line/compare_drawer.h"
 #include "ui/command_line/compare_input.h"
@@ -16,6 +17,7 @@
 #include "ui/command_line/compare_report.h"
 #include "ui/command_line/compare_views.h"
 #include "ui/command_line/files.h"
+#include "ui/command_line/time_limit.h"
 #include "ui/pipeline/errors.h"
 #include "ui/pipeline/layer_volume.h"
 
@@ -77,6 +79,7 @@ int compare_with_mesh(const CompareOptions& o) {
     std::vector<ComparedView> views;
     Drawer drawer(solid, o.engine);
     for (int i = 0; i < o.views; ++i) {
+        base::end_if_asked(o.stop);
         const gl::Camera camera = o.camera ? *o.camera : spread_camera(i, o.views, facts.box.empty() ? box : facts.box);
         const gl::View view(camera, {o.size, o.size}, box.lo, box.hi);
         const auto stack = drawer.layers(view);
@@ -144,11 +147,20 @@ int compare_with_mesh(const CompareOptions& o) {
 }  // namespace
 
 int run_compare(const std::vector<std::string>& arguments) {
-    const CompareOptions options = read_compare_options(arguments);
+    CompareOptions options = read_compare_options(arguments);
     if (options.input.empty()) {
         return 0;
     }
-    return options.reference.empty() ? compare_with_mesh(options) : compare_with_picture(options);
+    TimeLimit limit(options.time_limit);
+    options.stop = limit.token();
+    try {
+        const int status = options.reference.empty() ? compare_with_mesh(options) : compare_with_picture(options);
+        limit.end();
+        return status;
+    } catch (const base::Stopped&) {
+        limit.tell();
+        return 1;
+    }
 }
 
 }  // namespace ui

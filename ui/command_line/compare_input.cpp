@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/stop.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/openscad_process.h"
@@ -33,9 +34,11 @@ csg::scad::Evaluation evaluate(const CompareOptions& o, bool preview) {
     request.text = read_source(o.input);
     request.preview = preview;
     request.measures = make_measures();
+    request.stop = o.stop;
     Messages messages(true);
     auto evaluation =
         csg::scad::evaluate(request, [&](const auto& message, const auto& sources) { messages.add(message, sources); });
+    base::end_if_asked(o.stop);
     if (!evaluation.ok) {
         throw ModelError("the model has errors");
     }
@@ -44,12 +47,12 @@ csg::scad::Evaluation evaluate(const CompareOptions& o, bool preview) {
 
 ComparedModel load(const CompareOptions& o) {
     const csg::scad::Evaluation evaluation = evaluate(o, !o.reference.empty());
-    return {ModelBuilder().build(evaluation.tree), evaluation.view};
+    return {ModelBuilder().build(evaluation.tree, o.stop), evaluation.view};
 }
 
 csg::reference::Mesh reference_mesh(const CompareOptions& o, const Model& model) {
     if (o.against == "cgal") {
-        return make_mesh(model).mesh;
+        return make_mesh(model, o.stop).mesh;
     }
     if (o.against == "openscad") {
         return OpenscadProcess(o.input).mesh();

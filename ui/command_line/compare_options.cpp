@@ -37,6 +37,8 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     app.add_option("--reference", o.reference, "A picture to compare with, as --against FILE.png");
     app.add_option("--reference-threshold", o.reference_threshold, "Largest share of pixels that may differ (0.01)")
         ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--time-limit", o.time_limit, "End with an error after so many seconds")
+        ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e9));
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct CompareOptions {
     std::optional<gl::Camera> camera;  ///< The only view; absent: `views` of them.
     double tolerance = 0, reference_threshold = 0.01;
     int views = 1, size = 256;
+    double time_limit = 0;   ///< Seconds; 0: none.
+    std::stop_token stop{};  ///< Where it is asked for, base::Stopped is thrown.
 };
 
 /// Throws UsageError.

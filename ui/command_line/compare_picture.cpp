@@ -22,7 +22,7 @@ int compare_with_picture(const CompareOptions& o) {
     PictureRequest request;
     request.camera = choose_camera({}, loaded.view, loaded.model->box);
     request.size = {reference.width, reference.height};
-    const gl::Image drawn = renderer.render(*loaded.model, request);
+    const gl::Image drawn = renderer.render(*loaded.model, request, o.stop);
     std::size_t differ = 0;
     gl::Image difference = blank_image(request.size);
     for (std::size_t i = 0; i < drawn.rgba.size(); i += 4) {

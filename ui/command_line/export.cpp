@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/stop.h"
 #include "ui/command_line/files.h"
 #include "ui/pipeline/mesh_cache.h"
 #include "ui/pipeline/outline.h"
@@ -49,7 +50,8 @@ std::optional<nlohmann::ordered_json> Geometry::figures() const {
     return std::nullopt;
 }
 
-Geometry make_geometry(const Options& options, const Model& model, ModelBuilder& builder, Messages& messages) {
+Geometry make_geometry(const Options& options, const Model& model, ModelBuilder& builder, Messages& messages,
+                       const std::stop_token& stop) {
     if (wants(options, Format::Mesh)) {
         need_solid(model);
     }
@@ -59,10 +61,10 @@ Geometry make_geometry(const Options& options, const Model& model, ModelBuilder&
     Geometry geometry;
     const Extent extent = extent_of(model);
     if (extent == Extent::Flat) {
-        geometry.outline = builder.outline(model);
+        geometry.outline = builder.outline(model, stop);
     } else if (extent == Extent::Solid) {
         MeshCache cache(options.cache);
-        geometry.mesh = cache.get(model);
+        geometry.mesh = cache.get(model, stop);
         geometry.mesh_known = cache.hit();
         if (!cache.problem().empty()) {
             messages.warn(cache.problem());
@@ -71,7 +73,8 @@ Geometry make_geometry(const Options& options, const Model& model, ModelBuilder&
     return geometry;
 }
 
-void write_geometry(const Options& options, const Model& model, const Geometry& geometry, Messages& messages) {
+void write_geometry(const Options& options, const Model& model, const Geometry& geometry, Messages& messages,
+                    const std::stop_token& stop) {
     csg::reference::ThreeMfOptions three_mf = options.exports.three_mf;
     if (!options.exports.three_mf_meta_data) {
         three_mf.meta_data.clear();
@@ -79,8 +82,9 @@ void write_geometry(const Options& options, const Model& model, const Geometry& 
         three_mf.meta_data["Title"] = file_name(options);
     }
     for (const Output& output : options.outputs) {
+        base::end_if_asked(stop);
         if (output.format == Format::Mesh) {
-            write_output(output.path, encode_mesh(model, *geometry.mesh, output.mesh, three_mf));
+            write_output(output.path, encode_mesh(model, *geometry.mesh, output.mesh, three_mf, stop));
         } else if (output.format == Format::Drawing) {
             write_output(output.path, drawing(options, *geometry.outline, output.drawing, messages));
         }

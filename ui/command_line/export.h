@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
@@ -20,11 +21,13 @@ struct Geometry {
     [[nodiscard]] std::optional<nlohmann::ordered_json> figures() const;
 };
 
-/// Throws ModelError where an output cannot hold the model, or its mesh cannot be found. `builder` made the model.
+/// Both throw base::Stopped where `stop` asked for it. Throws ModelError where an output cannot hold the model, or its
+/// mesh cannot be found. `builder` made the model.
 [[nodiscard]] Geometry make_geometry(const Options& options, const Model& model, ModelBuilder& builder,
-                                     Messages& messages);
+                                     Messages& messages, const std::stop_token& stop);
 
 /// Writes the outputs that are meshes and drawings.
-void write_geometry(const Options& options, const Model& model, const Geometry& geometry, Messages& messages);
+void write_geometry(const Options& options, const Model& model, const Geometry& geometry, Messages& messages,
+                    const std::stop_token& stop);
 
 }  // namespace ui

@@ -16,7 +16,6 @@
 #include "csg/scad/value.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/parameters.h"
-#include "ui/command_line/time_limit.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/stopwatch.h"
 
@@ -53,8 +52,8 @@ void write_outputs(const Options& options, Format format, const std::string& byt
     }
 }
 
-LanguageRun::LanguageRun(const Options& options, std::shared_ptr<csg::scad::Measures> measures)
-    : options_(options), messages_(options.quiet), progress_(options.quiet) {
+LanguageRun::LanguageRun(const Options& options, TimeLimit& limit, std::shared_ptr<csg::scad::Measures> measures)
+    : options_(options), limit_(limit), messages_(options.quiet), progress_(options.quiet) {
     request_.measures = std::move(measures);
 }
 
@@ -175,10 +174,7 @@ bool LanguageRun::evaluate() {
     std::stop_source stop;
     request_.stop = stop.get_token();
     bool stopped_by_warning = false;
-    std::optional<TimeLimit> limit;
-    if (options_.time_limit > 0) {
-        limit.emplace(options_.time_limit, stop);
-    }
+    const std::stop_callback forward(limit_.token(), [&stop] { stop.request_stop(); });
     evaluation_ = csg::scad::evaluate(request_, [&](const auto& message, const auto& sources) {
         if (stopped_by_warning) {
             return;  // The stopped evaluation says so; the warning has said why.
@@ -191,8 +187,9 @@ bool LanguageRun::evaluate() {
         }
     });
     evaluate_ms_ = watch.lap();
-    if (limit && limit->passed() && evaluation_.stopped) {
-        print_error(time_limit_passed(options_.time_limit));
+    if (limit_.passed() && evaluation_.stopped) {
+        limit_.tell();
+        return false;
     }
     if (options_.memory_limit != 0 && evaluation_.out_of_memory) {
         print_error(fmt::format("--memory-limit: the evaluation needs more than {} MiB", options_.memory_limit));
@@ -283,14 +280,18 @@ std::optional<int> run_or_throw(const std::vector<std::string>& arguments,
         return std::nullopt;
     }
     const Messages* said = nullptr;
-    LanguageRun run(line.options,
-                    std::make_shared<MeasuresElsewhere>([&said, &hand_over] { hand_over(said->count()); }));
+    TimeLimit limit(line.options.time_limit);
+    LanguageRun run(line.options, limit, std::make_shared<MeasuresElsewhere>([&] {
+                        setenv(TimeLimit::kSpent, fmt::format("{}", limit.spent()).c_str(), 1);
+                        hand_over(said->count());
+                    }));
     said = &run.messages();
     run.read();
     if (!run()) {
         return 1;
     }
     run.write_dependencies();
+    limit.end();
     return 0;
 }
 

@@ -14,6 +14,7 @@
 #include "csg/scad/scad.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
+#include "ui/command_line/time_limit.h"
 
 namespace ui {
 
@@ -34,13 +35,14 @@ void write_outputs(const Options& options, Format format, const std::string& byt
 
 class LanguageRun {
   public:
-    /// The options must outlive it. `measures` answers what a program asks of fonts and drawings; may be null.
-    LanguageRun(const Options& options, std::shared_ptr<csg::scad::Measures> measures);
+    /// The options and the limit must outlive it. `measures` answers what a program asks of fonts and drawings; may be
+    /// null.
+    LanguageRun(const Options& options, TimeLimit& limit, std::shared_ptr<csg::scad::Measures> measures);
 
     /// Reads the source. Throws UsageError.
     void read();
     /// Makes the outputs that are texts, evaluating only where one of all outputs needs it. False where an error in the
-    /// file ended the run; the messages have said why.
+    /// file, or the time, ended the run; the messages have said why.
     [[nodiscard]] bool operator()();
     void write_dependencies() const;
 
@@ -61,6 +63,7 @@ class LanguageRun {
     void write_tree() const;
 
     const Options& options_;
+    TimeLimit& limit_;
     Messages messages_;
     Progress progress_;
     csg::scad::Request request_;

@@ -1,12 +1,11 @@
 #include "ui/command_line/run.h"
 
-#include <chrono>
 #include <new>
 
 #include <fmt/format.h>
 
+#include "base/stop.h"
 #include "gl/error.h"
-#include "gl/stop.h"
 #include "ui/command_line/compare.h"
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
@@ -45,14 +44,17 @@ PictureRequest picture_of(const Options& options) {
 /// One run: the source, what became of it, and the figures.
 class Run {
   public:
-    explicit Run(Options options) : options_(std::move(options)), language_(options_, make_measures()) {}
+    explicit Run(Options options)
+        : options_(std::move(options)), limit_(options_.time_limit), language_(options_, limit_, make_measures()) {}
 
     /// False where an error in the file or the time ended it; the messages have said why.
     bool operator()() {
         try {
-            return run();
-        } catch (const gl::Stopped&) {
-            print_error(time_limit_passed(options_.time_limit));
+            const bool done = run();
+            limit_.end();
+            return done;
+        } catch (const base::Stopped&) {
+            limit_.tell();
             return false;
         }
     }
@@ -67,20 +69,15 @@ class Run {
         if (language_.evaluation().tree == nullptr) {
             return true;  // Nothing needed to run, or an error is what the console was to show.
         }
-        // What the evaluation has left of the time.
-        std::optional<TimeLimit> limit;
-        if (options_.time_limit > 0) {
-            limit.emplace(options_.time_limit - std::chrono::duration<double>(Clock::now() - start_).count(), stop_);
-        }
         if (needs_geometry(options_) || wants(options_, Format::Png) || options_.statistics || options_.summary ||
             options_.summary_file) {
             build();
         }
         if (needs_geometry(options_)) {
             language_.progress().say("Computing the geometry…");
-            geometry_ = make_geometry(options_, *model_, builder_, language_.messages());
+            geometry_ = make_geometry(options_, *model_, builder_, language_.messages(), limit_.token());
             language_.progress().say("");
-            write_geometry(options_, *model_, geometry_, language_.messages());
+            write_geometry(options_, *model_, geometry_, language_.messages(), limit_.token());
         }
         if (wants(options_, Format::Png)) {
             draw();
@@ -114,8 +111,7 @@ class Run {
         if (!options_.preview) {
             builder_.show(csg::Showing::Result);
         }
-        model_ = builder_.build(language_.evaluation().tree, stop_.get_token());
-        gl::end_if_asked(stop_.get_token());
+        model_ = builder_.build(language_.evaluation().tree, limit_.token());
         for (const std::string& warning : model_->warnings) {
             language_.messages().warn(warning);
         }
@@ -126,7 +122,7 @@ class Run {
         const bool framed =
             needs_box(request, language_.evaluation().view) || options_.summary || options_.summary_file;
         // As OpenSCAD: previews go by the boxes of products, results by what is left.
-        box_ = framed && !options_.preview ? exact_bounds(*model_) : model_->box;
+        box_ = framed && !options_.preview ? exact_bounds(*model_, limit_.token()) : model_->box;
         camera_ = choose_camera(request, language_.evaluation().view, box_);
     }
 
@@ -161,16 +157,16 @@ class Run {
         const bool lines =
             extent_of(*model_) == Extent::Flat && model_->flat && request.style == "shaded" && request.samples == 1;
         request.flat_lines = !lines;
-        gl::Image image = renderer.render(*model_, request, stop());
+        gl::Image image = renderer.render(*model_, request, limit_.token());
         if (lines) {
-            draw_flat_lines(image, *builder_.outline(*model_), camera_,
+            draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), camera_,
                             npr::find_color_scheme(request.scheme)->edge_2d);
         }
         if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }
         (void)watch.lap();
-        const std::string png = gl::encode_png(image);
+        const std::string png = gl::encode_png(image, limit_.token());
         picture_json_ = to_json(renderer.statistics());
         picture_json_["ms"]["context"] = context_ms;
         picture_json_["ms"]["encode"] = watch.lap();
@@ -194,11 +190,6 @@ class Run {
         if (options_.summary && !options_.quiet) {
             fmt::print(stderr, "{}\n", summary().dump(2));
         }
-    }
-
-    /// For what draws in pieces where it may have to stop.
-    [[nodiscard]] std::stop_token stop() const {
-        return options_.time_limit > 0 ? stop_.get_token() : std::stop_token();
     }
 
     [[nodiscard]] Json statistics() const {
@@ -230,15 +221,13 @@ class Run {
         figures.camera = camera_;
         figures.box = box_;
         figures.cache = builder_.cache_size();
-        figures.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+        figures.milliseconds = 1000 * limit_.spent();
         figures.geometry = geometry_.figures();
         return summary_json(options_.summary_parts, figures);
     }
 
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
-    std::stop_source stop_;  ///< Asked for when the time is over.
     Options options_;
+    TimeLimit limit_;
     LanguageRun language_;
     ModelBuilder builder_;
     std::shared_ptr<const Model> model_;
