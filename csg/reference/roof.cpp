@@ -81,12 +81,10 @@ Mesh roof(std::span<const std::vector<glm::dvec2>> loops, const std::stop_token&
         }
     }
     // The floor, seen from below.
-    solid::Outline floor{{loops.begin(), loops.end()}};
+    const solid::IndexedOutline floor = solid::index_corners({{loops.begin(), loops.end()}});
     std::vector<std::uint32_t> ids;
-    for (const auto& loop : loops) {
-        for (const glm::dvec2& p : loop)
-            ids.push_back(point(p.x, p.y, 0));
-    }
+    for (const glm::dvec2& p : floor.points)
+        ids.push_back(point(p.x, p.y, 0));
     for (const glm::uvec3& t : solid::triangulate_region(floor))
         mesh.triangles.emplace_back(ids[t.x], ids[t.z], ids[t.y]);
     mesh.sources.assign(mesh.triangles.size(), 0);

@@ -91,11 +91,12 @@ class Builder {
             for (std::size_t i = 0; i < n; ++i)
                 sides_.push_back({corners[i], corners[(i + 1) % n], ids[first + i], ids[first + (i + 1) % n]});
         }
-        for (const glm::uvec3& t : solid::triangulate_region(floor)) {
-            const std::uint32_t a = ids[t.x], b = ids[t.z], c = ids[t.y];
-            if (a != b && b != c && c != a)  // Not between loops at a point where they touch.
-                mesh_.triangles.emplace_back(a, b, c);
-        }
+        const solid::IndexedOutline indexed = solid::index_corners(floor);
+        ids.clear();
+        for (const glm::dvec2& p : indexed.points)
+            ids.push_back(point(p, 0));
+        for (const glm::uvec3& t : solid::triangulate_region(indexed))
+            mesh_.triangles.emplace_back(ids[t.x], ids[t.z], ids[t.y]);
     }
 
     void build_diagram() {

@@ -1,5 +1,6 @@
 // projection(): the cut of solids by the plane z = 0, and their shadow on it.
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "csg/solid/node_geometry.h"
@@ -9,12 +10,11 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-enum class Side { Above, Below };
-
-/// Where the mesh meets the plane, a hair above or below it: corners on the plane count to the other side. Triangles
-/// that cross give segments; the one behind an edge goes on where the one before it ends.
-std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& triangles, Side side) {
-    const auto is_up = [&](std::uint32_t i) { return side == Side::Above ? points[i].z > 0 : points[i].z >= 0; };
+/// Where the mesh meets the plane, a hair above it: corners on the plane count as below. Triangles that cross give
+/// segments; the one behind an edge goes on where the one before it ends, so that the loops wind around what the mesh
+/// winds around there.
+std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& triangles) {
+    const auto is_up = [&](std::uint32_t i) { return points[i].z > 0; };
     std::multimap<Edge, Edge> segments;  // From the edge where the surface goes down to the one where it goes up.
     for (const glm::uvec3& t : triangles) {
         Edge down{0, 0}, up{0, 0};
@@ -53,9 +53,22 @@ std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vec
     return loops;
 }
 
-Outline cut_on(std::span<const Piece> pieces, Side side);
+/// Points that rounding has moved off the plane, by no more than the grid of outlines, are on it.
+std::vector<glm::dvec3> placed_points(const Piece& piece) {
+    std::vector<glm::dvec3> points;
+    double reach = 0;
+    for (const glm::dvec3& p : piece.solid->points) {
+        const glm::dvec3& placed = points.emplace_back(piece.placed * glm::dvec4(p, 1.0));
+        reach = std::max({reach, std::abs(placed.x), std::abs(placed.y), std::abs(placed.z)});
+    }
+    for (glm::dvec3& p : points) {
+        if (std::abs(p.z) <= reach * 0x1p-40)
+            p.z = 0;
+    }
+    return points;
+}
 
-std::shared_ptr<const Outline> cut_piece(const Piece& piece, Side side) {
+std::shared_ptr<const Outline> cut_piece(const Piece& piece) {
     if (piece.boolean) {
         check_depth(*piece.boolean);
         std::vector<std::shared_ptr<const Outline>> operands;
@@ -63,29 +76,23 @@ std::shared_ptr<const Outline> cut_piece(const Piece& piece, Side side) {
             std::vector<Piece> moved = operand;
             for (Piece& p : moved)
                 p.placed = piece.placed * p.placed;
-            operands.push_back(std::make_shared<Outline>(cut_on(moved, side)));
+            operands.push_back(std::make_shared<Outline>(cut(moved)));
         }
         return std::make_shared<Outline>(combine(piece.boolean->kind, operands));
     }
-    std::vector<glm::dvec3> points;
-    for (const glm::dvec3& p : piece.solid->points)
-        points.emplace_back(piece.placed * glm::dvec4(p, 1.0));
-    return std::make_shared<Outline>(clean(cut_mesh(points, piece.solid->triangles, side), FillRule::EvenOdd));
-}
-
-Outline cut_on(std::span<const Piece> pieces, Side side) {
-    std::vector<std::shared_ptr<const Outline>> outlines;
-    for (const Piece& piece : pieces)
-        outlines.push_back(cut_piece(piece, side));
-    return combine(BooleanKind::Union, outlines);
+    const std::vector<glm::dvec3> points = placed_points(piece);
+    // Inside is a winding number where the mesh has one (solid.h).
+    return std::make_shared<Outline>(
+        clean(cut_mesh(points, piece.solid->triangles), piece.solid->closed ? FillRule::NonZero : FillRule::EvenOdd));
 }
 
 }  // namespace
 
 Outline cut(std::span<const Piece> pieces) {
-    const std::vector<std::shared_ptr<const Outline>> both{std::make_shared<Outline>(cut_on(pieces, Side::Above)),
-                                                           std::make_shared<Outline>(cut_on(pieces, Side::Below))};
-    return combine(BooleanKind::Union, both);
+    std::vector<std::shared_ptr<const Outline>> outlines;
+    for (const Piece& piece : pieces)
+        outlines.push_back(cut_piece(piece));
+    return combine(BooleanKind::Union, outlines);
 }
 
 Outline shadow(std::span<const Mesh> meshes) {

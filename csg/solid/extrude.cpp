@@ -13,13 +13,12 @@ namespace csg::solid {
 namespace {
 
 /// The outline turned clockwise by `degrees`, then scaled.
-void add_ring(Solid& solid, const Outline& outline, const glm::dvec3& offset, double degrees, const glm::dvec2& scale) {
+void add_ring(Solid& solid, std::span<const glm::dvec2> points, const glm::dvec3& offset, double degrees,
+              const glm::dvec2& scale) {
     const double c = cos_degrees(-degrees), s = sin_degrees(-degrees);
-    for (const Loop& loop : outline.loops) {
-        for (const glm::dvec2& p : loop) {
-            const glm::dvec2 turned = degrees == 0 ? p : glm::dvec2(c * p.x - s * p.y, s * p.x + c * p.y);
-            solid.points.push_back(offset + glm::dvec3(turned * scale, 0.0));
-        }
+    for (const glm::dvec2& p : points) {
+        const glm::dvec2 turned = degrees == 0 ? p : glm::dvec2(c * p.x - s * p.y, s * p.x + c * p.y);
+        solid.points.push_back(offset + glm::dvec3(turned * scale, 0.0));
     }
 }
 
@@ -56,8 +55,10 @@ std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude&
     if (given.empty() || !(how.height > 0) || !std::isfinite(how.height))
         return solid;
     std::size_t slices = slice_count(given, how);
-    const Outline outline = divide_edges(given, how, slices);
-    const std::size_t corners = outline.corners();
+    // Loops that meet in a point share it.
+    const Outline divided = divide_edges(given, how, slices);
+    const IndexedOutline outline = index_corners(divided);
+    const std::size_t corners = outline.points.size();
     if (slices > kMostTriangles / corners / 2) {
         slices = std::max<std::size_t>(1, kMostTriangles / corners / 2);
         solid->warnings.push_back("linear_extrude() has too many slices; there are fewer");
@@ -67,7 +68,7 @@ std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude&
     for (std::size_t i = 0; i <= slices; ++i) {
         const double t = static_cast<double>(i) / static_cast<double>(slices);
         const glm::dvec3 end = how.center ? way * 0.5 : way;
-        add_ring(*solid, outline, i == slices ? end : begin + way * t, how.twist.value_or(0) * t,
+        add_ring(*solid, outline.points, i == slices ? end : begin + way * t, how.twist.value_or(0) * t,
                  glm::dvec2(1.0) + (how.scale - glm::dvec2(1.0)) * t);
     }
     const auto n = static_cast<std::uint32_t>(corners);
@@ -77,16 +78,15 @@ std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude&
         solid->triangles.push_back(t + top);
     }
     for (std::uint32_t i = 0; i < slices; ++i) {
-        std::uint32_t first = i * n;
+        const std::uint32_t first = i * n;
         const bool flat_top = i + 1 == slices && (how.scale.x == 0 || how.scale.y == 0);
-        for (const Loop& loop : outline.loops) {
-            const auto size = static_cast<std::uint32_t>(loop.size());
-            const bool right = (how.twist.value_or(0) > 0) == (area2(loop) > 0);
-            for (std::uint32_t j = 0; j < size; ++j) {
-                const std::uint32_t a = first + j, b = first + (j + 1) % size;
+        for (std::size_t l = 0; l < outline.loops.size(); ++l) {
+            const auto& loop = outline.loops[l];
+            const bool right = (how.twist.value_or(0) > 0) == (area2(divided.loops[l]) > 0);
+            for (std::size_t j = 0; j < loop.size(); ++j) {
+                const std::uint32_t a = first + loop[j], b = first + loop[(j + 1) % loop.size()];
                 add_quad(*solid, a, b, b + n, a + n, right, flat_top);
             }
-            first += size;
         }
     }
     finish(*solid);

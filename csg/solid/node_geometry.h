@@ -73,7 +73,7 @@ void check_depth(const BooleanNode& node);
 [[nodiscard]] std::shared_ptr<Solid> to_solid(Mesh mesh, bool simple);
 [[nodiscard]] Box bounds_of(std::span<const Mesh> meshes);
 
-/// The cut of the pieces by z = 0, needing no boolean of meshes: what is inside just above or just below the plane.
+/// The cut of the pieces by z = 0, needing no boolean of meshes: what is inside just above the plane.
 [[nodiscard]] Outline cut(std::span<const Piece> pieces);
 /// The shadow on z = 0 of meshes.
 [[nodiscard]] Outline shadow(std::span<const Mesh> meshes);

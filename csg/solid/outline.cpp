@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/solid/clip_grid.h"
+#include "csg/solid/arrangement.h"
+#include "csg/solid/clipper_offset.h"
+#include "csg/solid/indexed_outline.h"
+#include "csg/solid/outline_grid.h"
 #include "csg/solid/solid.h"
 #include "csg/tree/degrees.h"
 #include "csg/tree/finite.h"
@@ -13,18 +16,6 @@ namespace {
 
 bool usable(double size) {
     return std::isfinite(size) && size > 0;
-}
-
-ClipperLib::ClipType clip_type(BooleanKind kind) {
-    switch (kind) {
-        case BooleanKind::Difference:
-            return ClipperLib::ctDifference;
-        case BooleanKind::Intersection:
-            return ClipperLib::ctIntersection;
-        case BooleanKind::Union:
-            break;
-    }
-    return ClipperLib::ctUnion;
 }
 
 }  // namespace
@@ -60,33 +51,39 @@ double Outline::area() const {
 }
 
 Outline clean(std::span<const Loop> loops, FillRule rule) {
-    ClipGrid grid;
+    OutlineGrid grid;
     grid.measure(loops);
-    return grid.read(
-        grid.unite(grid.paths(loops), rule == FillRule::EvenOdd ? ClipperLib::pftEvenOdd : ClipperLib::pftNonZero));
+    std::vector<GridEdge> edges;
+    grid.add(loops, edges);
+    const bool even_odd = rule == FillRule::EvenOdd;
+    return grid.read(boundary(arrange(std::move(edges)),
+                              [&](int winding, int) { return even_odd ? winding % 2 != 0 : winding != 0; }));
 }
 
 Outline combine(BooleanKind kind, std::span<const std::shared_ptr<const Outline>> operands) {
     if (operands.empty())
         return {};
-    if (operands.size() == 1)
-        return *operands[0];
-    ClipGrid grid;
-    for (const auto& operand : operands)
-        grid.measure(operand->loops);
-    if (kind != BooleanKind::Intersection) {
-        ClipperLib::Paths first = grid.paths(operands[0]->loops), rest;
-        for (const auto& operand : operands.subspan(1)) {
-            for (ClipperLib::Path& path : grid.paths(operand->loops))
-                rest.push_back(std::move(path));
-        }
-        // Each operand alone winds once around what it holds, so that together nothing winds to zero.
-        return grid.read(grid.combine(clip_type(kind), first, rest));
+    const bool unites = kind == BooleanKind::Union, subtracts = kind == BooleanKind::Difference;
+    std::vector<const Outline*> some;
+    for (const auto& operand : operands) {
+        if (!operand->empty())
+            some.push_back(operand.get());
+        else if (kind == BooleanKind::Intersection || (subtracts && operand == operands[0]))
+            return {};
     }
-    ClipperLib::Paths all = grid.paths(operands[0]->loops);
-    for (const auto& operand : operands.subspan(1))
-        all = grid.combine(ClipperLib::ctIntersection, all, grid.paths(operand->loops));
-    return grid.read(all);
+    if (some.empty())
+        return {};
+    if (some.size() == 1)
+        return *some[0];
+    OutlineGrid grid;
+    for (const Outline* operand : some)
+        grid.measure(operand->loops);
+    std::vector<GridEdge> edges;
+    for (const Outline* operand : some)
+        grid.add(operand->loops, edges, subtracts && operand != some[0]);
+    // Each operand winds once around what it holds.
+    const int least = unites || subtracts ? 1 : static_cast<int>(some.size());
+    return grid.read(boundary(arrange(std::move(edges)), [&](int in, int out) { return in >= least && out <= 0; }));
 }
 
 Outline offset(const Outline& outline, const Offset& how) {
@@ -94,25 +91,16 @@ Outline offset(const Outline& outline, const Offset& how) {
         return {};
     if (how.distance == 0)
         return outline;
-    constexpr double kMiterLimit = 1e6;  // OpenSCAD's: corners stay sharp.
-    ClipGrid grid;
-    grid.measure(outline.loops);
-    grid.measure(how.distance);
+    Widening widening;
+    widening.distance = how.distance;
+    widening.miter_limit = 1e6;  // OpenSCAD's: corners stay sharp.
     const double distance = std::abs(how.distance);
     const int segments = circle_segments(distance, how.fineness);
-    const double tolerance = distance * (1 - cos_degrees(180.0 / segments));
-    ClipperLib::ClipperOffset clipper(kMiterLimit, tolerance * grid.scale());
-    const ClipperLib::JoinType join = how.corner == Offset::Corner::Round   ? ClipperLib::jtRound
-                                      : how.corner == Offset::Corner::Miter ? ClipperLib::jtMiter
-                                                                            : ClipperLib::jtSquare;
-    clipper.AddPaths(grid.paths(outline.loops), join, ClipperLib::etClosedPolygon);
-    ClipperLib::Paths result;
-    try {
-        clipper.Execute(result, how.distance * grid.scale());
-    } catch (const ClipperLib::clipperException& error) {
-        throw OutlineError(error.what());
-    }
-    return grid.read(result);
+    widening.tolerance = distance * (1 - cos_degrees(180.0 / segments));
+    widening.join = how.corner == Offset::Corner::Round   ? Join::Round
+                    : how.corner == Offset::Corner::Miter ? Join::Miter
+                                                          : Join::Square;
+    return widen(outline.loops, widening);
 }
 
 Outline fill(const Outline& outline) {
@@ -167,7 +155,8 @@ Outline transform(const Outline& outline, const glm::dmat4& m) {
             std::reverse(moved.begin(), moved.end());
         result.loops.push_back(std::move(moved));
     }
-    return result;
+    // Rounding may move points over edges.
+    return is_region(result) ? result : clean(result.loops, FillRule::NonZero);
 }
 
 Outline make_outline(const Square& square) {

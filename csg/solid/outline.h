@@ -1,4 +1,4 @@
-// Regions of the plane by their outlines, and what can be done with them (on Clipper).
+// Regions of the plane by their outlines, and what can be done with them.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,13 @@ class OutlineError : public GeometryError {
 
 using Loop = std::vector<glm::dvec2>;
 
-/// A region: loops that do not cross, counter-clockwise around what is inside, clockwise around holes.
+/// A region, as the boundary of what is inside. Everything below and every import gives it by one rule:
+/// - every edge has the region on its left: loops go counter-clockwise around what is inside, clockwise around holes;
+/// - no edge is used twice, and edges meet in their ends only: where loops touch, they have a corner there;
+/// - each loop is simple: it touches itself nowhere. Where the boundary meets itself in a point, what is inside is
+///   taken apart there (loops turn as far to the left as they can); what still comes back to the point, as around a
+///   hole that touches the outside, is a loop of its own.
+/// It holds exactly for the doubles that the coordinates are (is_region, indexed_outline.h).
 struct Outline {
     std::vector<Loop> loops;
 
@@ -54,8 +60,8 @@ enum class FillRule : std::uint8_t { EvenOdd, NonZero };
 
 // All of these round coordinates to a grid of 2^-40 of the largest of them while they work, far below what makes faces
 // distinct (plane_table.h); vertices that were there before come back with all their bits. OpenSCAD's grid is 2^-16
-// units wide. Loops with a coordinate that is not finite are left out. Each throws OutlineError where coordinates are
-// beyond what can be worked with.
+// units wide. Loops with a coordinate that is not finite are left out. Each throws OutlineError for what is beyond what
+// can be worked with (arrangement.h): coordinates, or more than two million crossings.
 
 /// The region that loops of any kind enclose.
 [[nodiscard]] Outline clean(std::span<const Loop> loops, FillRule rule);

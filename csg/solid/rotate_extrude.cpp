@@ -38,15 +38,27 @@ std::vector<std::vector<std::uint32_t>> add_rings(Solid& solid, const std::vecto
     return rings;
 }
 
+/// Corners that rounding has moved off the axis, by no more than the grid of outlines, are on it.
+void put_on_axis(std::vector<glm::dvec2>& corners) {
+    double reach = 0;
+    for (const glm::dvec2& p : corners)
+        reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+    for (glm::dvec2& p : corners) {
+        if (std::abs(p.x) <= reach * 0x1p-40)
+            p.x = 0;
+    }
+}
+
 }  // namespace
 
-std::shared_ptr<Solid> rotate_extrude(const Outline& outline, const RotateExtrude& how) {
+std::shared_ptr<Solid> rotate_extrude(const Outline& given, const RotateExtrude& how) {
     auto solid = std::make_shared<Solid>();
-    std::vector<glm::dvec2> corners;
-    for (const Loop& loop : outline.loops)
-        corners.insert(corners.end(), loop.begin(), loop.end());
+    // Loops that meet in a point share it.
+    IndexedOutline outline = index_corners(given);
+    std::vector<glm::dvec2>& corners = outline.points;
     if (corners.empty() || how.angle == 0 || !std::isfinite(how.angle) || !std::isfinite(how.start))
         return solid;
+    put_on_axis(corners);
     double lo = 0, hi = 0;
     for (const glm::dvec2& p : corners) {
         lo = std::min(lo, p.x);
@@ -74,14 +86,12 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& outline, const RotateExtrud
     };
     for (std::uint32_t k = 0; k < sweep.steps; ++k) {
         const auto &here = rings[k], &there = rings[(k + 1) % rings.size()];
-        std::size_t first = 0;
-        for (const Loop& loop : outline.loops) {
+        for (const auto& loop : outline.loops) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
-                const std::size_t p = first + i, q = first + (i + 1) % loop.size();
+                const std::uint32_t p = loop[i], q = loop[(i + 1) % loop.size()];
                 add(here[p], there[p], there[q]);
                 add(here[p], there[q], here[q]);
             }
-            first += loop.size();
         }
     }
     if (!sweep.closed) {

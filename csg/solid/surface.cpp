@@ -1,6 +1,5 @@
 // Height maps.
 #include <fmt/format.h>
-#include <png.h>
 
 #include <algorithm>
 #include <cstring>
@@ -9,6 +8,7 @@
 #include "csg/solid/extrude.h"
 #include "csg/solid/file_text.h"
 #include "csg/solid/files.h"
+#include "csg/solid/png_samples.h"
 
 namespace csg::solid {
 namespace {
@@ -65,30 +65,17 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
 
 /// Luminance, 0 to 100.
 Heights read_picture(const std::string& text, bool invert, std::vector<std::string>& warnings) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&image, text.data(), text.size()) == 0) {
-        warnings.push_back(fmt::format("Can't read surface picture: {}", image.message));
+    const PngSamples picture = read_png(text, kMostSamples);
+    if (!picture.problem.empty()) {
+        warnings.push_back(picture.problem);
         return {};
     }
-    if (std::size_t{image.width} * image.height > kMostSamples) {
-        warnings.push_back(
-            fmt::format("surface picture of {} × {} pixels is too large; it is left out", image.width, image.height));
-        png_image_free(&image);
-        return {};
-    }
-    image.format = PNG_FORMAT_RGBA;
-    std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
-    if (png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) == 0) {
-        warnings.push_back(fmt::format("Can't read surface picture: {}", image.message));
-        return {};
-    }
-    Heights heights{image.width, image.height, {}, 0};
+    Heights heights{picture.columns, picture.rows, {}, 0};
     heights.values.resize(heights.columns * heights.rows);
     for (std::size_t y = 0; y < heights.rows; ++y) {
         for (std::size_t x = 0; x < heights.columns; ++x) {
-            const png_byte* p = &pixels[(y * heights.columns + x) * 4];
-            const double light = (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255;
+            const double* p = &picture.values[(y * heights.columns + x) * 3];
+            const double light = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
             heights.values[(heights.rows - 1 - y) * heights.columns + x] = 100 * (invert ? 1 - light : light);
         }
     }

@@ -1,6 +1,10 @@
 #include "csg/solid/triangulate.h"
 
-#include "csg/solid/outline.h"
+#include <numeric>
+
+#include "csg/solid/ear_cutting.h"
+#include "csg/solid/indexed_outline.h"
+#include "csg/solid/sweep_triangulation.h"
 
 namespace csg::solid {
 namespace {
@@ -48,44 +52,6 @@ bool is_convex(const std::vector<glm::dvec2>& loop) {
     return changes_of_direction <= 2;
 }
 
-bool holds_no_other(const std::vector<glm::dvec2>& loop, const std::vector<std::size_t>& left, std::size_t at) {
-    const std::size_t n = left.size();
-    const glm::dvec2 &a = loop[left[(at + n - 1) % n]], &b = loop[left[at]], &c = loop[left[(at + 1) % n]];
-    for (const std::size_t other : left) {
-        const glm::dvec2& p = loop[other];
-        if (p == a || p == b || p == c)
-            continue;
-        if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0)
-            return false;
-    }
-    return true;
-}
-
-void clip_ears(const std::vector<glm::dvec2>& loop, std::span<const std::uint32_t> face,
-               std::vector<glm::uvec3>& triangles) {
-    std::vector<std::size_t> left(face.size());
-    for (std::size_t i = 0; i < left.size(); ++i)
-        left[i] = i;
-    std::size_t start = 0;
-    while (left.size() > 3) {
-        const std::size_t n = left.size();
-        std::size_t ear = start % n;
-        for (std::size_t tried = 0; tried < n; ++tried) {
-            const std::size_t at = (start + tried) % n;
-            const double area = turn(loop[left[(at + n - 1) % n]], loop[left[at]], loop[left[(at + 1) % n]]);
-            if (area > 0 && holds_no_other(loop, left, at)) {
-                ear = at;
-                break;
-            }
-        }
-        // A loop that crosses itself may have no ear; cutting any corner keeps the mesh closed.
-        triangles.emplace_back(face[left[(ear + n - 1) % n]], face[left[ear]], face[left[(ear + 1) % n]]);
-        left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-        start = ear;
-    }
-    triangles.emplace_back(face[left[0]], face[left[1]], face[left[2]]);
-}
-
 }  // namespace
 
 void triangulate_convex(std::span<const std::uint32_t> face, std::vector<glm::uvec3>& triangles) {
@@ -116,10 +82,21 @@ void triangulate(std::span<const glm::dvec3> points, std::span<const std::uint32
         return;
     }
     const std::vector<glm::dvec2> loop = project(points, face, newell_normal(points, face));
-    if (is_convex(loop))
+    if (is_convex(loop)) {
         triangulate_convex(face, triangles);
-    else
-        clip_ears(loop, face, triangles);
+        return;
+    }
+    std::vector<std::uint32_t> around(loop.size());
+    std::iota(around.begin(), around.end(), 0u);
+    if (const auto swept = triangulate_by_sweep(exact_points(loop), std::span(&around, 1))) {
+        for (const glm::uvec3& t : *swept)
+            triangles.emplace_back(face[t.x], face[t.y], face[t.z]);
+        return;
+    }
+    Ring ring;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        ring.push_back({loop[i], face[i]});
+    cut_ears(ring, triangles);
 }
 
 }  // namespace csg::solid

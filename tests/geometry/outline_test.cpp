@@ -105,7 +105,7 @@ TEST(Triangulation, FillsRandomRegionsExactly) {
         for (const Loop& loop : region.loops)
             points.insert(points.end(), loop.begin(), loop.end());
         double sum = 0, absolute = 0;
-        for (const glm::uvec3& t : triangulate_region(region)) {
+        for (const glm::uvec3& t : triangulate_region(index_corners(region))) {
             const double a = area2({points[t.x], points[t.y], points[t.z]}) / 2;
             sum += a;
             absolute += std::abs(a);
