@@ -14,13 +14,14 @@ int main(int count, char** arguments) {
     bool scad = false;
     app.add_option("--cases", cases, "how many outlines");
     app.add_option("--first", first, "the seed of the first one");
-    app.add_flag("--scad", scad, "only print them as statements of OpenSCAD, one a line");
+    app.add_flag("--scad", scad, "only print them, one a line: the area, and a statement of OpenSCAD");
     CLI11_PARSE(app, count, arguments);
     std::uint64_t wrong = 0;
     for (std::uint64_t seed = first; seed < first + cases; ++seed) {
         const auto loops = outlines::random_loops(seed);
         if (scad) {
-            std::cout << outlines::as_scad(loops) << '\n';
+            const double area = clean(loops, csg::solid::FillRule::EvenOdd).area();
+            std::cout << fmt::format("{:.17g} {}\n", area, outlines::as_scad(loops));
             continue;
         }
         if (const std::string problem = outlines::problem_of(loops, seed); !problem.empty()) {
