@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 
@@ -14,13 +15,13 @@ namespace csg::reference {
 /// How a mesh was found.
 enum class Method {
     Planes,  ///< Arrangement of the canonical planes, in one step for the whole expression.
-    Nef,     ///< Nef polyhedra in exact arithmetic, operation by operation.
+    Exact,   ///< Arrangement of all triangles in exact arithmetic, in one step as well.
 };
 
 [[nodiscard]] const char* name(Method method);
 
 struct BooleanRequest {
-    std::optional<Method> method;  ///< Absent: planes, and Nef polyhedra where they cannot decide.
+    std::optional<Method> method;  ///< Absent: planes, and exact arithmetic where they cannot decide.
     unsigned threads = 0;          ///< 0: one a core.
     std::stop_token stop{};        ///< Where it is asked for, base::Stopped is thrown.
 };
@@ -32,11 +33,23 @@ struct BooleanResult {
     std::string reason;  ///< Why not planes; empty where they did.
 };
 
+/// What keeps a leaf from being combined.
+class LeafError : public std::runtime_error {
+  public:
+    LeafError(LeafId leaf, const std::string& text) : std::runtime_error(text), leaf_(leaf) {}
+    [[nodiscard]] LeafId leaf() const { return leaf_; }
+
+  private:
+    LeafId leaf_;
+};
+
 /// The union of the scene's solid and translucent parts, regularised (DESIGN, section 3): coincident faces are those on
-/// one plane of `geometry`'s table. A leaf holds a point where a ray from there meets it an odd number of times.
-/// Every result has been checked: it is closed and manifold, holds a positive volume, and no two of its triangles cross
-/// by more than rounding (self_intersection.h). Throws std::runtime_error where no method gives such a mesh, with the
-/// reason, and base::Stopped where it was asked for.
+/// one plane of `geometry`'s table, or in exact arithmetic those that are in one plane. What is inside a leaf is told
+/// by its winding number, or where its faces are not oriented alike by evenness (winding.h). Every result has been
+/// checked: it is closed and manifold, holds a positive volume (or is empty), and no two of its triangles cross by more
+/// than rounding (self_intersection.h). The one exception: a leaf whose surface is open is in the result as it is where
+/// it is united with others only and apart from them; else LeafError is thrown. Throws std::runtime_error where no
+/// method gives such a mesh, with the reason, and base::Stopped where it was asked for.
 [[nodiscard]] BooleanResult make_mesh(const Scene& scene, const solid::Geometry& geometry,
                                       const BooleanRequest& request = {});
 

@@ -21,7 +21,7 @@ class SurfaceMaker {
             solid_.push_back(evaluate(r));
     }
 
-    Mesh make(std::vector<glm::dvec3> points) {
+    Mesh make(std::size_t points, const std::function<glm::dvec3(std::uint32_t)>& place) {
         std::vector<std::uint32_t> kept;
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
             if (is_surface(complex_.cells[c]))
@@ -29,7 +29,6 @@ class SurfaceMaker {
         }
         const std::vector<LeafId> owners = find_owners(kept);
         Mesh mesh;
-        mesh.points = std::move(points);
         std::vector<std::uint32_t> cell_of;
         for (std::size_t i = 0; i < kept.size(); ++i) {
             for (glm::uvec3 t : complex_.cells[kept[i]].triangles) {
@@ -38,6 +37,15 @@ class SurfaceMaker {
                 mesh.triangles.push_back(t);
                 mesh.sources.push_back(owners[i]);
                 cell_of.push_back(kept[i]);
+            }
+        }
+        std::vector<char> placed(points, 0);
+        mesh.points.resize(points);
+        for (const glm::uvec3& t : mesh.triangles) {
+            for (int k = 0; k < 3; ++k) {
+                if (placed[t[k]] == 0)
+                    mesh.points[t[k]] = place(t[k]);
+                placed[t[k]] = 1;
             }
         }
         separate_sheets(mesh, turns(mesh, cell_of));
@@ -137,9 +145,9 @@ std::vector<LeafId> leaves_of(const Scene& scene, const solid::Geometry& geometr
     return leaves;
 }
 
-Mesh surface(const Scene& scene, std::span<const LeafId> leaves, const CellComplex& complex,
-             std::vector<glm::dvec3> points) {
-    return SurfaceMaker(scene, leaves, complex).make(std::move(points));
+Mesh surface(const Scene& scene, std::span<const LeafId> leaves, const CellComplex& complex, std::size_t points,
+             const std::function<glm::dvec3(std::uint32_t)>& place) {
+    return SurfaceMaker(scene, leaves, complex).make(points, place);
 }
 
 }  // namespace csg::reference

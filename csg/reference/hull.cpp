@@ -5,6 +5,7 @@
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -139,7 +140,11 @@ Mesh hull(std::span<const glm::dvec3> points, const std::stop_token& stop) {
         return {};
     base::end_if_asked(stop);
     CGAL::Surface_mesh<Kernel::Point_3> surface;
-    CGAL::convex_hull_3(sorted.begin(), sorted.end(), surface);
+    try {
+        CGAL::convex_hull_3(sorted.begin(), sorted.end(), surface);
+    } catch (const std::logic_error&) {  // CGAL's
+        throw std::runtime_error("no convex hull was found");
+    }
     std::vector<std::uint32_t> place;  // by vertex: its place among the sorted points
     for (const auto v : surface.vertices())
         place.push_back(static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), surface.point(v)) -

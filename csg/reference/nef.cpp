@@ -4,18 +4,14 @@
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
 #include <CGAL/convex_decomposition_3.h>
 
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "csg/reference/disjoint_sets.h"
-#include "csg/reference/expression_value.h"
 #include "csg/reference/point_ids.h"
 
 namespace csg::reference {
@@ -101,83 +97,7 @@ Nef to_nef(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>&
     return all;
 }
 
-Mesh to_mesh(const Nef& nef) {
-    if (nef.is_empty())
-        return {};
-    std::vector<Kernel::Point_3> points;
-    std::vector<std::vector<std::size_t>> faces;
-    CGAL::convert_nef_polyhedron_to_polygon_soup(nef, points, faces, true);
-    Mesh mesh;
-    for (const Kernel::Point_3& p : points)
-        mesh.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    for (const auto& face : faces) {
-        for (std::size_t i = 1; i + 1 < face.size(); ++i)
-            mesh.triangles.emplace_back(face[0], face[i], face[i + 1]);
-    }
-    mesh.sources.assign(mesh.triangles.size(), 0);
-    return mesh;
-}
-
-/// For each triangle the leaf with a face whose plane is nearest to it.
-void find_sources(Mesh& mesh, const solid::Geometry& geometry) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3& t = mesh.triangles[i];
-        const glm::dvec3 centre = (mesh.points[t.x] + mesh.points[t.y] + mesh.points[t.z]) / 3.0;
-        double best = std::numeric_limits<double>::infinity();
-        for (LeafId leaf = 0; leaf < geometry.leaves.size(); ++leaf) {
-            const solid::PlacedLeaf& placed = geometry.leaves[leaf];
-            const double margin = 1e-6 * placed.box.diagonal();
-            if (glm::any(glm::lessThan(centre, placed.box.lo - margin)) ||
-                glm::any(glm::greaterThan(centre, placed.box.hi + margin)))
-                continue;
-            for (const solid::PlaneRef& ref : placed.planes) {
-                const solid::Plane& plane = geometry.planes.planes()[ref.index];
-                double off = 0;
-                for (int k = 0; k < 3; ++k)
-                    off = std::max(off, std::abs(glm::dot(plane.normal, mesh.points[t[k]]) - plane.offset));
-                if (off < best) {
-                    best = off;
-                    mesh.sources[i] = leaf;
-                }
-            }
-        }
-    }
-}
-
 }  // namespace
-
-Mesh nef_boolean(const Scene& scene, const solid::Geometry& geometry) {
-    Nef all;
-    for (const PartId id : solid_parts(scene)) {
-        const Part& part = scene.parts[id];
-        std::map<std::uint32_t, Nef> values;
-        for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {
-            const Expression& e = scene.expressions[i];
-            Nef value;
-            if (e.kind == ExpressionKind::Leaf) {
-                const solid::PlacedLeaf& leaf = geometry.leaves[e.leaf];
-                value = to_nef(leaf.points, leaf.triangles);
-            }
-            const auto children = scene.children(e);
-            for (std::size_t k = 0; k < children.size(); ++k) {
-                auto child = values.extract(children[k]);
-                if (k == 0)
-                    value = std::move(child.mapped());
-                else if (e.kind == ExpressionKind::Union)
-                    value += child.mapped();
-                else if (e.kind == ExpressionKind::Intersection)
-                    value *= child.mapped();
-                else
-                    value -= child.mapped();
-            }
-            values.emplace(i, value.regularization());
-        }
-        all += values.at(part.root);
-    }
-    Mesh mesh = to_mesh(all.regularization());
-    find_sources(mesh, geometry);
-    return mesh;
-}
 
 std::vector<std::vector<glm::dvec3>> convex_decomposition(const Mesh& mesh) {
     Nef nef = to_nef(mesh.points, mesh.triangles);

@@ -61,7 +61,8 @@ Mesh plane_boolean(const Scene& scene, const solid::Geometry& geometry, unsigned
     std::vector<PlaneCells> cells = cells_of_planes(geometry, content, rule, threads, stop);
     const CellComplex complex = make_complex(std::move(cells), space, rule, leaves, geometry.leaves.size(), stop);
     base::end_if_asked(stop);
-    return surface(scene, leaves, complex, content.points.points());
+    return surface(scene, leaves, complex, content.points.points().size(),
+                   [&](std::uint32_t id) { return content.points[id]; });
 }
 
 }  // namespace csg::reference

@@ -1,19 +1,10 @@
 // The cells of one plane: maximal areas that no segment crosses, with how often the faces of leaves cover them.
 #pragma once
 
-#include <stdexcept>
-
 #include "csg/reference/segments.h"
 #include "csg/reference/winding.h"
 
 namespace csg::reference {
-
-/// The scene is too near to degenerate for double precision: points and lines within the tolerance do not fit
-/// together. Exact arithmetic must decide.
-class Undecided : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 struct PlaneCells {
     struct Cell {

@@ -53,6 +53,15 @@ std::vector<Region> regions_of(std::span<const std::vector<glm::dvec2>> loops) {
     return regions;
 }
 
+/// Null where there is none.
+auto skeleton_of(const Region& region) {
+    try {
+        return CGAL::create_interior_straight_skeleton_2(region);
+    } catch (const std::logic_error&) {  // CGAL's: its text says nothing about the outline
+        throw std::runtime_error("no straight skeleton was found");
+    }
+}
+
 }  // namespace
 
 Mesh roof(std::span<const std::vector<glm::dvec2>> loops, const std::stop_token& stop) {
@@ -66,7 +75,7 @@ Mesh roof(std::span<const std::vector<glm::dvec2>> loops, const std::stop_token&
     };
     for (const Region& region : regions_of(loops)) {
         base::end_if_asked(stop);
-        const auto skeleton = CGAL::create_interior_straight_skeleton_2(region);
+        const auto skeleton = skeleton_of(region);
         if (!skeleton)
             throw std::runtime_error("no straight skeleton was found");
         for (auto face = skeleton->faces_begin(); face != skeleton->faces_end(); ++face) {

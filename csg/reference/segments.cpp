@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "base/stop.h"
+#include "csg/reference/edge_uses.h"
 
 namespace csg::reference {
 namespace {
@@ -113,48 +113,28 @@ class Collector {
             face.box.hi += content_.points.tolerance();
             if (face.ids[0] != face.ids[1] && face.ids[1] != face.ids[2] && face.ids[2] != face.ids[0])
                 faces.push_back(face);
+            else if (leaf.points[t.x] != leaf.points[t.y] && leaf.points[t.y] != leaf.points[t.z] &&
+                     leaf.points[t.z] != leaf.points[t.x])
+                throw Undecided("a face is smaller than the tolerance");
         }
         return faces;
     }
 
     /// Edges that the leaf's triangles in a plane do not pass in both directions alike.
     void add_borders(LeafId leaf, const std::vector<Face>& faces) {
-        struct Use {
-            std::uint64_t edge;
-            std::uint32_t plane;
-            std::int32_t count;
-        };
-        std::vector<Use> uses;
+        std::vector<EdgeUse> uses;
         uses.reserve(3 * faces.size());
         for (const Face& face : faces) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = face.ids[k], b = face.ids[(k + 1) % 3];
-                uses.push_back({key(a, b), face.plane, a < b ? 1 : -1});
-            }
+            for (std::size_t k = 0; k < 3; ++k)
+                uses.push_back(edge_use(face.ids[k], face.ids[(k + 1) % 3], face.plane));
         }
-        std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-            return std::tie(a.edge, a.plane, a.count) < std::tie(b.edge, b.plane, b.count);
+        visit_borders(uses, leaf, rule_, [&](std::uint32_t lo, std::uint32_t hi, std::uint32_t at, std::int32_t count) {
+            const std::uint32_t segment = content_.segments.add(lo, hi);
+            PlaneContent& plane = content_.planes[at];
+            plane.segments.push_back(segment);
+            if (count != 0)
+                plane.borders.push_back({segment, leaf, count});
         });
-        for (std::size_t i = 0, end; i < uses.size(); i = end) {
-            for (end = i + 1; end < uses.size() && uses[end].edge == uses[i].edge; ++end) {
-            }
-            // Where faces in other planes end at an edge that ends nothing in this one, it is an edge of the complex.
-            const bool one_plane = uses[i].plane == uses[end - 1].plane;
-            for (std::size_t j = i, k; j < end; j = k) {
-                std::int32_t count = 0;
-                for (k = j; k < end && uses[k].plane == uses[j].plane; ++k)
-                    count += uses[k].count;
-                count = rule_.reduced(leaf, count);
-                if (count == 0 && one_plane)
-                    continue;
-                const auto segment = content_.segments.add(static_cast<std::uint32_t>(uses[i].edge >> 32),
-                                                           static_cast<std::uint32_t>(uses[i].edge));
-                PlaneContent& plane = content_.planes[uses[j].plane];
-                plane.segments.push_back(segment);
-                if (count != 0)
-                    plane.borders.push_back({segment, leaf, count});
-            }
-        }
     }
 
     void meet_leaves() {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <stop_token>
 #include <unordered_map>
 #include <vector>
@@ -12,6 +13,13 @@
 #include "csg/solid/placed.h"
 
 namespace csg::reference {
+
+/// The scene is too near to degenerate for double precision: points and lines within the tolerance do not fit
+/// together. Exact arithmetic must decide.
+class Undecided : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
 
 /// Segments between points of a table, each once. A segment that lies in several planes is split in all of them where
 /// it is split in one: so the planes' arrangements fit together.
@@ -53,7 +61,7 @@ struct Content {
 };
 
 /// Collects the borders of the faces of `leaves`, and the segments in which faces of two leaves (or, of one that is not
-/// convex, of its own) on different planes meet. Not yet split where they cross.
+/// convex, of its own) on different planes meet. Not yet split where they cross. Throws Undecided.
 [[nodiscard]] Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves,
                                        const InsideRule& rule, const std::stop_token& stop = {});
 

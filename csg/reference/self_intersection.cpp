@@ -27,12 +27,14 @@ class Triangle {
 
     [[nodiscard]] bool degenerate() const { return normal_ == glm::dvec3(0.0); }
 
-    /// Do the triangles cross, or overlap in one plane, by more than the tolerance? Not where this one is degenerate.
-    [[nodiscard]] bool crosses(const Triangle& other, double tolerance) const {
+    /// Do the triangles cross, or overlap in one plane, by more than the tolerance? Not where this one is degenerate,
+    /// nor where they face opposite ways in one plane: those are sheets that touch.
+    [[nodiscard]] bool crosses(const Triangle& other, double tolerance, Overlaps overlaps) const {
         const std::array<double, 3> d = distances(other);
         const auto [least, most] = std::minmax_element(d.begin(), d.end());
         if (*least >= -tolerance && *most <= tolerance)
-            return !other.degenerate() && !apart(*this, other, tolerance) && !apart(other, *this, tolerance);
+            return overlaps == Overlaps::Counted && glm::dot(normal_, other.normal_) > 0 &&
+                   !apart(*this, other, tolerance) && !apart(other, *this, tolerance);
         if (*least >= -tolerance || *most <= tolerance)
             return false;  // on one side, as nearly all neighbours are
         return pierced_by(other, d, tolerance) ||
@@ -88,7 +90,8 @@ class Triangle {
 
 }  // namespace
 
-std::size_t count_self_intersections(const Mesh& mesh, double tolerance, const std::stop_token& stop) {
+std::size_t count_self_intersections(const Mesh& mesh, double tolerance, Overlaps overlaps,
+                                     const std::stop_token& stop) {
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles)
@@ -103,7 +106,7 @@ std::size_t count_self_intersections(const Mesh& mesh, double tolerance, const s
     BoxTree(boxes).pairs([&](std::uint32_t a, std::uint32_t b) {
         paced();
         const Triangle &t = triangles[a], &u = triangles[b];
-        if (t.degenerate() ? !u.degenerate() && u.crosses(t, tolerance) : t.crosses(u, tolerance))
+        if (t.degenerate() ? !u.degenerate() && u.crosses(t, tolerance, overlaps) : t.crosses(u, tolerance, overlaps))
             ++count;
     });
     return count;

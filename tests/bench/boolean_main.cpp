@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
             if (argument == "planes")
                 how.method = csg::reference::Method::Planes;
             else if (argument == "exact")
-                how.method = csg::reference::Method::Nef;
+                how.method = csg::reference::Method::Exact;
             else
                 files.push_back(argument);
         }

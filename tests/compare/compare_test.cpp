@@ -77,6 +77,45 @@ TEST_F(Export, SameBytesFromAnywhere) {
         EXPECT_EQ(folder_.read("m." + suffix), folder_.read("b." + suffix)) << suffix;
 }
 
+/// Addresses differ from process to process.
+TEST_F(Export, SameBytesInEveryProcess) {
+    folder_.write("h.scad",
+                  "translate([20, 0, 0]) linear_extrude(3) text(\"I\", size = 5);\n"
+                  "hull() { sphere(3); translate([5, 0, 0]) sphere(3); }");
+    ASSERT_EQ(run("h.scad -o first.off --cache kept").status, 0);
+    for (int i = 0; i < 9; ++i) {
+        ASSERT_EQ(run("h.scad -o again.off").status, 0);
+        ASSERT_EQ(folder_.read("again.off"), folder_.read("first.off"));
+    }
+    ASSERT_EQ(run("h.scad -o again.off --cache kept --stats s.json").status, 0);
+    EXPECT_EQ(Json::parse(folder_.read("s.json")).at("mesh").at("cached"), true);
+}
+
+/// Sheets that touch are apart in a file of indices; a file of positions joins them, and edges have four faces.
+TEST_F(Export, ReadsItsOwnFilesOfSolidsThatTouch) {
+    const std::pair<const char*, double> models[] = {
+        {"cube(2); translate([2, 2, 0]) cube(2);", 16},
+        {"cube(2); translate([2, 2, 2]) cube(2);", 16},
+        {"for (x = [0:2], y = [0:2], z = [0:2]) if ((x + y + z) % 2 == 0) translate([x, y, z]) cube(1);", 14},
+        {"difference() { rotate([17.3, 29.1, 41.7]) cube([9999, 1, 3]); rotate([3, 4, 5]) cube(2, center = true); }",
+         0}};
+    for (const auto& [program, volume] : models) {
+        folder_.write("t.scad", program);
+        ASSERT_EQ(run("t.scad -o t.stl -o t.off -o t.obj -o t.amf -o t.3mf --summary-file t.json").status, 0);
+        const double first = Json::parse(folder_.read("t.json")).at("geometry").at("volume");
+        EXPECT_NEAR(first, volume > 0 ? volume : first, 1e-9 * first) << program;
+        for (const char* file : {"t.stl", "t.off", "t.obj", "t.amf", "t.3mf"}) {
+            folder_.write("again.scad", std::string("difference() { import(\"") + file +
+                                            "\"); translate([-99, -99, -99]) cube(1); }");
+            const Result result = run("again.scad -o again.off --summary-file again.json");
+            ASSERT_EQ(result.status, 0) << file << result.err;
+            EXPECT_NEAR(Json::parse(folder_.read("again.json")).at("geometry").at("volume").get<double>(), first,
+                        1e-6 * first)
+                << file << program;
+        }
+    }
+}
+
 TEST_F(Export, DimensionsThatDoNotFitAreRefused) {
     folder_.write("flat.scad", "\nsquare(3);");
     folder_.write("mixed.scad", "cube(3);\nsquare(9);");

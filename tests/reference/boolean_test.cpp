@@ -63,6 +63,19 @@ const Case kCases[] = {
      0},
     // Two bars in a cross share an edge with a third: the four meet along lines.
     {"CheckerBoard", "for (x = [0:3], y = [0:3]) if ((x + y) % 2 == 0) translate([x, y, 0]) cube(1);", 8, 8, 0},
+    {"BoardOfCubesAtCorners",
+     "for (p = [0:26]) let (x = p % 3, y = floor(p / 3) % 3, z = floor(p / 9)) "
+     "if ((x + y + z) % 2 == 0) translate([x, y, z]) cube(1);",
+     14, 14, 0},
+    {"FourFacesAtAnEdge",
+     "linear_extrude(2) difference() { square(6); translate([1, 1]) square(2); translate([3, 3]) square(2); }", 56, 1,
+     1},
+    // The middle is wound around twice.
+    {"PentagramPrism",
+     "p = [for (z = [0, 2]) each [[0, 0, z], for (i = [0:4]) [10 * cos(144 * i), 10 * sin(144 * i), z]]];\n"
+     "polyhedron(p, [for (i = [0:4]) let (a = 1 + i, b = 1 + (i + 1) % 5) "
+     "each [[0, a, b], [6, 6 + b, 6 + a], [a, 6 + a, 6 + b], [a, 6 + b, b]]]);",
+     224.5139882897927, 1, 0},
     {"TranslucentPartsCount", "cube(2); color([1, 0, 0, 0.5]) translate([1, 0, 0]) cube(2);", 12, 1, 0},
     {"BackgroundDoesNot", "cube(2); %cube(5); ", 8, 1, 0},
 };
@@ -70,18 +83,13 @@ const Case kCases[] = {
 INSTANTIATE_TEST_SUITE_P(Booleans, ClosedForms, testing::ValuesIn(kCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(Booleans, NefGivesTheSame) {
-    const auto model = meshes::model_of(
-        "difference() { union() { cube(4); translate([2, 2, 2]) cube(4); } translate([1, 1, -1]) "
-        "cylinder(h = 9, r = 1, $fn = 5); }");
+TEST_P(ClosedForms, ExactArithmeticGivesTheSame) {
+    const auto model = meshes::model_of(GetParam().program);
     csg::reference::BooleanRequest request;
-    request.method = csg::reference::Method::Nef;
+    request.method = csg::reference::Method::Exact;
     const auto exact = csg::reference::make_mesh(model->scene, model->geometry, request);
-    const auto facts = csg::reference::facts(exact.mesh);
-    const ui::ModelMesh mesh = ui::make_mesh(*model);
-    EXPECT_TRUE(facts.manifold);
-    EXPECT_NEAR(facts.volume, mesh.facts.volume, 1e-9);
-    EXPECT_EQ(facts.genus, mesh.facts.genus);
+    EXPECT_TRUE(exact.facts.manifold);
+    EXPECT_NEAR(exact.facts.volume, GetParam().volume, 1e-9 * GetParam().volume);
 }
 
 /// Shells of one polyhedron: boxes given by two corners, turned inside out where the first is the larger one.
@@ -105,9 +113,13 @@ class ShellsOfOneLeaf : public testing::TestWithParam<Shells> {};
 
 TEST_P(ShellsOfOneLeaf, AreInsideWhereTheyWind) {
     const auto model = meshes::model_of(shells(GetParam().boxes));
-    const ui::ModelMesh mesh = ui::make_mesh(*model);
-    EXPECT_TRUE(mesh.facts.manifold);
-    EXPECT_NEAR(mesh.facts.volume, GetParam().volume, 1e-9 * GetParam().volume);
+    for (const auto method : {csg::reference::Method::Planes, csg::reference::Method::Exact}) {
+        csg::reference::BooleanRequest request;
+        request.method = method;
+        const auto result = csg::reference::make_mesh(model->scene, model->geometry, request);
+        EXPECT_TRUE(result.facts.manifold) << csg::reference::name(method);
+        EXPECT_NEAR(result.facts.volume, GetParam().volume, 1e-9 * GetParam().volume) << csg::reference::name(method);
+    }
 }
 
 const Shells kShells[] = {
@@ -163,9 +175,42 @@ TEST(Booleans, NothingIsAnError) {
     EXPECT_THROW((void)ui::make_mesh(*meshes::model_of("%cube(1);")), ui::ModelError);
 }
 
-TEST(Booleans, AnOpenLeafIsAnError) {
-    const auto model = meshes::model_of("polyhedron([[0,0,0],[2,0,0],[0,2,0],[0,0,3]], [[0,2,1],[0,1,3],[1,2,3]]);");
-    EXPECT_THROW((void)ui::make_mesh(*model), ui::ModelError);
+constexpr const char* kOpen =
+    "module open() polyhedron([[0,0,0],[2,0,0],[0,2,0],[0,0,3]], [[0,2,1],[0,1,3],[1,2,3]]);\n";
+
+TEST(Booleans, AnOpenLeafStaysAsItIsWhereNothingMeetsIt) {
+    const ui::ModelMesh alone = ui::make_mesh(*meshes::model_of(std::string(kOpen) + "open();"));
+    EXPECT_EQ(alone.mesh.triangles.size(), 3u);
+    EXPECT_FALSE(alone.facts.manifold);
+    const ui::ModelMesh apart =
+        ui::make_mesh(*meshes::model_of(std::string(kOpen) + "open(); translate([5, 0, 0]) cube(1);"));
+    EXPECT_EQ(apart.mesh.sources.back(), 0u);
+    EXPECT_EQ(apart.mesh.triangles.size(), 3u + 12u);
+}
+
+TEST(Booleans, AnOpenLeafCannotBeCombined) {
+    for (const char* program : {"union() {\nopen(); cube(1); }", "difference() {\nopen(); cube(1); }",
+                                "difference() { cube(9);\nopen(); }", "intersection() {\nopen(); cube(9); }"}) {
+        try {
+            (void)ui::make_mesh(*meshes::model_of(std::string(kOpen) + program));
+            ADD_FAILURE() << program;
+        } catch (const ui::ModelError& error) {
+            EXPECT_EQ(std::string(error.what()).find("test.scad:1: its surface is open"), 0u) << error.what();
+        }
+    }
+}
+
+/// Every edge has two faces, but some are turned the wrong way: even-odd.
+TEST(Booleans, ALeafOfUnevenlyOrientedFacesIsEvenOdd) {
+    const auto model =
+        meshes::model_of("polyhedron([[0,0,0],[2,0,0],[0,2,0],[0,0,3]], [[0,1,2],[0,1,3],[1,2,3],[2,0,3]]);");
+    for (const auto method : {csg::reference::Method::Planes, csg::reference::Method::Exact}) {
+        csg::reference::BooleanRequest request;
+        request.method = method;
+        const auto result = csg::reference::make_mesh(model->scene, model->geometry, request);
+        EXPECT_TRUE(result.facts.manifold);
+        EXPECT_NEAR(result.facts.volume, 2, 1e-12);
+    }
 }
 
 TEST(Booleans, ThreadsDoNotMatter) {

@@ -1,4 +1,4 @@
-// Meshes of random models: closed, without self-intersection, and what the picture shows.
+// Meshes of random models: closed, without self-intersection, the same by both methods, and what the picture shows.
 #include <gtest/gtest.h>
 
 #include "csg/reference/self_intersection.h"
@@ -47,6 +47,11 @@ TEST_P(RandomMeshes, AreClosedAndWhatThePictureShows) {
         csg::reference::BooleanResult result;
         ASSERT_NO_THROW(result = csg::reference::make_mesh(sample.scene, sample.geometry)) << scad_text(model);
         EXPECT_EQ(result.method, csg::reference::Method::Planes) << result.reason << scad_text(model);
+        csg::reference::BooleanRequest request;
+        request.method = csg::reference::Method::Exact;
+        csg::reference::BooleanResult exact;
+        ASSERT_NO_THROW(exact = csg::reference::make_mesh(sample.scene, sample.geometry, request)) << scad_text(model);
+        EXPECT_NEAR(result.facts.volume, exact.facts.volume, 1e-9 * exact.facts.volume) << scad_text(model);
         if (result.mesh.empty())
             continue;
         ++solid;

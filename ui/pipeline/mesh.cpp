@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "csg/solid/located.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -21,6 +22,8 @@ ModelMesh make_mesh(const Model& model, const std::stop_token& stop) {
         result.reason = std::move(found.reason);
     } catch (const std::bad_alloc&) {
         throw;
+    } catch (const csg::reference::LeafError& error) {
+        throw ModelError(csg::solid::located(*model.tree, model.scene.leaves[error.leaf()].where, error.what()));
     } catch (const std::exception& error) {
         throw ModelError(error.what());
     }
