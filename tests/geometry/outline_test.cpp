@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "csg/solid/triangulate.h"
 #include "csg/solid/triangulate_region.h"
 
 namespace {
@@ -75,6 +76,102 @@ TEST(Outline, LoopsThatTouchLieTheRightWayRound) {
         off += std::abs(clean(loops, FillRule::EvenOdd).area() - even_odd_area(loops, 7)) > 0.05 ? 1 : 0;
     }
     EXPECT_EQ(off, 0);
+}
+
+/// Where a hole touches the outside, or holes touch each other, each is a loop of its own; regions that touch are
+/// apart.
+TEST(Outline, LoopsThatMeetInAPointAreSimple) {
+    const auto square = [](double x, double y, double size) {
+        return Loop{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+    };
+    const Outline holes =
+        clean(std::vector<Loop>{square(0, 0, 6), square(1, 1, 2), square(3, 3, 2)}, FillRule::EvenOdd);
+    EXPECT_EQ(holes.loops.size(), 3u);
+    EXPECT_TRUE(is_region(holes));
+    const Outline two = clean(std::vector<Loop>{square(0, 0, 1), square(1, 1, 1)}, FillRule::NonZero);
+    EXPECT_EQ(two.loops.size(), 2u);
+    EXPECT_TRUE(is_region(two));
+    const Outline bow = clean(std::vector<Loop>{{{0, 0}, {10, 10}, {10, 0}, {0, 9}}}, FillRule::EvenOdd);
+    EXPECT_EQ(bow.loops.size(), 2u);
+    EXPECT_TRUE(is_region(bow));
+    const Outline tooth = clean(std::vector<Loop>{square(0, 0, 4), {{0, 2}, {2, 1}, {2, 3}}}, FillRule::EvenOdd);
+    EXPECT_EQ(tooth.loops.size(), 2u);
+    EXPECT_TRUE(is_region(tooth));
+    EXPECT_EQ(tooth.area(), 14);
+}
+
+TEST(Outline, TheRuleIsChecked) {
+    const Loop square{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, turned{{0, 0}, {0, 2}, {2, 2}, {2, 0}};
+    EXPECT_TRUE(is_region({{square}}));
+    EXPECT_FALSE(is_region({{turned}}));
+    EXPECT_FALSE(is_region({{square, square}}));
+    EXPECT_FALSE(is_region({{square, {{0.5, 0.5}, {1, 0.5}, {1, 1}}}}));  // A hole the wrong way round.
+    EXPECT_TRUE(is_region({{square, {{0.5, 0.5}, {1, 1}, {1, 0.5}}}}));
+    EXPECT_FALSE(is_region({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}}));
+    EXPECT_FALSE(is_region({{square, {{2, 1}, {3, 1}, {3, 2}}}}));  // Touches where the square has no corner.
+    EXPECT_FALSE(is_region({{{{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}}}}));
+}
+
+/// Points next to edges, far closer than the grid is wide.
+TEST(Outline, NoPointIsMovedOverAnEdge) {
+    std::mt19937 random(3);
+    const auto noise = [&] { return (static_cast<double>(random() % 2001) - 1000) * 1e-15; };
+    for (int round = 0; round < 300; ++round) {
+        std::vector<Loop> loops(1 + round % 3);
+        for (Loop& loop : loops) {
+            for (int i = 0; i < 12; ++i) {
+                const double t = static_cast<double>(random() % 8) / 7;
+                loop.emplace_back(t + noise(), t / 3 + static_cast<double>(random() % 2) + noise());
+            }
+        }
+        const Outline outline = clean(loops, FillRule::EvenOdd);
+        EXPECT_TRUE(is_region(outline)) << round;
+        glm::dmat4 matrix(1.0);
+        matrix[0][1] = 0.1 * round;
+        matrix[1][0] = -0.3;
+        matrix[3][0] = std::ldexp(1.0, round % 50);
+        EXPECT_TRUE(is_region(transform(outline, matrix))) << round;
+    }
+}
+
+TEST(Outline, TenThousandsOfCorners) {
+    Loop star, walk;
+    std::mt19937 random(9);
+    glm::dvec2 p(0.0);
+    for (int i = 0; i < 100'000; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / 100'000, r = i % 2 == 0 ? 5 : 10;
+        star.emplace_back(r * std::cos(angle), r * std::sin(angle));
+        p += glm::dvec2(static_cast<double>(random() % 1000) - 499.5, static_cast<double>(random() % 1000) - 499.5);
+        walk.push_back(p);
+    }
+    const Outline one = clean(std::vector<Loop>{star}, FillRule::EvenOdd);
+    EXPECT_EQ(one.corners(), star.size());
+    EXPECT_EQ(triangulate_region(index_corners(one)).size(), star.size() - 2);
+    const Outline crossing = clean(std::vector<Loop>{walk}, FillRule::EvenOdd);
+    EXPECT_TRUE(is_region(crossing));
+    EXPECT_GT(crossing.corners(), walk.size());
+    // What crosses itself everywhere is refused before it takes hours.
+    for (glm::dvec2& corner : walk)
+        corner = {static_cast<double>(random()), static_cast<double>(random())};
+    EXPECT_THROW(static_cast<void>(clean(std::vector<Loop>{walk}, FillRule::EvenOdd)), OutlineError);
+}
+
+/// A face of a polyhedron with as many corners, simple or not: in far less than the square of that.
+TEST(Triangulation, FacesOfManyCorners) {
+    std::mt19937 random(9);
+    for (const bool crosses : {false, true}) {
+        std::vector<glm::dvec3> points;
+        std::vector<std::uint32_t> face;
+        for (std::uint32_t i = 0; i < 100'000; ++i) {
+            const double angle = 2 * 3.14159265358979 * i / 100'000;
+            const double r = crosses ? static_cast<double>(random() % 1000) : i % 2 == 0 ? 5 : 10;
+            points.emplace_back(r * std::cos(crosses ? 77 * angle : angle), r * std::sin(angle), 0.1 * r);
+            face.push_back(i);
+        }
+        std::vector<glm::uvec3> triangles;
+        triangulate(points, face, triangles);
+        EXPECT_EQ(triangles.size(), face.size() - 2);
+    }
 }
 
 TEST(Outline, CoordinatesThatAreNotFiniteAreLeftOut) {
