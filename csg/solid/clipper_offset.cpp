@@ -53,14 +53,15 @@ Outline widen(std::span<const Loop> loops, const Widening& how) {
     } catch (const ClipperLib::clipperException& error) {
         throw OutlineError(error.what());
     }
-    // Clipper's result touches itself, and its rounding moves points over edges.
+    // Clipper's result touches itself, its rounding moves points over edges, and where loops touch it may take one for
+    // a hole that is none; but an odd number of them is around what is inside.
     std::vector<Loop> result;
     for (const ClipperLib::Path& path : widened) {
         Loop& loop = result.emplace_back();
         for (const ClipperLib::IntPoint& p : path)
             loop.push_back(grid.point({p.X, p.Y}));
     }
-    return clean(result, FillRule::NonZero);
+    return clean(result, FillRule::EvenOdd);
 }
 
 }  // namespace csg::solid

@@ -60,6 +60,7 @@ class Checks {
         check_triangles();
         check_extrusions();
         check_revolutions();
+        check_offsets();
         return problem_;
     }
 
@@ -176,6 +177,30 @@ class Checks {
         if (part < 0.99 * kPi) {
             check_volume("revolved in part", *solid, steps * std::sin(part) * moment, scale * 8);
             check_points("revolved in part", *solid, place((how.angle < 0 ? -1 : 1) * part * 1e-9), 1);
+        }
+    }
+
+    /// Points nearer to the region than the distance are inside, those farther away outside.
+    void check_offsets() {
+        csg::Offset how;
+        how.fineness.fn = 64;
+        for (const double part : {0.06, -0.03}) {
+            how.distance = part * size_;
+            const Outline moved = offset(outline_, how);
+            expect(is_region(moved), "offset: the outline breaks the rule");
+            const double margin = std::abs(how.distance) * 0.002 + 1e-6 * size_ + 1e-9 * reach_;
+            for (int i = 0; i < 12; ++i) {
+                const glm::dvec2 p(box_.lo.x + (1.3 * random() - 0.15) * (box_.hi.x - box_.lo.x),
+                                   box_.lo.y + (1.3 * random() - 0.15) * (box_.hi.y - box_.lo.y));
+                const auto in_region = is_inside(outline_.loops, p, margin),
+                           in_moved = is_inside(moved.loops, p, margin);
+                if (!in_region || !in_moved || outline_.empty())
+                    continue;
+                const double depth = (*in_region ? 1 : -1) * distance_to_edges(outline_.loops, p);
+                if (std::abs(depth + how.distance) > margin)
+                    expect(*in_moved == (depth > -how.distance),
+                           fmt::format("offset by {}: wrong at ({}, {})", how.distance, p.x, p.y));
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace outlines {
 namespace {
@@ -67,15 +68,26 @@ Moments even_odd_moments(const std::vector<Loop>& loops) {
     return sum;
 }
 
+double distance_to_edges(const std::vector<Loop>& loops, const glm::dvec2& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Loop& loop : loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const glm::dvec2 &a = loop[i], way = loop[(i + 1) % loop.size()] - a;
+            const double length = glm::dot(way, way);
+            const double t = length > 0 ? std::clamp(glm::dot(p - a, way) / length, 0.0, 1.0) : 0.0;
+            least = std::min(least, glm::length(p - (a + t * way)));
+        }
+    }
+    return least;
+}
+
 std::optional<bool> is_inside(const std::vector<Loop>& loops, const glm::dvec2& p, double margin) {
+    if (distance_to_edges(loops, p) < margin)
+        return {};
     bool inside = false;
     for (const Loop& loop : loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()], way = b - a;
-            const double length = glm::dot(way, way);
-            const double t = length > 0 ? std::clamp(glm::dot(p - a, way) / length, 0.0, 1.0) : 0.0;
-            if (glm::length(p - (a + t * way)) < margin)
-                return {};
+            const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
             if ((a.y > p.y) != (b.y > p.y) && (csg::solid::turn(a, b, p) > 0) == (b.y > a.y))
                 inside = !inside;
         }

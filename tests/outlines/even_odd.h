@@ -20,4 +20,6 @@ struct Moments {
 [[nodiscard]] std::optional<bool> is_inside(const std::vector<csg::solid::Loop>& loops, const glm::dvec2& p,
                                             double margin);
 
+[[nodiscard]] double distance_to_edges(const std::vector<csg::solid::Loop>& loops, const glm::dvec2& p);
+
 }  // namespace outlines
