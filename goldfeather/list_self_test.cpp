@@ -114,7 +114,7 @@ class Lists {
             const float depth = static_cast<float>(1 + random.next() % (count + count / 2)) / 256.0F;
             const std::uint32_t from_behind = windings_ ? random.next() % 2 : 0;
             entries.emplace_back(std::bit_cast<std::uint32_t>(depth), leaf | (from_behind != 0 ? kFromBehind : 0U));
-            fragments.push_back({static_cast<double>(depth), leaf, triangles[leaf].plane, 0, from_behind});
+            fragments.push_back({static_cast<double>(depth), leaf << 1 | from_behind, triangles[leaf].plane, 0});
         }
         const std::size_t list_class = count <= kShortLists[0] ? 0 : count <= kShortLists[1] ? 1 : 2;
         jobs[list_class * kPixels + status.class_sizes[list_class]++] = {pixel, first};

@@ -9,7 +9,7 @@ namespace {
 
 /// What passing the surface adds to the winding number.
 std::int32_t step_of(const Fragment& f) {
-    return f.from_behind != 0 ? -1 : 1;
+    return f.from_behind() ? -1 : 1;
 }
 
 }  // namespace
@@ -20,7 +20,8 @@ PixelWalk::PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::s
       scene_(scene),
       counted_from_behind_(counted_from_behind),
       wound_(wound),
-      winding_(wound.size(), 0),
+      any_wound_(std::find(wound.begin(), wound.end(), char{1}) != wound.end()),
+      winding_(any_wound_ ? wound.size() : 0, 0),
       max_layers_(max_layers <= 0 ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(max_layers)),
       state_(tree),
       known_(kRemembered + 1) {}
@@ -31,8 +32,7 @@ std::span<const FoundSurface> PixelWalk::walk(std::span<const Fragment> fragment
     for (std::size_t i = 0; i < fragments.size(); ++i) {
         const bool same_event = i > 0 && fragments[i].depth == fragments[i - 1].depth;
         const Fragment& f = fragments[i];
-        const std::uint32_t direction = wound_[f.leaf] != 0 ? f.from_behind : 0;
-        key_[i] = f.leaf << 2 | direction << 1 | (same_event ? 1U : 0U);
+        key_[i] = f.leaf_and_side << 1 | (same_event ? 1U : 0U);
         hash = (hash ^ key_[i]) * 0x9e3779b97f4a7c15U;
     }
     Known& known = known_[fragments.size() > kLongest ? kRemembered : hash >> 56];
@@ -60,12 +60,17 @@ void PixelWalk::evaluate(std::span<const Fragment> fragments, Known& known) {
         first = end;
     }
     if (state_.entered() != 0) {  // By open meshes, or where layers have not been asked for.
+        if (any_wound_) {
+            for (const Fragment& f : fragments) {
+                winding_[f.leaf()] = 0;
+            }
+        }
         leave_all(fragments);
     }
 }
 
 bool PixelWalk::turns(csg::LeafId leaf, std::int32_t step) {
-    if (wound_[leaf] == 0) {
+    if (!any_wound_ || wound_[leaf] == 0) {
         return true;
     }
     const bool outside = winding_[leaf] == 0;
@@ -77,8 +82,8 @@ bool PixelWalk::turns(csg::LeafId leaf, std::int32_t step) {
 void PixelWalk::enter_from_behind(std::span<const Fragment> fragments) {
     switching_.clear();
     for (const Fragment& f : fragments) {
-        if (counted_from_behind_[f.leaf] != 0 && turns(f.leaf, -step_of(f))) {
-            switching_.push_back(f.leaf);
+        if (counted_from_behind_[f.leaf()] != 0 && turns(f.leaf(), -step_of(f))) {
+            switching_.push_back(f.leaf());
         }
     }
     if (!switching_.empty()) {
@@ -88,21 +93,18 @@ void PixelWalk::enter_from_behind(std::span<const Fragment> fragments) {
 
 /// Back to the outside.
 void PixelWalk::leave_all(std::span<const Fragment> fragments) {
-    for (const Fragment& f : fragments) {
-        winding_[f.leaf] = 0;
-    }
     if (fragments.size() <= kOneByOne) {
         for (const Fragment& f : fragments) {
-            if (state_.inside_leaf(f.leaf)) {
-                state_.toggle(f.leaf);
+            if (state_.inside_leaf(f.leaf())) {
+                state_.toggle(f.leaf());
             }
         }
         return;
     }
     switching_.clear();
     for (const Fragment& f : fragments) {
-        if (state_.inside_leaf(f.leaf)) {
-            switching_.push_back(f.leaf);
+        if (state_.inside_leaf(f.leaf())) {
+            switching_.push_back(f.leaf());
         }
     }
     std::sort(switching_.begin(), switching_.end());
@@ -133,7 +135,7 @@ void PixelWalk::toggle_switching() {
 
 /// One leaf by itself that turns its part has turned every gate on the way, so it is responsible on the result's side.
 void PixelWalk::single_event(const Fragment& fragment, std::uint32_t at, std::vector<FoundSurface>& found) {
-    const csg::LeafId leaf = fragment.leaf;
+    const csg::LeafId leaf = fragment.leaf();
     if (turns(leaf, step_of(fragment)) && state_.toggle(leaf)) {
         const bool complement = tree_.literal(leaf).complement;
         found.push_back({at, at + 1, leaf, complement, state_.inside_leaf(leaf) == complement});
@@ -144,8 +146,8 @@ void PixelWalk::event(std::span<const Fragment> fragments, std::uint32_t first, 
                       std::vector<FoundSurface>& found) {
     switching_.clear();
     for (std::uint32_t i = first; i < end; ++i) {
-        if (turns(fragments[i].leaf, step_of(fragments[i]))) {
-            switching_.push_back(fragments[i].leaf);
+        if (turns(fragments[i].leaf(), step_of(fragments[i]))) {
+            switching_.push_back(fragments[i].leaf());
         }
     }
     toggle_switching();

@@ -11,11 +11,13 @@ namespace goldfeather {
 
 /// Where a ray meets a leaf.
 struct Fragment {
-    double depth = 0;  ///< Reversed: the larger is nearer.
-    csg::LeafId leaf = 0;
+    double depth = 0;                 ///< Reversed: the larger is nearer.
+    std::uint32_t leaf_and_side = 0;  ///< Leaf << 1 | seen from inside the leaf, where that is wound.
     std::uint32_t plane = 0;
-    std::uint32_t slot = 0;         ///< The caller's own.
-    std::uint32_t from_behind = 0;  ///< 1: the surface is seen from inside the leaf. Counts where the leaf is wound.
+    std::uint32_t slot = 0;  ///< The caller's own.
+
+    [[nodiscard]] csg::LeafId leaf() const { return leaf_and_side >> 1; }
+    [[nodiscard]] bool from_behind() const { return (leaf_and_side & 1U) != 0; }
 };
 
 /// A surface of the result, found among sorted fragments.
@@ -42,7 +44,7 @@ class PixelWalk {
   private:
     /// A sequence and what it comes to.
     struct Known {
-        /// Leaf << 2 | direction, where the leaf is wound, << 1 | same event as the fragment before.
+        /// Leaf and side << 1 | same event as the fragment before.
         std::vector<std::uint32_t> key;
         std::vector<FoundSurface> found;
     };
@@ -66,6 +68,7 @@ class PixelWalk {
     const ExpressionTree& tree_;
     const csg::Scene& scene_;
     std::span<const char> counted_from_behind_, wound_;
+    bool any_wound_;
     std::vector<std::int32_t> winding_;  ///< By leaf: how often the mesh is around the point. Of wound leaves.
     std::size_t max_layers_;
     ExpressionState state_;

@@ -51,9 +51,11 @@ Polygon<Point> cut(const Polygon<Point>& polygon, const Height& height) {
 
 class Projector {
   public:
-    Projector(const gl::View& view, csg::LeafId leaf, std::vector<ScreenTriangle>& out)
+    /// `from_behind`: the bit of triangles seen from behind.
+    Projector(const gl::View& view, csg::LeafId leaf, std::uint32_t from_behind, std::vector<ScreenTriangle>& out)
         : view_(view),
           leaf_(leaf),
+          from_behind_(from_behind),
           out_(out),
           scale_(view.size().y / (2 * view.half_height())),
           offset_(0.5 * glm::dvec2(view.size()) - view.jitter()) {}
@@ -82,7 +84,7 @@ class Projector {
         if (solid.count < 3) {
             return;
         }
-        ScreenTriangle t{{}, {}, leaf_, plane << 1, 1, 0};
+        ScreenTriangle t{{}, {}, leaf_ << 1, plane, 1, 0};
         Polygon<glm::dvec2> flat;
         for (const glm::dvec3& p : std::span(solid.points).first(static_cast<std::size_t>(solid.count))) {
             flat.add(on_screen(p));
@@ -114,7 +116,7 @@ class Projector {
         if (area < 0) {
             std::swap(t.x[1], t.x[2]);
             std::swap(t.y[1], t.y[2]);
-            t.plane_and_side |= 1U;
+            t.leaf_and_side |= from_behind_;
         }
         const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
         const auto [y0, y1] = std::minmax({t.y[0], t.y[1], t.y[2]});
@@ -131,6 +133,7 @@ class Projector {
   private:
     const gl::View& view_;
     csg::LeafId leaf_;
+    std::uint32_t from_behind_;
     std::vector<ScreenTriangle>& out_;
     double scale_;
     glm::dvec2 offset_;
@@ -146,7 +149,7 @@ void project_leaf(const csg::solid::PlacedLeaf& leaf, csg::LeafId id, const gl::
         double depth;
         bool plain;
     };
-    const Projector projector(view, id, out);
+    const Projector projector(view, id, leaf.solid->winds() ? 1 : 0, out);
     thread_local std::vector<Vertex> vertices;
     vertices.clear();
     vertices.reserve(leaf.points.size());
@@ -164,7 +167,7 @@ void project_leaf(const csg::solid::PlacedLeaf& leaf, csg::LeafId id, const gl::
         const Vertex &a = vertices[t.x], &b = vertices[t.y], &c = vertices[t.z];
         if (a.plain && b.plain && c.plain) {
             const auto [farthest, nearest] = std::minmax({a.depth, b.depth, c.depth});
-            projector.add({{}, {}, id, leaf.planes[i].index << 1, farthest, nearest}, {a.screen, b.screen, c.screen});
+            projector.add({{}, {}, id << 1, leaf.planes[i].index, farthest, nearest}, {a.screen, b.screen, c.screen});
         } else {
             projector.add_cut({a.eye, b.eye, c.eye}, leaf.planes[i].index);
         }

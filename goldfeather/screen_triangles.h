@@ -19,12 +19,9 @@ inline constexpr std::int64_t kSubpixels = std::int64_t{1} << kSubpixelBits;
 /// jitter taken off, so that samples lie at pixel centres.
 struct ScreenTriangle {
     std::array<std::int32_t, 3> x{}, y{};
-    csg::LeafId leaf = 0;
-    std::uint32_t plane_and_side = 0;  ///< Plane << 1 | seen from behind, which is from inside the leaf.
+    std::uint32_t leaf_and_side = 0;  ///< As in Fragment.
+    std::uint32_t plane = 0;
     double farthest = 0, nearest = 1;  ///< Between which (reversed) depths the surface lies.
-
-    [[nodiscard]] std::uint32_t plane() const { return plane_and_side >> 1; }
-    [[nodiscard]] std::uint32_t from_behind() const { return plane_and_side & 1U; }
 };
 
 /// Projects the triangles of a leaf, clips them at the near plane and far outside the picture, and adds to `out` what

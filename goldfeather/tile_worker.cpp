@@ -28,7 +28,7 @@ static_assert(TileSpans::kSide == CpuLayers::kTileSide);
 
 /// Equal depths in order of leaves, so that equal pixels have equal lists.
 bool nearer(const Fragment& a, const Fragment& b) {
-    return a.depth > b.depth || (a.depth == b.depth && a.leaf < b.leaf);
+    return a.depth > b.depth || (a.depth == b.depth && a.leaf_and_side < b.leaf_and_side);
 }
 
 int in_tile(int x, int y) {
@@ -127,13 +127,13 @@ void TileWorker::row(const TileBox& box, int y) {
 
 void TileWorker::enter(std::uint32_t triangle, int last, int y) {
     const ScreenTriangle& t = job_.triangles[triangle];
-    const gl::View::ExactPlaneDepth& plane = job_.planes[t.plane()];
+    const gl::View::ExactPlaneDepth& plane = job_.planes[t.plane];
     // Snapping has moved the border by up to 2⁻¹⁴ pixel: a sample there must not be thrown far along a steep plane.
     const double slack = std::min(0x1p-13 * (std::abs(plane.a) + std::abs(plane.b)), 0.25 * (t.nearest - t.farthest)) +
                          1e-12 * t.nearest;
     const double base = plane.edge_on ? 0.5 * (t.farthest + t.nearest)
                                       : plane.b * (static_cast<double>(y) + 0.5 - half_height_) + plane.c;
-    entering_.push_back({0, t.leaf, t.plane(), static_cast<std::uint32_t>(slots_.size()), t.from_behind()});
+    entering_.push_back({0, t.leaf_and_side, t.plane, static_cast<std::uint32_t>(slots_.size())});
     slots_.push_back({plane.edge_on ? 0 : plane.a, base, t.farthest - slack, t.nearest + slack, last});
 }
 
@@ -156,16 +156,15 @@ void TileWorker::advance(int x, int at) {
         }
         Fragment& to = sorted_[kept++];
         to.depth = depth(slots_[from.slot], sample);
-        to.leaf = from.leaf;
+        to.leaf_and_side = from.leaf_and_side;
         to.plane = from.plane;
         to.slot = from.slot;
-        to.from_behind = from.from_behind;
     }
     sorted_.resize(kept);
     std::size_t entered = 0;
     for (const Fragment& f : entering_) {
         if (f.slot != kTaken) {
-            sorted_.push_back({depth(slots_[f.slot], sample), f.leaf, f.plane, f.slot, f.from_behind});
+            sorted_.push_back({depth(slots_[f.slot], sample), f.leaf_and_side, f.plane, f.slot});
             ++entered;
         }
     }
@@ -177,36 +176,36 @@ void TileWorker::advance(int x, int at) {
 void TileWorker::index_entering() {
     entering_of_.resize(job_.model.geometry.leaves.size(), 0);
     for (std::size_t i = 0; i < entering_.size(); ++i) {
-        entering_of_[entering_[i].leaf] = static_cast<std::uint32_t>(i + 1);
+        entering_of_[entering_[i].leaf()] = static_cast<std::uint32_t>(i + 1);
     }
 }
 
 /// Replaces `f`, whose span has ended, by one of its leaf's whose span begins, if there is any.
 bool TileWorker::take_entering(Fragment& f) {
     if (entering_.size() > kFew) {
-        std::uint32_t& place = entering_of_[f.leaf];
+        std::uint32_t& place = entering_of_[f.leaf()];
         if (place == 0) {
             return false;
         }
-        f = std::exchange(entering_[place - 1], {0, f.leaf, 0, kTaken, 0});
+        f = std::exchange(entering_[place - 1], {0, f.leaf_and_side, 0, kTaken});
         place = 0;
         return true;
     }
-    const auto next =
-        std::find_if(entering_.begin(), entering_.end(), [&](const Fragment& e) { return e.leaf == f.leaf; });
+    const auto next = std::find_if(entering_.begin(), entering_.end(),
+                                   [&](const Fragment& e) { return e.leaf_and_side == f.leaf_and_side; });
     if (next == entering_.end()) {
         return false;
     }
     f = *next;
     next->slot = kTaken;
-    next->leaf = kNoLeaf;
+    next->leaf_and_side = kNoLeaf;
     return true;
 }
 
 void TileWorker::forget_entering() {
     if (entering_.size() > kFew) {
         for (const Fragment& f : entering_) {
-            entering_of_[f.leaf] = 0;
+            entering_of_[f.leaf()] = 0;
         }
     }
     entering_.clear();

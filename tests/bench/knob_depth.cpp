@@ -138,8 +138,8 @@ void turn_depth(const Subject& subject, std::vector<KnobRow>& rows) {
                 const auto& plane = planes[t.plane];
                 const double between = formats[f].single ? interpolated<float>(t, *w) : interpolated<double>(t, *w);
                 const double on_plane = plane.edge_on ? between : plane.a * centred.x + plane.b * centred.y + plane.c;
-                lists[0].push_back({formats[f].rounded(on_plane), t.leaf, t.plane, 0});
-                lists[1].push_back({formats[f].rounded(between), t.leaf, t.plane, 0});
+                lists[0].push_back({formats[f].rounded(on_plane), t.leaf << 1, t.plane, 0});
+                lists[1].push_back({formats[f].rounded(between), t.leaf << 1, t.plane, 0});
             }
             for (std::size_t source = 0; source < 2; ++source) {
                 std::stable_sort(lists[source].begin(), lists[source].end(),
