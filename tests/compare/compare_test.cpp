@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program_test.h"
@@ -402,6 +404,45 @@ TEST_F(Export, TheVolumeOfThePictureIsThatOfTheMesh) {
     EXPECT_EQ(json.at("volume").at("agrees"), true);
     EXPECT_NEAR(picture, mesh, 0.01 * mesh);
     EXPECT_LT(json.at("volume").at("uncertainty"), 0.1 * mesh);
+}
+
+/// A box between two corners as facets of an STL; inside out where the first corner is the larger one.
+std::string stl_box(const glm::dvec3& a, const glm::dvec3& b) {
+    std::string text;
+    constexpr int kFaces[6][4]{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& face : kFaces)
+        for (const auto& corners : {std::array{face[0], face[1], face[2]}, std::array{face[0], face[2], face[3]}}) {
+            text += "facet normal 0 0 0\nouter loop\n";
+            for (const int i : corners)
+                text += fmt::format("vertex {} {} {}\n", (i & 1 ? b : a).x, (i & 2 ? b : a).y, (i & 4 ? b : a).z);
+            text += "endloop\nendfacet\n";
+        }
+    return text;
+}
+
+/// Files of several shells, as programs that do not unite write them: pictures and meshes hold them for the same solid.
+TEST_F(Export, ShellsOfAFileAreCountedByTheirWinding) {
+    struct Case {
+        std::string shells, cut;
+        double volume;
+    };
+    const glm::dvec3 origin(0), ten(10);
+    for (const auto& [shells, cut, volume] :
+         {Case{stl_box(origin, ten) + stl_box({5, 5, 5}, {15, 15, 15}), "translate([-1, -1, 7]) cube(20)", 850},
+          Case{stl_box(origin, ten) + stl_box({8, 8, 8}, {2, 2, 2}), "", 784},           // A cavity.
+          Case{stl_box(origin, ten) + stl_box(origin, ten), "", 1000},                   // Twice.
+          Case{stl_box(ten, origin), "", 1000},                                          // Inside out.
+          Case{stl_box(origin, ten) + stl_box({2, 2, 2}, {8, 8, 8}), "", 1000},          // A shell within.
+          Case{stl_box(origin, ten) + stl_box({10, 10, 0}, {12, 12, 10}), "", 1040}}) {  // An edge of four faces.
+        folder_.write("shells.stl", "solid shells\n" + shells + "endsolid shells\n");
+        folder_.write("shells.scad", "difference() { import(\"shells.stl\"); " + (cut.empty() ? "" : cut + ";") + "}");
+        const Result result = run("compare shells.scad --imgsize 96 --views 4");
+        EXPECT_EQ(result.status, 0) << volume << result.out;
+        EXPECT_EQ(result.err, "") << volume;
+        const Json json = Json::parse(result.out);
+        EXPECT_NEAR(json.at("mesh").at("volume").get<double>(), volume, 1e-9);
+        EXPECT_NEAR(json.at("volume").at("picture").get<double>(), volume, 0.03 * volume);
+    }
 }
 
 TEST_F(Export, PictureToPicture) {

@@ -58,6 +58,22 @@ TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
     EXPECT_LT(geometry.planes.tolerance(), 1e-7);
 }
 
+/// Shells that overlap where they are cut off: the caps close each of them.
+TEST(TrimmedLeaves, KeepTheirWindingNumbers) {
+    const csg::solid::Geometry geometry = placed(
+        "difference() { cube(4, center = true); scale([1, 1, 1e9]) polyhedron("
+        "[[0, 0, -1], [1, 0, -1], [0, 1, -1], [0, 0, 1], [1, 0, 1], [0, 1, 1],"
+        " [0.2, 0.2, -2], [1.2, 0.2, -2], [0.2, 1.2, -2], [0.2, 0.2, 2], [1.2, 0.2, 2], [0.2, 1.2, 2]],"
+        "[for (s = [0, 6]) each [[s, s + 1, s + 2], [s + 5, s + 4, s + 3], [s, s + 3, s + 4, s + 1],"
+        " [s + 1, s + 4, s + 5, s + 2], [s + 2, s + 5, s + 3, s]]]); }");
+    const csg::solid::PlacedLeaf& leaf = geometry.leaves[1];
+    EXPECT_TRUE(leaf.solid->winds());
+    EXPECT_TRUE(closed(leaf));
+    const double height = leaf.box.hi.z - leaf.box.lo.z;
+    EXPECT_LT(height, 2000);
+    EXPECT_NEAR(test::mesh_volume(leaf.points, leaf.triangles), height, 1e-6) << "two prisms over half a square";
+}
+
 TEST(TrimmedLeaves, AreThoseThatReachFarOnly) {
     const csg::solid::Geometry geometry =
         placed("difference() { cube(1); translate([0.2, 0.2, -9]) cube([0.5, 0.5, 50]); }");
