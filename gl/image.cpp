@@ -4,7 +4,11 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -70,6 +74,37 @@ Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alp
     return Outcome::Done;
 }
 
+void ignore_warning(png_structp, png_const_charp) {}
+
+/// What a chunk beside the picture (texts, profiles) may take, in bytes: a file may claim any size.
+constexpr png_alloc_size_t kMostChunk = 1 << 23;
+
+constexpr std::int64_t kMostPixels = 1 << 28;
+
+/// Sets the size; the rows will be RGBA of 8 bits.
+bool read_header(png_structp png, png_infop info, Image& image) {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return false;
+    png_set_chunk_malloc_max(png, kMostChunk);
+    png_read_info(png, info);
+    png_set_expand(png);
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    image.width = static_cast<int>(png_get_image_width(png, info));
+    image.height = static_cast<int>(png_get_image_height(png, info));
+    return true;
+}
+
+bool read_rows(png_structp png, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return false;
+    png_read_image(png, rows);
+    return true;
+}
+
 }  // namespace
 
 std::string encode_png(const Image& image, const std::stop_token& stop) {
@@ -95,15 +130,38 @@ std::string encode_png(const Image& image, const std::stop_token& stop) {
 }
 
 Image read_png(const std::filesystem::path& path) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    if (!png_image_begin_read_from_file(&png, path.c_str()))
-        throw std::runtime_error(fmt::format("{}: {}", path.string(), png.message));
-    png.format = PNG_FORMAT_RGBA;
-    Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
-    image.rgba.resize(PNG_IMAGE_SIZE(png));
-    if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr))
-        throw std::runtime_error(fmt::format("{}: {}", path.string(), png.message));
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (file == nullptr)
+        throw std::runtime_error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+    Written failure;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, note_problem, ignore_warning);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    if (info == nullptr) {
+        png_destroy_read_struct(&png, nullptr, nullptr);
+        throw std::bad_alloc();
+    }
+    png_init_io(png, file.get());
+    Image image;
+    std::vector<png_bytep> rows;
+    bool good = read_header(png, info, image);
+    if (good && std::int64_t{image.width} * image.height > kMostPixels) {
+        failure.problem = fmt::format("{} × {} pixels are more than can be read", image.width, image.height);
+        good = false;
+    }
+    if (good) {
+        try {
+            image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+            for (int y = 0; y < image.height; ++y)
+                rows.push_back(const_cast<png_bytep>(image.pixel(0, y)));
+        } catch (const std::bad_alloc&) {
+            png_destroy_read_struct(&png, &info, nullptr);
+            throw;
+        }
+    }
+    const bool read = good && read_rows(png, rows.data());
+    png_destroy_read_struct(&png, &info, nullptr);
+    if (!read)
+        throw std::runtime_error(fmt::format("{}: {}", path.string(), failure.problem));
     return image;
 }
 

@@ -24,7 +24,8 @@ struct Image {
 /// Throws Stopped where `stop` asked for it.
 [[nodiscard]] std::string encode_png(const Image& image, const std::stop_token& stop = {});
 
-/// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the reason.
+/// Reads a PNG of any kind as RGBA: the numbers that it has, whatever it says of gamma. Throws std::runtime_error with
+/// the reason, also where it has more than 2^28 pixels.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
 
 }  // namespace gl

@@ -1,6 +1,7 @@
 #include "gl/image.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
@@ -71,6 +72,22 @@ TEST_F(ImageTest, WhatIsNotFinishedIsNotThere) {
     }
     EXPECT_EQ(test_support::read_file(folder_ / "a"), "second");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+/// Of a text of 2 GB that is not there.
+TEST_F(ImageTest, WhatAPngClaimsTakesNoMemory) {
+    const std::string head = gl::encode_png({1, 1, {0, 0, 0, 255}}).substr(0, 33);  // Signature and IHDR.
+    const auto peak = [] {
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        return usage.ru_maxrss;  // KiB
+    };
+    const long before = peak();
+    for (const std::string kind : {"tEXt", "zTXt", "iTXt", "iCCP", "sPLT", "eXIf"}) {
+        gl::write_file(folder_ / "a.png", head + "\x7f\xff\xff\xff" + kind + std::string("a\0b", 3));
+        EXPECT_THROW((void)gl::read_png(folder_ / "a.png"), std::runtime_error) << kind;
+    }
+    EXPECT_LT(peak() - before, 100 * 1024);
 }
 
 TEST_F(ImageTest, NotAPngIsAnError) {
