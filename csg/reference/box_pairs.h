@@ -1,6 +1,7 @@
-// Pairs of boxes that meet.
+// Pairs of boxes that meet, and what meets a box or a ray.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,6 +23,18 @@ class BoxTree {
         within({1, 0, order_.size()}, visit);
     }
 
+    /// Calls `visit(i)` for each box that meets `box`, touching ones too; the same boxes give the same order.
+    template <typename Visit>
+    void meeting(const Box& box, Visit&& visit) const {
+        meeting({1, 0, order_.size()}, box, visit);
+    }
+
+    /// Calls `visit(i)` for each box that the ray meets until one gives false, and gives false then.
+    template <typename Visit>
+    bool along(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
+        return along({1, 0, order_.size()}, origin, 1.0 / direction, visit);
+    }
+
   private:
     static constexpr std::size_t kMostInLeaf = 8;
 
@@ -38,6 +51,41 @@ class BoxTree {
     }
     [[nodiscard]] bool is_leaf(const Node& node) const { return node.number >= first_leaf_; }
     void build(const Node& node);
+
+    template <typename Visit>
+    void meeting(const Node& node, const Box& box, Visit& visit) const {
+        if (!meet(bounds_[node.number], box))
+            return;
+        if (is_leaf(node)) {
+            for (std::size_t i = node.from; i < node.to; ++i) {
+                if (meet(boxes_[order_[i]], box))
+                    visit(order_[i]);
+            }
+            return;
+        }
+        meeting(node.left(), box, visit);
+        meeting(node.right(), box, visit);
+    }
+
+    static bool meets(const Box& box, const glm::dvec3& origin, const glm::dvec3& inverse) {
+        const glm::dvec3 a = (box.lo - origin) * inverse, b = (box.hi - origin) * inverse;
+        const glm::dvec3 from = glm::min(a, b), to = glm::max(a, b);
+        return std::max({0.0, from.x, from.y, from.z}) <= std::min({to.x, to.y, to.z});
+    }
+
+    template <typename Visit>
+    bool along(const Node& node, const glm::dvec3& origin, const glm::dvec3& inverse, Visit& visit) const {
+        if (!meets(bounds_[node.number], origin, inverse))
+            return true;
+        if (is_leaf(node)) {
+            for (std::size_t i = node.from; i < node.to; ++i) {
+                if (meets(boxes_[order_[i]], origin, inverse) && !visit(order_[i]))
+                    return false;
+            }
+            return true;
+        }
+        return along(node.left(), origin, inverse, visit) && along(node.right(), origin, inverse, visit);
+    }
 
     template <typename Visit>
     void within(const Node& node, Visit& visit) const {

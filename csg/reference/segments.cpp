@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/stop.h"
+#include "csg/reference/box_pairs.h"
 #include "csg/reference/edge_uses.h"
 
 namespace csg::reference {
@@ -170,38 +171,23 @@ class Collector {
         std::vector<const Face*> a = within(first, box), b = within(second, box);
         if (a.empty() || b.empty())
             return;
-        // A sweep along the longest axis of what is shared.
-        const glm::dvec3 size = box.size();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        const auto earlier = [axis](const Face* f, const Face* g) { return f->box.lo[axis] < g->box.lo[axis]; };
-        std::stable_sort(a.begin(), a.end(), earlier);
-        std::stable_sort(b.begin(), b.end(), earlier);
-        std::vector<const Face*> active_a, active_b;
-        const auto sweep = [&](const Face* face, std::vector<const Face*>& others, bool face_is_first) {
-            std::erase_if(others, [&](const Face* o) { return o->box.hi[axis] < face->box.lo[axis]; });
-            for (const Face* other : others) {
-                paced_();
-                if (face_is_first)
-                    meet(*face, *other, same);
-                else
-                    meet(*other, *face, same);
-            }
-        };
+        std::vector<Box> boxes;
+        boxes.reserve(b.size());
+        for (const Face* face : b)
+            boxes.push_back(face->box);
+        const BoxTree tree(boxes);
         if (same) {
-            for (const Face* face : a) {
-                sweep(face, active_a, true);
-                active_a.push_back(face);
-            }
+            tree.pairs([&](std::uint32_t i, std::uint32_t j) {
+                paced_();
+                meet(*a[std::min(i, j)], *a[std::max(i, j)], true);
+            });
             return;
         }
-        for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
-            if (j == b.size() || (i < a.size() && a[i]->box.lo[axis] <= b[j]->box.lo[axis])) {
-                sweep(a[i], active_b, true);
-                active_a.push_back(a[i++]);
-            } else {
-                sweep(b[j], active_a, false);
-                active_b.push_back(b[j++]);
-            }
+        for (const Face* face : a) {
+            tree.meeting(face->box, [&](std::uint32_t j) {
+                paced_();
+                meet(*face, *b[j], false);
+            });
         }
     }
 

@@ -1,9 +1,17 @@
 #include "csg/reference/winding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
+#include <stdexcept>
 
 namespace csg::reference {
+namespace {
+
+constexpr std::size_t kMostWords = std::size_t{1} << 29;  // 4 GiB of bits.
+
+}  // namespace
 
 InsideRule::InsideRule(const solid::Geometry& geometry) {
     even_odd_.reserve(geometry.leaves.size());
@@ -35,6 +43,9 @@ RegionWindings::RegionWindings(std::size_t regions, std::span<const LeafId> leav
     : leaves_(leaves.size()), words_((leaves.size() + 63) / 64), place_(all_leaves, ~std::uint32_t{0}) {
     for (std::uint32_t i = 0; i < leaves.size(); ++i)
         place_[leaves[i]] = i;
+    if (regions > kMostWords / std::max<std::size_t>(words_, 1))
+        throw std::runtime_error(fmt::format(
+            "{} objects cut space into {} regions, which is more than a mesh can be made of", leaves_, regions));
     bits_.assign(regions * words_, 0);
     exceptions_.resize(regions);
 }

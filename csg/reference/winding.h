@@ -38,7 +38,7 @@ class InsideRule {
 class RegionWindings {
   public:
     RegionWindings() = default;
-    /// `leaves`: sorted; their places are the places of the bits.
+    /// `leaves`: sorted; their places are the places of the bits. Throws std::runtime_error where they are too many.
     RegionWindings(std::size_t regions, std::span<const LeafId> leaves, std::size_t all_leaves);
 
     void set(std::uint32_t region, LeafId leaf, std::int32_t count);
