@@ -76,16 +76,13 @@ Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alp
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-/// What a chunk beside the picture (texts, profiles) may take, in bytes: a file may claim any size.
-constexpr png_alloc_size_t kMostChunk = 1 << 23;
-
 constexpr std::int64_t kMostPixels = 1 << 28;
 
 /// Sets the size; the rows will be RGBA of 8 bits.
 bool read_header(png_structp png, png_infop info, Image& image) {
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
-    png_set_chunk_malloc_max(png, kMostChunk);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // Texts of any size that they claim.
     png_read_info(png, info);
     png_set_expand(png);
     png_set_scale_16(png);

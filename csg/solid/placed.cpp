@@ -4,12 +4,16 @@
 #include <cmath>
 #include <numeric>
 
+#include <fmt/format.h>
+
 #include "base/stop.h"
 #include "csg/solid/located.h"
 #include "csg/solid/trim_leaves.h"
 
 namespace csg::solid {
 namespace {
+
+constexpr std::size_t kMostOfAll = std::size_t{1} << 26;  // Triangles: some gigabytes.
 
 bool affine(const glm::dmat4& m) {
     for (int c = 0; c < 4; ++c) {
@@ -99,12 +103,18 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
     Geometry geometry;
     const std::vector<Dimension> by_node = dimensions(tree);
     geometry.leaves.resize(scene.leaves.size());
+    // All are counted before any is placed, which takes most of the memory.
+    std::size_t triangles = 0;
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
         base::end_if_asked(stop);
-        const LeafInstance& instance = scene.leaves[i];
         PlacedLeaf& leaf = geometry.leaves[i];
-        leaf.solid = cache.get(tree, instance.node, by_node, geometry.warnings, stop);
-        place_leaf(tree, instance, flat, leaf, geometry.warnings);
+        leaf.solid = cache.get(tree, scene.leaves[i].node, by_node, geometry.warnings, stop);
+        if ((triangles += leaf.solid->triangles.size()) > kMostOfAll)
+            throw GeometryError(fmt::format("the model has more than {} triangles", kMostOfAll));
+    }
+    for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
+        base::end_if_asked(stop);
+        place_leaf(tree, scene.leaves[i], flat, geometry.leaves[i], geometry.warnings);
     }
     trim_leaves(scene, geometry.leaves);
     double largest = 0;

@@ -11,8 +11,6 @@
 namespace csg::solid {
 namespace {
 
-constexpr png_alloc_size_t kMostChunk = 1 << 20;  // Bytes that a chunk beside the picture may take.
-
 /// Nothing in here needs to be destroyed when libpng jumps out of what it was called for.
 struct Reading {
     std::string_view left;
@@ -45,7 +43,8 @@ bool read_rows(Reading& reading) {
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
     png_set_read_fn(png, &reading, read_bytes);
-    png_set_chunk_malloc_max(png, kMostChunk);
+    // What is beside the picture is passed over: a text may claim 2 GB, which libpng takes before it reads.
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png, info);
     reading.columns = png_get_image_width(png, info);
     reading.rows = png_get_image_height(png, info);

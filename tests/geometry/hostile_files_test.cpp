@@ -57,6 +57,19 @@ TEST(HostileFiles, AHugePictureIsRefusedBeforeItTakesMemory) {
     EXPECT_NE(surface_solid(surface)->warnings[0].find("Can't read surface picture"), std::string::npos);
 }
 
+/// Of 2 GB, which is not there.
+TEST(HostileFiles, ATextInAPictureTakesNoMemory) {
+    const test_support::TemporaryFolder folder;
+    csg::Surface surface;
+    std::string bytes = picture(8, 8);
+    constexpr std::size_t kHeader = 33;  // Signature and IHDR.
+    bytes.insert(kHeader, "\x7f\xff\xff\xfftEXta");
+    surface.file.path = folder.write("text.png", bytes);
+    const long before = peak_mebibytes();
+    EXPECT_TRUE(surface_solid(surface)->triangles.empty());
+    EXPECT_LT(peak_mebibytes() - before, 64);
+}
+
 /// Blanks: 300 MiB of them are packed into some hundred KiB.
 zip_int64_t blanks(void* left, void* data, zip_uint64_t size, zip_source_cmd_t command) {
     auto& rest = *static_cast<zip_uint64_t*>(left);
