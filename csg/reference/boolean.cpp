@@ -10,7 +10,7 @@
 #include "csg/reference/exact_boolean.h"
 #include "csg/reference/open_leaves.h"
 #include "csg/reference/plane_boolean.h"
-#include "csg/reference/plane_cells.h"
+#include "csg/reference/segments.h"
 #include "csg/reference/self_intersection.h"
 
 namespace csg::reference {
@@ -18,6 +18,8 @@ namespace {
 
 /// Of the scene's diagonal: far above the rounding of coordinates, far below anything modelled on purpose.
 constexpr double kCrossing = 1e-8;
+/// Of the result's diagonal: where planes that near to each other are one, details are lost.
+constexpr double kCoarse = 1e-5;
 /// Products of four coordinates are numbers.
 constexpr double kLargest = 1e75;
 
@@ -38,6 +40,9 @@ BooleanResult by_planes(const Scene& scene, const solid::Geometry& geometry, con
     try {
         result.mesh = plane_boolean(scene, geometry, request.threads, request.stop);
         result.facts = checked(result.mesh, Overlaps::Counted, request.stop);
+        const Box& box = result.mesh.empty() ? geometry.box : result.facts.box;
+        if (geometry.planes.tolerance() > kCoarse * box.diagonal())
+            throw Undecided("the tolerance is too coarse for a solid so small and so far from the origin");
     } catch (const std::logic_error&) {  // CGAL's: its text is of no use here
         throw Undecided("the triangulation of a plane contradicts itself");
     }

@@ -39,18 +39,20 @@ MeshFacts facts(const Mesh& mesh) {
             sets.unite(t[i], t[(i + 1) % 3]);
         }
     }
-    const glm::dvec3 origin = result.box.empty() ? glm::dvec3(0.0) : result.box.centre();
+    const auto count = static_cast<long>(std::count(used.begin(), used.end(), 1));
+    for (std::uint32_t i = 0; i < used.size(); ++i)
+        result.components += used[i] != 0 && sets.find(i) == i ? 1 : 0;
+    // Seen from a point of each component: what is far from there cancels badly.
+    const glm::dvec3 centre = result.box.empty() ? glm::dvec3(0.0) : result.box.centre();
     double volume6 = 0;
     for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 origin = result.components == 1 ? centre : mesh.points[sets.find(t.x)];
         const glm::dvec3 a = mesh.points[t.x] - origin, b = mesh.points[t.y] - origin, c = mesh.points[t.z] - origin;
         volume6 += glm::dot(a, glm::cross(b, c));
         result.area += 0.5 * glm::length(glm::cross(b - a, c - a));
     }
     result.volume = volume6 / 6;
     result.manifold = every_edge_has_its_opposite(mesh);
-    const auto count = static_cast<long>(std::count(used.begin(), used.end(), 1));
-    for (std::uint32_t i = 0; i < used.size(); ++i)
-        result.components += used[i] != 0 && sets.find(i) == i ? 1 : 0;
     // Euler: points − edges + triangles = 2 (components − genus), and there are 3/2 as many edges as triangles.
     const long euler = count - static_cast<long>(mesh.triangles.size()) / 2;
     result.genus = static_cast<long>(result.components) - euler / 2;

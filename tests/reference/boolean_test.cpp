@@ -200,6 +200,25 @@ TEST(Booleans, AnOpenLeafCannotBeCombined) {
     }
 }
 
+/// Points that the planes would take for one.
+TEST(Booleans, SmallSolidsFarAwayKeepTheirDetails) {
+    const ui::ModelMesh far = ui::make_mesh(*meshes::model_of("translate([1e15, 1e15, 1e15]) cube(1); cube(1);"));
+    EXPECT_EQ(far.facts.components, 2u);
+    const ui::ModelMesh drilled =
+        ui::make_mesh(*meshes::model_of("translate([1e7, 1e5, 1e7]) difference() { cube(4, center = true); cylinder(h "
+                                        "= 9, r = 1, $fn = 6, center = true); }"));
+    EXPECT_NEAR(drilled.facts.volume, 64 - 4 * kHexagon, 1e-6);
+}
+
+TEST(Booleans, CoordinatesThatAreTooLargeAreTold) {
+    try {
+        (void)ui::make_mesh(*meshes::model_of("cube(1);\ncube(1e300);"));
+        ADD_FAILURE();
+    } catch (const ui::ModelError& error) {
+        EXPECT_EQ(std::string(error.what()).find("test.scad:2: it reaches farther"), 0u) << error.what();
+    }
+}
+
 /// Every edge has two faces, but some are turned the wrong way: even-odd.
 TEST(Booleans, ALeafOfUnevenlyOrientedFacesIsEvenOdd) {
     const auto model =
