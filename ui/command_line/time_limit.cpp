@@ -20,7 +20,7 @@ constexpr double kLongest = 1e9;  // More than a run ever takes, and what a cloc
 /// How long after the stop was asked for the process is ended. The system takes about a tenth of a second to take back
 /// a gigabyte.
 Seconds grace() {
-    constexpr double kMost = 0.25, kLeast = 0.05, kPerGibibyte = 0.1;
+    constexpr double kMost = 0.2, kLeast = 0.05, kPerGibibyte = 0.1;
     std::ifstream in("/proc/self/statm");
     double size = 0, resident = 0;
     in >> size >> resident;
