@@ -1,130 +1,134 @@
 #include "csg/reference/minkowski.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
 
 #include "base/stop.h"
-#include "csg/reference/disjoint_sets.h"
-#include "csg/reference/hull.h"
+#include "csg/reference/components.h"
+#include "csg/reference/convex_cover.h"
+#include "csg/reference/convex_union.h"
 #include "csg/reference/mesh_boolean.h"
-#include "csg/reference/nef.h"
 #include "csg/solid/plane_table.h"
 
 namespace csg::reference {
 namespace {
 
-using Points = std::vector<glm::dvec3>;
+/// Corners of all hulls together: some gigabytes.
+constexpr std::size_t kMostCorners = std::size_t{1} << 23;
 
-/// The triangles' component: across an edge of two triangles it goes on, across an edge where more meet it does not,
-/// nor across a corner. So solids that only touch are apart.
-std::vector<std::uint32_t> components_by_triangle(const Mesh& mesh) {
-    struct Edge {
-        std::uint32_t low, high, triangle;
-    };
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const glm::uvec3& corners = mesh.triangles[t];
-        for (int k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-            edges.push_back({low, high, t});
-        }
+/// More hulls than these are made fewer, by growing pieces where these are not more than so many.
+constexpr std::size_t kManyHulls = 64, kMostGrown = 4096;
+
+void check_cost(const ConvexCover& a, const ConvexCover& b) {
+    std::size_t corners = 0;
+    for (const Convex& p : a.pieces) {
+        for (const Convex& q : b.pieces)
+            corners += std::min(p.points().size() * q.points().size(), 2 * (p.points().size() + q.points().size()));
+        if (corners > kMostCorners)
+            throw std::runtime_error(fmt::format("minkowski() would need {} hulls, with more than {} corners together",
+                                                 a.pieces.size() * b.pieces.size(), kMostCorners));
     }
-    std::sort(edges.begin(), edges.end(),
-              [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
-    DisjointSets sets(mesh.triangles.size());
-    for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
-        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
-            ++end;
-        if (end - i == 2)
-            sets.unite(edges[i].triangle, edges[i + 1].triangle);
-    }
-    std::vector<std::uint32_t> component(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        component[t] = sets.find(t);
-    return component;
 }
 
-std::vector<Mesh> components_of(const Mesh& mesh) {
-    const std::vector<std::uint32_t> component = components_by_triangle(mesh);
-    std::vector<std::uint32_t> triangles(component.size());
-    std::iota(triangles.begin(), triangles.end(), 0u);
-    std::stable_sort(triangles.begin(), triangles.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return component[a] < component[b]; });
-    constexpr std::uint32_t kNone = ~std::uint32_t{0};
-    std::vector<std::uint32_t> index(mesh.points.size(), kNone), used;
-    std::vector<Mesh> components;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (i == 0 || component[triangles[i]] != component[triangles[i - 1]]) {
-            for (const std::uint32_t point : used)
-                index[point] = kNone;
-            used.clear();
-            components.emplace_back();
-        }
-        Mesh& to = components.back();
-        glm::uvec3 own;
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t point = mesh.triangles[triangles[i]][k];
-            if (index[point] == kNone) {
-                index[point] = static_cast<std::uint32_t>(to.points.size());
-                to.points.push_back(mesh.points[point]);
-                used.push_back(point);
-            }
-            own[k] = index[point];
-        }
-        to.triangles.push_back(own);
-    }
-    return components;
-}
-
-/// Does the hull hold no more than the mesh and a skin as thick as what makes planes one?
-bool convex_but_for_rounding(const Mesh& mesh, const MeshFacts& known) {
-    const MeshFacts full = facts(hull(mesh.points));
-    const glm::dvec3 largest = glm::max(glm::abs(known.box.lo), glm::abs(known.box.hi));
-    const double skin = solid::coincidence_tolerance(std::max({largest.x, largest.y, largest.z}));
-    return known.manifold && full.volume > 0 && full.volume - known.volume <= skin * full.area;
-}
-
-std::vector<Points> convex_pieces_of(const Mesh& mesh) {
-    std::vector<Points> pieces;
-    for (Mesh& component : components_of(mesh)) {
-        if (!convex_but_for_rounding(component, facts(component)))
-            return convex_decomposition(mesh);  // a cavity is a component, too
-        pieces.push_back(std::move(component.points));
-    }
-    return pieces;
-}
-
-Mesh sum_of(const Mesh& a, const Mesh& b, const std::stop_token& stop) {
-    const std::vector<Points> left = convex_pieces_of(a), right = convex_pieces_of(b);
-    std::vector<Mesh> hulls;
-    for (const Points& p : left) {
-        for (const Points& q : right) {
+/// Does the sum hold the point, which is in none of the hulls? Then one of the solids, moved there, holds a whole
+/// component of the other.
+bool holds(const ConvexCover& a, const ConvexCover& b, const glm::dvec3& point, const std::stop_token& stop) {
+    const auto in = [&](const ConvexCover& solid, const ConvexCover& other) {
+        return std::any_of(other.points.begin(), other.points.end(), [&](const glm::dvec3& p) {
             base::end_if_asked(stop);
-            Points sums;
-            sums.reserve(p.size() * q.size());
-            for (const glm::dvec3& x : p) {
-                for (const glm::dvec3& y : q)
-                    sums.push_back(x + y);
-            }
-            hulls.push_back(hull(sums, stop));
+            return solid.holds(point - p);
+        });
+    };
+    return in(a, b) || in(b, a);
+}
+
+/// A point in the middle of the largest triangle, and a little before it.
+glm::dvec3 before(const Mesh& mesh, double distance) {
+    double largest = 0;
+    glm::dvec3 point(0.0);
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 &p = mesh.points[t.x], &q = mesh.points[t.y], &r = mesh.points[t.z];
+        const glm::dvec3 across = glm::cross(q - p, r - p);
+        if (const double area = glm::length(across); area > largest) {
+            largest = area;
+            point = (p + q + r) / 3.0 + across * (distance / area);
+        }
+    }
+    return point;
+}
+
+/// Closes the holes that belong to the sum: without the components of the surface that have the sum before them, too.
+Mesh without_false_holes(const Mesh& hulls, const ConvexCover& a, const ConvexCover& b, const std::stop_token& stop) {
+    const std::vector<Mesh> components = components_of(hulls);
+    if (components.size() == 1)
+        return hulls;
+    const double distance = 64 * solid::coincidence_tolerance(facts(hulls).box.diagonal());
+    Mesh result;
+    for (const Mesh& component : components) {
+        if (holds(a, b, before(component, distance), stop))
+            continue;
+        const auto first = static_cast<std::uint32_t>(result.points.size());
+        result.points.insert(result.points.end(), component.points.begin(), component.points.end());
+        for (const glm::uvec3& t : component.triangles)
+            result.triangles.push_back(t + first);
+    }
+    return result;
+}
+
+Mesh sum_of(ConvexCover a, ConvexCover b, const std::stop_token& stop) {
+    // Larger pieces are worth their making where both are many.
+    if (a.pieces.size() > 1 && b.pieces.size() > 1 && a.pieces.size() * b.pieces.size() > kManyHulls) {
+        for (ConvexCover* cover : {&a, &b}) {
+            if (cover->pieces.size() <= kMostGrown)
+                grow(*cover, stop);
+        }
+    }
+    check_cost(a, b);
+    std::vector<Mesh> hulls;
+    for (const Convex& p : a.pieces) {
+        for (const Convex& q : b.pieces) {
+            base::end_if_asked(stop);
+            if (Mesh sum = sum_of_convex(p, q, stop); !sum.empty())
+                hulls.push_back(std::move(sum));
         }
     }
     if (hulls.size() == 1)
         return std::move(hulls[0]);
-    return combine(ExpressionKind::Union, hulls, stop).mesh;
+    return without_false_holes(union_of_convex(hulls, stop), a, b, stop);
 }
 
 }  // namespace
 
-Mesh minkowski_sum(std::span<const Mesh> operands, const std::stop_token& stop) {
+Mesh minkowski_sum(std::span<const std::vector<Mesh>> operands, const std::stop_token& stop) {
+    std::vector<ConvexCover> covers;
+    for (const std::vector<Mesh>& operand : operands) {
+        if (ConvexCover cover = convex_cover(operand, stop); !cover.pieces.empty())
+            covers.push_back(std::move(cover));
+    }
+    if (covers.empty())
+        return {};
+    // What is convex stays convex when it is summed.
+    std::stable_partition(covers.begin(), covers.end(), [](const ConvexCover& cover) { return cover.convex; });
     Mesh sum;
-    for (std::size_t i = 0; i < operands.size(); ++i)
-        sum = i == 0 ? operands[0] : sum_of(sum, operands[i], stop);
+    if (covers.size() == 1)
+        sum = covers[0].meshes.size() == 1 ? std::move(covers[0].meshes[0])
+                                           : combine(ExpressionKind::Union, covers[0].meshes, stop).mesh;
+    for (std::size_t i = 1; i < covers.size(); ++i)
+        sum = sum_of(i == 1 ? std::move(covers[0]) : convex_cover({std::move(sum)}, stop), std::move(covers[i]), stop);
     sum.sources.assign(sum.triangles.size(), 0);
     return sum;
+}
+
+Mesh minkowski_sum(std::span<const Mesh> operands, const std::stop_token& stop) {
+    std::vector<std::vector<Mesh>> unions;
+    for (const Mesh& operand : operands)
+        unions.push_back({operand});
+    return minkowski_sum(unions, stop);
 }
 
 }  // namespace csg::reference

@@ -34,7 +34,9 @@ class MeshOperations {
                                              const std::stop_token& stop) const = 0;
     /// The convex hull of points in any number and position; empty where they lie in a plane.
     [[nodiscard]] virtual MeshResult hull(std::span<const glm::dvec3> points, const std::stop_token& stop) const = 0;
-    [[nodiscard]] virtual MeshResult minkowski(const Mesh& a, const Mesh& b, const std::stop_token& stop) const = 0;
+    /// The Minkowski sum of operands, each the union of its meshes; empty ones do not count.
+    [[nodiscard]] virtual MeshResult minkowski(std::span<const std::vector<Mesh>> operands,
+                                               const std::stop_token& stop) const = 0;
     /// A roof over a region: the straight skeleton's, or as high as the nearest point of the outline is far.
     [[nodiscard]] virtual MeshResult roof(const Outline& outline, const Roof& how,
                                           const std::stop_token& stop) const = 0;

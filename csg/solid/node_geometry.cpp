@@ -185,19 +185,18 @@ class MeshMaker {
             result_.outline = sum;
             return;
         }
-        std::vector<Mesh> operands;
+        // The sum of a union is the union of sums, so that pieces need not be united first.
+        std::vector<std::vector<Mesh>> operands;
         for (const NodeGeometry* child : children_) {
             if (child->outline && !child->outline->empty())
                 result_.warnings.emplace_back(kMixed);
-            else if (Mesh mesh = united(meshes_of(child->pieces, tools_), tools_); !mesh.triangles.empty())
-                operands.push_back(std::move(mesh));  // An empty operand does not count, as in OpenSCAD.
+            else if (auto meshes = meshes_of(child->pieces, tools_); !meshes.empty())
+                operands.push_back(std::move(meshes));  // An empty operand does not count, as in OpenSCAD.
         }
-        if (operands.empty())
-            return;
-        Mesh sum = std::move(operands[0]);
-        for (std::size_t i = 1; i < operands.size(); ++i)
-            sum = ask(need(tools_, kMeshes).minkowski(sum, operands[i], tools_.stop));
-        add(result_, to_solid(std::move(sum), operands.size() > 1));
+        if (operands.size() == 1)
+            add(result_, to_solid(united(std::move(operands[0]), tools_), false));
+        else if (!operands.empty())
+            add(result_, to_solid(ask(need(tools_, kMeshes).minkowski(operands, tools_.stop)), true));
     }
 
     void operator()(const Resize& how) const {

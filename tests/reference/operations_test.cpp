@@ -115,6 +115,85 @@ TEST(Minkowski, OfAHollowCube) {
     EXPECT_NEAR(volume(csg::reference::minkowski_sum(operands)), 1000 - 64, 1e-9);
 }
 
+TEST(Minkowski, OfPrismsWithAHole) {
+    // Along z the sum is that of the outlines.
+    const std::string module =
+        "$fs = .5; module p() offset(3) square([51, 41], center = true);"
+        "module q() difference() { p(); translate([26, 21]) circle(6); } ";
+    const Mesh sum = mesh_of(module +
+                             "minkowski() { union() { linear_extrude(6.4) p(); linear_extrude(31.8) q(); } "
+                             "cube(1); }");
+    const Mesh expected = mesh_of(module +
+                                  "module o() minkowski() { children(); square(1); } "
+                                  "linear_extrude(7.4) o() p(); linear_extrude(32.8) o() q();");
+    EXPECT_NEAR(volume(sum), volume(expected), 1e-9 * volume(expected));
+}
+
+TEST(Minkowski, OfFineBallsFormsNotAllSums) {
+    // Alike, so the sum is the ball of both radii; all sums would be 25 million.
+    EXPECT_NEAR(volume(mesh_of("minkowski() { sphere(10, $fn = 100); sphere(1, $fn = 100); }")),
+                volume(mesh_of("sphere(11, $fn = 100);")), 1e-6);
+}
+
+TEST(Minkowski, OfAComplementTwice) {
+    EXPECT_NEAR(volume(mesh_of(R"($fn = 8;
+        module cap(a, b) hull() { translate(a) sphere(2); translate(b) sphere(2); }
+        module lat() { cap([0,0,0], [20,0,0]); cap([0,0,0], [0,20,0]); cap([0,0,0], [0,0,20]); cap([20,0,0], [0,20,0]); }
+        difference() {
+            translate([-3,-3,-3]) cube([28,28,20]);
+            minkowski() {
+                difference() { translate([-4,-4,-4]) cube(32); minkowski() { lat(); sphere(1); } }
+                sphere(1);
+            }
+        })")),
+                898.5796, 1e-3);  // OpenSCAD: 898
+}
+
+TEST(Minkowski, OfAPlateWithHardlyAVolume) {
+    // A square and a diamond: 4 + 8 + 2.
+    EXPECT_NEAR(volume(mesh_of("minkowski() { cube(2); cylinder(r = 1, h = 1e-7, $fn = 4); }")), 14 * (2 + 1e-7), 1e-7);
+}
+
+TEST(Minkowski, OfAnOperandThatFillsTheOthersCavity) {
+    // The first of the inner boxes cannot be in the cavity without cutting its walls, the second can.
+    EXPECT_NEAR(volume(mesh_of("minkowski() { difference() { cube(30, center = true); cube(20, center = true); } "
+                               "difference() { cube(24, center = true); cube(22, center = true); } }")),
+                54.0 * 54 * 54, 1e-6);
+    EXPECT_NEAR(volume(mesh_of("minkowski() { difference() { cube(30, center = true); cube(20, center = true); } "
+                               "difference() { cube(14, center = true); cube(12, center = true); } }")),
+                44.0 * 44 * 44 - 6.0 * 6 * 6, 1e-6);
+}
+
+TEST(Minkowski, HoldsWhatIsFarFromAnyFace) {
+    EXPECT_NEAR(
+        volume(mesh_of("minkowski() { difference() { cube(30); translate([20, 20, -1]) cube(40); } cube(1); }")),
+        (31.0 * 31 - 10 * 10) * 31, 1e-6);
+}
+
+TEST(Minkowski, OfShellsThatOverlapAndOfAMeshInsideOut) {
+    Mesh two = mesh_of("cube(4);");
+    const Mesh second = mesh_of("translate([2, 2, 2]) cube(4);");
+    const auto first = static_cast<std::uint32_t>(two.points.size());
+    two.points.insert(two.points.end(), second.points.begin(), second.points.end());
+    for (const glm::uvec3& t : second.triangles)
+        two.triangles.push_back(t + first);
+    Mesh turned = mesh_of("difference() { cube([4, 4, 1]); translate([2, 2, -1]) cube([3, 3, 3]); }");
+    for (glm::uvec3& t : turned.triangles)
+        std::swap(t.y, t.z);
+    const Mesh one = mesh_of("cube(1);");
+    const Mesh shells[] = {two, one}, inside_out[] = {turned, one};
+    EXPECT_NEAR(volume(csg::reference::minkowski_sum(shells)), 125 + 125 - 27, 1e-9);
+    EXPECT_NEAR(volume(csg::reference::minkowski_sum(inside_out)), (25.0 - 4) * 2, 1e-9);
+}
+
+TEST(Minkowski, FewerPiecesGiveTheSameSum) {
+    // So many faces of both that pieces are grown first.
+    const std::string ring = "rotate_extrude($fn = 12) translate([3, 0]) circle(1, $fn = 6);";
+    const Mesh sum = mesh_of("minkowski() { " + ring + " rotate([90, 0, 0]) " + ring + " }");
+    EXPECT_GT(volume(sum), 100);
+    EXPECT_EQ(csg::reference::count_self_intersections(sum, 1e-8), 0u);
+}
+
 solid::Outline shadow(const std::string& program) {
     Mesh mesh = mesh_of(program);
     const solid::Mesh plain{std::move(mesh.points), std::move(mesh.triangles)};

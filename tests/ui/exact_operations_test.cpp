@@ -37,7 +37,8 @@ TEST(ExactOperations, HullAndMinkowski) {
     const auto operations = ui::exact_operations();
     const std::array<glm::dvec3, 5> points{{{0, 0, 0}, {6, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1, 0.1, 0.1}}};
     EXPECT_NEAR(volume(operations->hull(points, {})), 1, 1e-9);
-    EXPECT_NEAR(volume(operations->minkowski(box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {2, 3, 4}), {})), 60, 1e-9);
+    const std::array sums{std::vector{box({0, 0, 0}, {1, 1, 1})}, std::vector{box({0, 0, 0}, {2, 3, 4})}};
+    EXPECT_NEAR(volume(operations->minkowski(sums, {})), 60, 1e-9);
 }
 
 TEST(ExactOperations, Roofs) {

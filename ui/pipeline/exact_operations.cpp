@@ -1,6 +1,6 @@
 #include "ui/pipeline/exact_operations.h"
 
-#include <array>
+#include <algorithm>
 #include <exception>
 
 #include "csg/reference/hull.h"
@@ -60,11 +60,15 @@ class ExactOperations final : public csg::solid::MeshOperations {
     [[nodiscard]] MeshResult hull(std::span<const glm::dvec3> points, const std::stop_token& stop) const override {
         return answer([&] { return csg::reference::hull(points, stop); });
     }
-    [[nodiscard]] MeshResult minkowski(const csg::solid::Mesh& a, const csg::solid::Mesh& b,
+    [[nodiscard]] MeshResult minkowski(std::span<const std::vector<csg::solid::Mesh>> operands,
                                        const std::stop_token& stop) const override {
         return answer([&] {
-            const std::array operands{to_reference(a), to_reference(b)};
-            return csg::reference::minkowski_sum(operands, stop);
+            std::vector<std::vector<csg::reference::Mesh>> unions;
+            for (const auto& operand : operands) {
+                auto& meshes = unions.emplace_back();
+                std::transform(operand.begin(), operand.end(), std::back_inserter(meshes), to_reference);
+            }
+            return csg::reference::minkowski_sum(unions, stop);
         });
     }
     [[nodiscard]] MeshResult roof(const csg::solid::Outline& outline, const csg::Roof& how,
