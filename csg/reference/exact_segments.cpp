@@ -108,7 +108,7 @@ void ExactSegments::meet(const ExactFace& a, const ExactFace& b) {
 }
 
 std::uint32_t ExactSegments::point_on(std::array<std::uint32_t, 2> edge, std::uint32_t plane) {
-    const auto [at, added] = known_.try_emplace(PointKey{0, edge[0], edge[1], plane});
+    const auto [at, added] = known_.try_emplace(PointKey{0, edge[0], edge[1], plane, 0});
     if (added) {
         const ExactFace& face = faces_.faces[faces_.planes[plane].face];
         at->second = points_.add(ExactKernel().construct_plane_line_intersection_point_3_object()(
@@ -126,7 +126,7 @@ std::uint32_t ExactSegments::crossing(const ExactSegment& s, const ExactSegment&
         return point_on(t.line, other_plane(s));
     if (s.edge) {
         const auto [first, second] = std::minmax(s.line, t.line);
-        const auto [at, added] = known_.try_emplace(PointKey{first[0], first[1], second[0], second[1]});
+        const auto [at, added] = known_.try_emplace(PointKey{2, first[0], first[1], second[0], second[1]});
         if (added) {
             // A plane through the one that is not the common one: any that is upright in the picture.
             const int up = 3 - faces_.planes[plane].u - faces_.planes[plane].v;
@@ -139,7 +139,7 @@ std::uint32_t ExactSegments::crossing(const ExactSegment& s, const ExactSegment&
     }
     std::array<std::uint32_t, 3> three{s.line[0], s.line[1], other_plane(t)};
     std::sort(three.begin(), three.end());
-    const auto [at, added] = known_.try_emplace(PointKey{1, three[0], three[1], three[2]});
+    const auto [at, added] = known_.try_emplace(PointKey{1, three[0], three[1], three[2], 0});
     if (added) {
         const auto through = [&](std::uint32_t of) {
             const ExactFace& face = faces_.faces[faces_.planes[of].face];

@@ -48,7 +48,7 @@ class ExactSegments {
 
   private:
     friend class ExactSplitter;
-    using PointKey = std::array<std::uint32_t, 4>;
+    using PointKey = std::array<std::uint32_t, 5>;  // the kind first
 
     void add_borders(const InsideRule& rule);
     void meet(const ExactFace& a, const ExactFace& b);
