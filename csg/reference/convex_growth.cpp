@@ -11,13 +11,20 @@
 namespace csg::reference {
 namespace {
 
-std::vector<solid::Plane> planes_of(const Convex& convex) {
+/// Of the faces that all points are behind: the plane of a thin face may be far off, and then is left out.
+std::vector<solid::Plane> planes_of(const Convex& convex, double tolerance) {
     std::vector<solid::Plane> planes;
     for (const glm::uvec3& t : convex.triangles()) {
         const glm::dvec3 &a = convex.points()[t.x], &b = convex.points()[t.y], &c = convex.points()[t.z];
         const glm::dvec3 normal = glm::cross(b - a, c - a);
-        if (const double length = glm::length(normal); length > 0)
-            planes.push_back({normal / length, glm::dot(normal, a) / length});
+        const double length = glm::length(normal);
+        if (!(length > 0))
+            continue;
+        const solid::Plane plane{normal / length, glm::dot(normal, a) / length};
+        if (std::all_of(convex.points().begin(), convex.points().end(), [&](const glm::dvec3& p) {
+                return glm::dot(plane.normal, p) - plane.offset <= 0.5 * tolerance;
+            }))
+            planes.push_back(plane);
     }
     return planes;
 }
@@ -139,7 +146,7 @@ class Grower {
     }
 
     [[nodiscard]] bool within(const Convex& shape) const {
-        const std::vector<solid::Plane> planes = planes_of(shape);
+        const std::vector<solid::Plane> planes = planes_of(shape, tolerance_);
         const Box box = box_of(shape.points());
         // The hull of what is flat but for rounding would be a skin that nothing cuts.
         const glm::dvec3 middle = shape.middle();

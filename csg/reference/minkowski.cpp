@@ -80,14 +80,7 @@ Mesh without_false_holes(const Mesh& hulls, const ConvexCover& a, const ConvexCo
     return result;
 }
 
-Mesh sum_of(ConvexCover a, ConvexCover b, const std::stop_token& stop) {
-    // Larger pieces are worth their making where both are many.
-    if (a.pieces.size() > 1 && b.pieces.size() > 1 && a.pieces.size() * b.pieces.size() > kManyHulls) {
-        for (ConvexCover* cover : {&a, &b}) {
-            if (cover->pieces.size() <= kMostGrown)
-                grow(*cover, stop);
-        }
-    }
+Mesh sum_of_pieces(const ConvexCover& a, const ConvexCover& b, const std::stop_token& stop) {
     check_cost(a, b);
     std::vector<Mesh> hulls;
     for (const Convex& p : a.pieces) {
@@ -100,6 +93,28 @@ Mesh sum_of(ConvexCover a, ConvexCover b, const std::stop_token& stop) {
     if (hulls.size() == 1)
         return std::move(hulls[0]);
     return without_false_holes(union_of_convex(hulls, stop), a, b, stop);
+}
+
+Mesh sum_of(ConvexCover a, ConvexCover b, const std::stop_token& stop) {
+    const auto grow_both = [&] {
+        for (ConvexCover* cover : {&a, &b}) {
+            if (cover->pieces.size() > 1 && cover->pieces.size() <= kMostGrown)
+                grow(*cover, stop);
+        }
+    };
+    // Larger pieces are worth their making where both are many.
+    const bool many = std::min(a.pieces.size(), b.pieces.size()) > 1 && a.pieces.size() * b.pieces.size() > kManyHulls;
+    if (many)
+        grow_both();
+    try {
+        return sum_of_pieces(a, b, stop);
+    } catch (const std::runtime_error&) {
+        // Other pieces give other hulls, which may be united where these are too near to degenerate.
+        if (many)
+            throw;
+        grow_both();
+        return sum_of_pieces(a, b, stop);
+    }
 }
 
 }  // namespace
