@@ -36,8 +36,8 @@ std::vector<char> crossers(std::span<const GridEdge> edges) {
             status.erase(std::next(low));
         }
     };
-    for (std::size_t begun = 0, ended = 0; begun < edges.size();) {
-        if (ended < edges.size() && edges[by_end[ended]].b <= edges[begun].a) {
+    for (std::size_t begun = 0, ended = 0; ended < edges.size();) {
+        if (begun == edges.size() || edges[by_end[ended]].b <= edges[begun].a) {
             const std::uint32_t e = by_end[ended++];
             if (out[e] != 0)
                 continue;
