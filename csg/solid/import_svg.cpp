@@ -177,7 +177,7 @@ class Svg {
                 line.points.emplace_back(n[i], n[i + 1]);
             line.closed = e.name == "polygon" || is_closed(line.points);
         }
-        constexpr int kAroundStrokes = 256;  // Clipper's are rounder still.
+        constexpr int kAroundStrokes = 256;
         fill_and_stroke(lines, state, kAroundStrokes);
     }
 

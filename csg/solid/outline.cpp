@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "csg/solid/arrangement.h"
-#include "csg/solid/clipper_offset.h"
+#include "csg/solid/widen.h"
 #include "csg/solid/indexed_outline.h"
 #include "csg/solid/outline_grid.h"
 #include "csg/solid/solid.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/solid/clipper_offset.h"
+#include "csg/solid/widen.h"
 #include "csg/tree/degrees.h"
 #include "csg/tree/finite.h"
 

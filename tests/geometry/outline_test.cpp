@@ -61,7 +61,7 @@ double even_odd_area(const std::vector<Loop>& loops, double side) {
 }
 
 TEST(Outline, LoopsThatTouchLieTheRightWayRound) {
-    // Clipper takes one of these loops for a hole that is none.
+    // Easily taken for a hole that is none.
     const std::vector<Loop> tangled{
         {{0, 2}, {0, 5}, {1, 4}, {3, 3}}, {{4, 6}, {1, 1}, {3, 3}, {0, 2}}, {{4, 5}, {1, 3}, {1, 1}, {2, 2}}};
     EXPECT_NEAR(clean(tangled, FillRule::EvenOdd).area(), even_odd_area(tangled, 7), 0.03);
@@ -131,6 +131,74 @@ TEST(Outline, NoPointIsMovedOverAnEdge) {
         matrix[1][0] = -0.3;
         matrix[3][0] = std::ldexp(1.0, round % 50);
         EXPECT_TRUE(is_region(transform(outline, matrix))) << round;
+    }
+}
+
+/// Two edges that cross become neighbours where what lies between them ends, after all others have begun.
+TEST(Outline, EdgesThatCrossAreFoundAfterTheLastOneHasBegun) {
+    std::vector<Loop> loops{
+        {{-0.2, 1.4}, {1, 1.5}, {-0.1, 1.6}}, {{0, 0}, {0.01, -0.5}, {10, 3}}, {{0.1, 3}, {10, 0}, {0.11, 3.5}}};
+    for (int i = 0; i < 30; ++i)
+        loops.push_back({{-2.0 - i, 0}, {-1.5 - i, 0}, {-2.0 - i, 1}});
+    double sum = 0;
+    for (const Loop& loop : loops)
+        sum += area2(loop) / 2;
+    const Outline all = clean(loops, FillRule::NonZero), once = clean(loops, FillRule::EvenOdd);
+    EXPECT_TRUE(is_region(all));
+    EXPECT_NEAR(2 * all.area() - once.area(), sum, 1e-9);
+}
+
+bool is_around(const Outline& outline, const glm::dvec2& p) {
+    bool inside = false;
+    for (const Loop& loop : outline.loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+            if ((a.y > p.y) != (b.y > p.y) && (turn(a, b, p) > 0) == (b.y > a.y))
+                inside = !inside;
+        }
+    }
+    return inside;
+}
+
+csg::Offset rounded(double distance) {
+    csg::Offset how;
+    how.distance = distance;
+    how.fineness.fn = 64;
+    return how;
+}
+
+/// Turned squares that meet in a corner: the second one has it twice, a rounding apart.
+TEST(Offset, LoopsThatTouchAreWidenedAlike) {
+    const std::vector<Loop> squares{{{-0.88933523458405928, -7.156052182630261},
+                                     {-2.6775526974347441, -8.0517520796693631},
+                                     {-3.5732525944738471, -6.2635346168186796},
+                                     {-1.7850351316231625, -5.3678347197795757}},
+                                    {{-1.3371851831036108, -6.2619434512049184},
+                                     {-2.231293914528953, -6.7097933997244699},
+                                     {-2.6791438630485045, -5.8156846682991272},
+                                     {-1.7850351316231625, -5.3678347197795757}},
+                                    {{2.68709969111731, -5.3646523885520541},
+                                     {0.89888222826662534, -6.2603522855911571},
+                                     {0.003182331227522095, -4.4721348227404727},
+                                     {1.7913997940782067, -3.5764349257013692}}};
+    const Outline wide = offset(clean(squares, FillRule::EvenOdd), rounded(0.4617290414581952));
+    EXPECT_TRUE(is_around(wide, {-1.4732958864031636, -5.110914749767943}));
+}
+
+/// However narrow a region is, it is as wide as the distance afterwards; a hole that is as narrow cuts that much.
+TEST(Offset, NeedlesAndTheirGaps) {
+    constexpr double kPi = 3.14159265358979323846;
+    for (double width = 1; width > 1e-15; width /= 7) {
+        const Loop needle{{0, 0}, {0.3 * width, -width}, {8, 6}};
+        const double grown = offset({{needle}}, rounded(0.5)).area();
+        const double length = 10 + 10 + 1.5 * width;
+        EXPECT_NEAR(grown, 0.5 * length + kPi * 0.25 + area2(needle) / 2, 0.005 + width) << width;
+        EXPECT_TRUE(offset({{needle}}, rounded(-0.5)).empty()) << width;
+        const Loop gap(needle.rbegin(), needle.rend());
+        const Loop around{{-5, -5}, {15, -5}, {15, 15}, {-5, 15}};
+        EXPECT_NEAR(offset({{around, gap}}, rounded(-0.5)).area(), 19 * 19 - grown, 1e-9) << width;
+        EXPECT_NEAR(offset({{around, gap}}, rounded(0.5)).area(), 21 * 21 - (4 - kPi) * 0.25, 0.1 * width + 0.01)
+            << width;
     }
 }
 
