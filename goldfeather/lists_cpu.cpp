@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <thread>
 
+#include "gl/parallel.h"
 #include "gl/stop.h"
 #include "goldfeather/tile_worker.h"
 
@@ -108,12 +108,13 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
     }
 
     std::atomic<int> next{0};
+    std::atomic<bool> given_up{false};
     std::mutex adding;
     int most = 0;
     std::vector<char> seen(model.geometry.leaves.size(), 0);
     const auto work = [&] {
         TileWorker worker(job);
-        for (int tile = next++; tile < tiles && !stop.stop_requested(); tile = next++) {
+        for (int tile = next++; tile < tiles && !given_up && !stop.stop_requested(); tile = next++) {
             worker.run(tile);
         }
         const std::lock_guard lock(adding);
@@ -123,14 +124,7 @@ void peel_lists(const ListsModel& model, const gl::View& view, int max_layers, u
         stats.fragments += worker.fragments();
         stats.longest_list = std::max(stats.longest_list, static_cast<std::uint32_t>(worker.longest_list()));
     };
-    {
-        std::vector<std::jthread> helpers;
-        const unsigned wanted = threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
-        for (unsigned i = 1; i < std::min(wanted, static_cast<unsigned>(tiles)); ++i) {
-            helpers.emplace_back(work);
-        }
-        work();
-    }
+    gl::on_threads(threads, static_cast<unsigned>(std::max(tiles, 1)), work, [&] { given_up = true; });
     gl::end_if_asked(stop);
     out.reserve(1);
     out.layers = std::max(most, 1);

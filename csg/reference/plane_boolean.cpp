@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <thread>
 
 #include "base/stop.h"
+#include "base/threads.h"
 #include "csg/reference/complex_surface.h"
 #include "csg/reference/plane_space.h"
 
@@ -17,34 +16,17 @@ std::vector<PlaneCells> cells_of_planes(const solid::Geometry& geometry, const C
                                         unsigned threads, const std::stop_token& stop) {
     std::vector<PlaneCells> cells(content.planes.size());
     std::atomic<std::size_t> next{0};
-    std::exception_ptr failure;
-    std::atomic_flag failed = ATOMIC_FLAG_INIT;
     const auto work = [&] {
-        try {
-            constexpr std::size_t kChunk = 16;
-            for (std::size_t from; (from = next.fetch_add(kChunk)) < cells.size();) {
-                for (std::size_t i = from; i < std::min(from + kChunk, cells.size()); ++i) {
-                    base::end_if_asked(stop);
-                    if (!content.planes[i].segments.empty())
-                        cells[i] = make_cells(content, content.planes[i], geometry.planes.planes()[i].normal, rule);
-                }
+        constexpr std::size_t kChunk = 16;
+        for (std::size_t from; (from = next.fetch_add(kChunk)) < cells.size();) {
+            for (std::size_t i = from; i < std::min(from + kChunk, cells.size()); ++i) {
+                base::end_if_asked(stop);
+                if (!content.planes[i].segments.empty())
+                    cells[i] = make_cells(content, content.planes[i], geometry.planes.planes()[i].normal, rule);
             }
-        } catch (...) {
-            next = cells.size();
-            if (!failed.test_and_set())
-                failure = std::current_exception();
         }
     };
-    const std::size_t most = cells.size() / 64 + 1;
-    threads = threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : threads;
-    {
-        std::vector<std::jthread> helpers;
-        for (std::size_t i = 1; i < std::min<std::size_t>(threads, most); ++i)
-            helpers.emplace_back(work);
-        work();
-    }
-    if (failure)
-        std::rethrow_exception(failure);
+    base::on_threads(threads, static_cast<unsigned>(cells.size() / 64 + 1), work, [&] { next = cells.size(); });
     return cells;
 }
 
