@@ -67,6 +67,8 @@ void Evaluator::run_assignments(const Block& block, const Frame& frame) {
             fail_limit(a.where, limit);
         } catch (const base::Stopped&) {
             fail_stopped(a.where);
+        } catch (const std::bad_alloc&) {
+            fail_out_of_memory(a.where);
         }
     }
 }
@@ -159,6 +161,8 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
         fail_limit(i.where, limit);
     } catch (const base::Stopped&) {
         fail_stopped(i.where);
+    } catch (const std::bad_alloc&) {
+        fail_out_of_memory(i.where);
     }
     has_root_modifier_ |= i.modifiers.root;
     if ((nodes_ += out.size() - before) > request_.limits.nodes) {

@@ -154,6 +154,11 @@ void Evaluator::fail_limit(const SourceRange& where, const ValueLimit& limit) {
     fail(where, limit.what());
 }
 
+void Evaluator::fail_out_of_memory(const SourceRange& where) {
+    EvaluationError error{{Severity::Error, where, "Out of memory"}, false, {}, true};
+    throw error;
+}
+
 void Evaluator::fail_recursion(const SourceRange& where, std::string_view what, Symbol callee) {
     fail(where, callee == kNoSymbol ? fmt::format("Recursion detected {}", what)
                                     : fmt::format("Recursion detected {} '{}'", what, name(callee)));

@@ -28,6 +28,7 @@ struct EvaluationError {
     Message message;
     bool stopped = false;
     std::vector<Message> trace;  ///< What was under way, the innermost first.
+    bool out_of_memory = false;
 };
 
 /// A user-defined module that runs.
@@ -165,6 +166,7 @@ class Evaluator {
     }
     [[noreturn]] void fail_stopped(const SourceRange& where);
     [[noreturn]] void fail_limit(const SourceRange& where, const ValueLimit& limit);
+    [[noreturn]] void fail_out_of_memory(const SourceRange& where);
     [[noreturn]] void fail_recursion(const SourceRange& where, std::string_view what, Symbol name);
     /// Value of a `$` variable that the program may not mention.
     [[nodiscard]] const Value* special(std::uint32_t index) const {

@@ -115,6 +115,7 @@ class Job {
             result.ok = true;
         } catch (const EvaluationError& error) {
             result.stopped = error.stopped;
+            result.out_of_memory = error.out_of_memory;
             gate(error.message);
             for (const Message& message : error.trace) {
                 gate(message);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csg/solid/outline.h"
+#include "csg/solid/remarks.h"
 
 namespace csg::solid {
 
@@ -41,6 +42,6 @@ struct DxfFile {
 
 /// The lines of the layer that `import` names (of all, where it names none), moved and scaled as it says. A line is
 /// open, of at least two points; or closed, with the first point again at its end.
-[[nodiscard]] std::vector<Loop> draw_dxf(const DxfFile& file, const Import& import, std::vector<std::string>& warnings);
+[[nodiscard]] std::vector<Loop> draw_dxf(const DxfFile& file, const Import& import, Remarks& remarks);
 
 }  // namespace csg::solid

@@ -120,8 +120,8 @@ Measured<double> dxf_dimension(const DxfFile& file, const Import& import, const 
 }
 
 Measured<glm::dvec2> dxf_cross(const DxfFile& file, const Import& import, std::string_view file_name,
-                               std::vector<std::string>& warnings) {
-    const std::vector<Loop> lines = draw_dxf(file, import, warnings);
+                               Remarks& remarks) {
+    const std::vector<Loop> lines = draw_dxf(file, import, remarks);
     const LinePoints points(lines);
     std::vector<const Loop*> alone;
     for (const Loop& line : lines) {

@@ -24,6 +24,6 @@ struct Measured {
 
 /// OpenSCAD's dxf_cross(): where the first two lines cross that touch no other. Only lines in the layer count.
 [[nodiscard]] Measured<glm::dvec2> dxf_cross(const DxfFile& file, const Import& import, std::string_view file_name,
-                                             std::vector<std::string>& warnings);
+                                             Remarks& remarks);
 
 }  // namespace csg::solid

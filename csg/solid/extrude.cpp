@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "csg/solid/mesh_checks.h"
 #include "csg/solid/segments.h"
 #include "csg/solid/slices.h"
@@ -54,15 +56,15 @@ std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude&
     auto solid = std::make_shared<Solid>();
     if (given.empty() || !(how.height > 0) || !std::isfinite(how.height))
         return solid;
-    std::size_t slices = slice_count(given, how);
+    const std::size_t slices = slice_count(given, how);
     // Loops that meet in a point share it.
     const Outline divided = divide_edges(given, how, slices);
     const IndexedOutline outline = index_corners(divided);
     const std::size_t corners = outline.points.size();
-    if (slices > kMostTriangles / corners / 2) {
-        slices = std::max<std::size_t>(1, kMostTriangles / corners / 2);
-        solid->warnings.push_back("linear_extrude() has too many slices; there are fewer");
-    }
+    const std::size_t most = std::min(kMostTriangles / corners / 2, static_cast<std::size_t>(kMostSlices) - 1);
+    if (slices > most)
+        throw GeometryError(
+            fmt::format("linear_extrude() has too many slices: {} of {} corners each", slices, corners));
     const glm::dvec3 way = how.direction * how.height;
     const glm::dvec3 begin = how.center ? way * -0.5 : glm::dvec3(0.0);
     for (std::size_t i = 0; i <= slices; ++i) {

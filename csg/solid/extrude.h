@@ -8,10 +8,11 @@
 
 namespace csg::solid {
 
-/// OpenSCAD's linear_extrude(): the same rings of vertices.
+/// OpenSCAD's linear_extrude(): the same rings of vertices. Throws GeometryError where they are too many.
 [[nodiscard]] std::shared_ptr<Solid> linear_extrude(const Outline& outline, const LinearExtrude& how);
 
-/// OpenSCAD's rotate_extrude(). An outline on both sides of the axis gives a solid without triangles and a warning.
+/// OpenSCAD's rotate_extrude(). An outline on both sides of the axis gives a solid without triangles and a
+/// failure. Throws GeometryError where there are too many vertices.
 [[nodiscard]] std::shared_ptr<Solid> rotate_extrude(const Outline& outline, const RotateExtrude& how);
 
 /// How an outline by itself is drawn: a slab of thickness 1 about z = 0, as OpenSCAD's preview does; `flat` is set.

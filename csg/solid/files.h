@@ -1,11 +1,9 @@
-// Shapes from files. Whatever is wrong with a file is a warning, and what could be read up to there is taken.
+// Shapes from files. What could be read of a file is taken; what of it could not is a failure.
 #pragma once
 
 #include <memory>
-#include <string>
-#include <vector>
-
 #include "csg/solid/outline.h"
+#include "csg/solid/remarks.h"
 #include "csg/solid/solid.h"
 
 namespace csg::solid {
@@ -14,7 +12,7 @@ namespace csg::solid {
 [[nodiscard]] std::shared_ptr<Solid> import_solid(const Import& import);
 
 /// dxf, svg.
-[[nodiscard]] Outline import_outline(const Import& import, std::vector<std::string>& warnings);
+[[nodiscard]] Outline import_outline(const Import& import, Remarks& remarks);
 
 /// A height map of a picture (png) or of a table of numbers.
 [[nodiscard]] std::shared_ptr<Solid> surface_solid(const Surface& surface);

@@ -56,13 +56,14 @@ double sweep(double from, double to) {
 
 class Drawing {
   public:
-    Drawing(const DxfFile& file, const Import& import, std::vector<std::string>& warnings)
-        : file_(file), import_(import), warnings_(warnings) {}
+    Drawing(const DxfFile& file, const Import& import, Remarks& remarks)
+        : file_(file), import_(import), remarks_(remarks) {}
 
     std::vector<Line> draw() {
         draw(file_.entities, glm::dmat4(1.0));
         for (const auto& [kind, count] : unknown_)
-            warnings_.push_back(fmt::format("Unsupported DXF Entity '{:.40}' ({:x}) in {}", kind, count, place_name()));
+            remarks_.warnings.push_back(
+                fmt::format("Unsupported DXF Entity '{:.40}' ({:x}) in {}", kind, count, place_name()));
         return std::move(lines_);
     }
 
@@ -72,7 +73,7 @@ class Drawing {
         bool closed = false, wanted = true;
         for (const Entity& e : entities) {
             if (lines_.size() > kMostLines)
-                return;
+                return fail_once(fmt::format("DXF file draws more than {} lines; the rest is left out", kMostLines));
             constexpr int kFrame = 16;  // Of a spline, which has its points beside it.
             if (e.kind == "VERTEX") {
                 if ((e.flags() & kFrame) != 0)
@@ -163,7 +164,7 @@ class Drawing {
         if (points)
             add(std::move(*points), closed, placed);
         else
-            warn_once(fmt::format("DXF SPLINE in \"{}\" has knots, points or weights that do not fit together",
+            fail_once(fmt::format("DXF SPLINE in \"{}\" has knots, points or weights that do not fit together",
                                   import_.file.shown));
     }
 
@@ -192,11 +193,11 @@ class Drawing {
         if (block == file_.blocks.end())
             return;
         if (std::find(drawn_.begin(), drawn_.end(), &*block) != drawn_.end()) {
-            warn_once(fmt::format("DXF block '{:.40}' inserts itself", e.block));
+            fail_once(fmt::format("DXF block '{:.40}' inserts itself", e.block));
             return;
         }
         if (++inserted_ > kMostInserted) {
-            warn_once(fmt::format("DXF file inserts more than {} blocks; the rest is left out", kMostInserted));
+            fail_once(fmt::format("DXF file inserts more than {} blocks; the rest is left out", kMostInserted));
             return;
         }
         const double c = cos_degrees(e.number(50)), s = sin_degrees(e.number(50));
@@ -226,9 +227,9 @@ class Drawing {
                                      : fmt::format("layer '{}' of {}", import_.layer, import_.file.shown);
     }
 
-    void warn_once(std::string warning) {
-        if (told_.insert(warning).second)
-            warnings_.push_back(std::move(warning));
+    void fail_once(std::string failure) {
+        if (told_.insert(failure).second)
+            remarks_.failures.push_back(std::move(failure));
     }
 
     void add(Line line, bool closed, const glm::dmat4& placed) {
@@ -237,7 +238,7 @@ class Drawing {
         for (glm::dvec2& p : line)
             p = glm::dvec2(placed * glm::dvec4(p, 0.0, 1.0));
         if (!std::all_of(line.begin(), line.end(), is_finite<2>)) {
-            warn_once("DXF file has coordinates that are no finite numbers; what has them is left out");
+            fail_once("DXF file has coordinates that are no finite numbers; what has them is left out");
             return;
         }
         if (closed && line.front() != line.back())
@@ -247,7 +248,7 @@ class Drawing {
 
     const DxfFile& file_;
     const Import& import_;
-    std::vector<std::string>& warnings_;
+    Remarks& remarks_;
     std::vector<Line> lines_;
     std::set<std::string> told_;
     std::map<std::string, std::size_t> unknown_;  ///< How many entities of a kind cannot be drawn.
@@ -401,15 +402,15 @@ static void place(std::vector<Loop>& loops, const Import& import) {
     }
 }
 
-std::vector<Loop> draw_dxf(const DxfFile& file, const Import& import, std::vector<std::string>& warnings) {
-    std::vector<Loop> lines = Drawing(file, import, warnings).draw();
+std::vector<Loop> draw_dxf(const DxfFile& file, const Import& import, Remarks& remarks) {
+    std::vector<Loop> lines = Drawing(file, import, remarks).draw();
     place(lines, import);
     return lines;
 }
 
-std::vector<Loop> read_dxf(std::string_view text, const Import& import, std::vector<std::string>& warnings) {
+std::vector<Loop> read_dxf(std::string_view text, const Import& import, Remarks& remarks) {
     const DxfFile file = read_dxf_file(text);
-    std::vector<Loop> loops = Joining(Drawing(file, import, warnings).draw()).join();
+    std::vector<Loop> loops = Joining(Drawing(file, import, remarks).draw()).join();
     place(loops, import);
     return loops;
 }

@@ -18,13 +18,17 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-void add_triangle(FileMesh& mesh, const glm::dvec3 (&corners)[3]) {
+void add_triangle(FileMesh& mesh, const glm::dvec3 (&corners)[3], bool& finite) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
-    if (!is_finite(corners[0]) || !is_finite(corners[1]) || !is_finite(corners[2]))
+    if (!is_finite(corners[0]) || !is_finite(corners[1]) || !is_finite(corners[2])) {
+        finite = false;
         return;
+    }
     mesh.points.insert(mesh.points.end(), corners, corners + 3);
     mesh.faces.push_back({first, first + 1, first + 2});
 }
+
+constexpr const char* kNotFinite = "STL file has a triangle with a coordinate that is no finite number; it is ignored";
 
 void read_binary_stl(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
     constexpr std::size_t kHead = 84, kRecord = 50;
@@ -34,14 +38,17 @@ void read_binary_stl(std::string_view text, FileMesh& mesh, std::vector<std::str
     if (claimed > held)
         warnings.push_back(fmt::format("STL file claims {} triangles and holds {}", claimed, held));
     const std::size_t count = std::min(std::min(std::size_t{claimed}, held), kMostFaces);
+    bool finite = true;
     for (std::size_t i = 0; i < count; ++i) {
         float numbers[9];
         std::memcpy(numbers, text.data() + kHead + i * kRecord + 12, sizeof numbers);
         glm::dvec3 corners[3];
         for (int k = 0; k < 9; ++k)
             corners[k / 3][k % 3] = static_cast<double>(numbers[k]);
-        add_triangle(mesh, corners);
+        add_triangle(mesh, corners, finite);
     }
+    if (!finite)
+        warnings.emplace_back(kNotFinite);
 }
 
 bool is_binary_stl(std::string_view text) {
@@ -55,23 +62,26 @@ bool is_binary_stl(std::string_view text) {
     return !text.starts_with("solid") || text.substr(0, 1024).find("facet") == std::string_view::npos;
 }
 
-/// Unites equal points, turns faces into triangles and drops what has no extent.
-std::shared_ptr<Solid> to_solid(FileMesh mesh, std::vector<std::string> warnings) {
+/// Unites equal points, turns faces into triangles and drops what has no extent. `failures`: of what was read.
+std::shared_ptr<Solid> to_solid(FileMesh mesh, std::vector<std::string> failures) {
     auto solid = std::make_shared<Solid>();
+    bool all = mesh.faces.size() < kMostFaces;  // Readers end there.
     const std::vector<std::uint32_t> first = first_of_equals(mesh.points);
     solid->points = std::move(mesh.points);
     for (auto& face : mesh.faces) {
         weld(face, first);
         triangulate(solid->points, face, solid->triangles);
         if (solid->triangles.size() > kMostTriangles) {
-            warnings.emplace_back("mesh has more than 16777216 triangles; the rest is left out");
+            all = false;
             break;
         }
     }
+    if (!all)
+        failures.push_back(fmt::format("mesh has {} triangles or more; the rest is left out", kMostTriangles));
     finish(*solid);
     if (!solid->triangles.empty() && !solid->closed)
-        warnings.emplace_back("mesh is not closed, or its faces are not all oriented alike");
-    solid->warnings = std::move(warnings);
+        solid->warnings.emplace_back("mesh is not closed, or its faces are not all oriented alike");
+    solid->failures = std::move(failures);
     return solid;
 }
 
@@ -94,6 +104,7 @@ void read_stl(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
     Words words(text);
     glm::dvec3 corners[3];
     int corner = 0;
+    bool finite = true;
     while (!words.at_end() && mesh.faces.size() < kMostFaces) {
         const std::string_view word = words.next();
         if (word == "outer" || word == "OUTER") {
@@ -105,9 +116,11 @@ void read_stl(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
             if (corner < 3)
                 corners[corner] = p;
             if (++corner == 3)
-                add_triangle(mesh, corners);
+                add_triangle(mesh, corners, finite);
         }
     }
+    if (!finite)
+        warnings.emplace_back(kNotFinite);
     if (mesh.faces.empty() && text.find_first_not_of(" \t\r\n") != std::string_view::npos &&
         text.find("endsolid") == std::string_view::npos)
         warnings.emplace_back("STL file holds no triangles");
@@ -179,27 +192,27 @@ void read_obj(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
 
 std::shared_ptr<Solid> import_solid(const Import& import) {
     FileMesh mesh;
-    std::vector<std::string> warnings;
+    std::vector<std::string> failures;
     const std::string suffix = file_suffix(import.file.path);
     if (suffix == "3mf") {
-        read_3mf(import.file.path, mesh, warnings);
+        read_3mf(import.file.path, mesh, failures);
     } else if (suffix == "stl" || suffix == "off" || suffix == "obj" || suffix == "amf") {
-        if (const auto text = read_file(import.file.path, kMostBytes, warnings)) {
+        if (const auto text = read_file(import.file.path, kMostBytes, failures)) {
             const auto read = suffix == "stl"   ? read_stl
                               : suffix == "off" ? read_off
                               : suffix == "obj" ? read_obj
                                                 : read_amf;
-            read(*text, mesh, warnings);
+            read(*text, mesh, failures);
         }
     } else {
-        warnings.push_back(
+        failures.push_back(
             import.file.path.empty()
                 ? "import() without a file"
                 : fmt::format("Unsupported file format while trying to import file '{}'", import.file.path));
     }
     if (import.center)
         centre(mesh);
-    return to_solid(std::move(mesh), std::move(warnings));
+    return to_solid(std::move(mesh), std::move(failures));
 }
 
 }  // namespace csg::solid

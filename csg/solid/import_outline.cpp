@@ -18,13 +18,13 @@ void centre(Outline& outline) {
 
 }  // namespace
 
-Outline import_outline(const Import& import, std::vector<std::string>& warnings) {
-    const auto text = read_file(import.file.path, kMostBytes, warnings);
+Outline import_outline(const Import& import, Remarks& remarks) {
+    const auto text = read_file(import.file.path, kMostBytes, remarks.failures);
     if (!text)
         return {};
     Outline outline = file_suffix(import.file.path) == "svg"
-                          ? read_svg(*text, import, warnings)
-                          : clean(read_dxf(*text, import, warnings), FillRule::EvenOdd);
+                          ? read_svg(*text, import, remarks)
+                          : clean(read_dxf(*text, import, remarks), FillRule::EvenOdd);
     if (import.center)
         centre(outline);
     return outline;

@@ -37,8 +37,8 @@ bool never_drawn(const std::string& name) {
 
 class Svg {
   public:
-    Svg(const SvgDocument& document, const Import& import, std::vector<std::string>& warnings)
-        : document_(document), import_(import), warnings_(warnings) {}
+    Svg(const SvgDocument& document, const Import& import, Remarks& remarks)
+        : document_(document), import_(import), remarks_(remarks) {}
 
     std::vector<std::shared_ptr<const Outline>> draw() {
         if (document_.empty())
@@ -61,7 +61,11 @@ class Svg {
     }
     void warn_once(std::string text) {
         if (told_.insert(text).second)
-            warnings_.push_back(std::move(text));
+            remarks_.warnings.push_back(std::move(text));
+    }
+    void fail_once(std::string text) {
+        if (told_.insert(text).second)
+            remarks_.failures.push_back(std::move(text));
     }
     [[nodiscard]] double length(const SvgElement& e, std::string_view name) const {
         return svg_length(attribute(e.attributes, name), import_.dpi);
@@ -72,7 +76,7 @@ class Svg {
         if ((never_drawn(e.name) && !used) || document_.property(e, "display") == "none")
             return;
         if (++state.depth > kDeepest || shapes_.size() >= kMostShapes || ++visited_ > kMostShapes) {
-            warn_once("SVG file draws too much; the rest is left out");
+            fail_once("SVG file draws too much; the rest is left out");
             return;
         }
         state.matrix *= read_svg_transform(attribute(e.attributes, "transform"));
@@ -221,7 +225,7 @@ class Svg {
 
     const SvgDocument& document_;
     const Import& import_;
-    std::vector<std::string>& warnings_;
+    Remarks& remarks_;
     std::vector<std::shared_ptr<const Outline>> shapes_;
     std::set<std::string> told_;
     std::size_t visited_ = 0;
@@ -230,9 +234,9 @@ class Svg {
 
 }  // namespace
 
-Outline read_svg(std::string_view text, const Import& import, std::vector<std::string>& warnings) {
-    const SvgDocument document(text, warnings);
-    return combine(BooleanKind::Union, Svg(document, import, warnings).draw());
+Outline read_svg(std::string_view text, const Import& import, Remarks& remarks) {
+    const SvgDocument document(text, remarks.failures);
+    return combine(BooleanKind::Union, Svg(document, import, remarks).draw());
 }
 
 }  // namespace csg::solid

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -159,6 +160,11 @@ class Model3mf {
 
 /// The text of the first `.model` file in the archive.
 std::optional<std::string> model_of(const std::string& path, std::vector<std::string>& warnings) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {  // Opening a pipe would wait.
+        warnings.push_back(fmt::format("Can't open import file '{}'", path));
+        return std::nullopt;
+    }
     int error = 0;
     const std::unique_ptr<zip_t, void (*)(zip_t*)> archive(zip_open(path.c_str(), ZIP_RDONLY, &error), zip_discard);
     if (!archive) {

@@ -17,6 +17,12 @@ std::shared_ptr<const Outline> share(Outline outline) {
     return std::make_shared<const Outline>(std::move(outline));
 }
 
+/// Throws GeometryError where a circle would have fewer segments than it is to have.
+void check_fineness(const Fineness& fineness) {
+    if (const std::string problem = too_fine(fineness); !problem.empty())
+        throw GeometryError(problem);
+}
+
 /// The children that are outlines; warns of others.
 Outlines outlines_of(Children children, NodeGeometry& result, const char* problem) {
     Outlines outlines;
@@ -56,6 +62,7 @@ unsigned depth_of(std::span<const Piece> pieces) {
 
 void add(NodeGeometry& result, std::shared_ptr<const Solid> solid) {
     result.warnings.insert(result.warnings.end(), solid->warnings.begin(), solid->warnings.end());
+    result.failures.insert(result.failures.end(), solid->failures.begin(), solid->failures.end());
     if (!solid->triangles.empty())
         result.pieces.push_back({std::move(solid), nullptr, glm::dmat4(1.0)});
 }
@@ -64,14 +71,22 @@ void add(NodeGeometry& result, std::shared_ptr<const Solid> solid) {
 void unite(Children children, Dimension dimension, const glm::dmat4* matrix, NodeGeometry& result) {
     if (dimension == Dimension::Flat) {
         Outline all = combine(BooleanKind::Union, outlines_of(children, result, kMixed));
-        result.outline = share(matrix ? transform(all, *matrix) : std::move(all));
+        if (matrix != nullptr && !all.empty()) {
+            Outline moved = transform(all, *matrix);
+            if (moved.empty() && (*matrix)[0][0] * (*matrix)[1][1] != (*matrix)[1][0] * (*matrix)[0][1])
+                throw GeometryError("its transformation is not finite, or takes it beyond all numbers");
+            all = std::move(moved);
+        }
+        result.outline = share(std::move(all));
         return;
     }
     result.pieces = pieces_of(children, result, kMixed);
     if (matrix == nullptr)
         return;
     const double determinant = glm::determinant(glm::dmat3(*matrix));
-    if (determinant == 0 || !std::isfinite(determinant)) {
+    if (!std::isfinite(determinant) && !result.pieces.empty())
+        throw GeometryError("its transformation is not finite");
+    if (determinant == 0) {
         result.pieces.clear();
         return;
     }
@@ -146,8 +161,15 @@ class MeshMaker {
         : children_(children), dimension_(dimension), tools_(tools), result_(result) {}
 
     void operator()(const LinearExtrude& how) const { add(result_, linear_extrude(flat_children(), how)); }
-    void operator()(const RotateExtrude& how) const { add(result_, rotate_extrude(flat_children(), how)); }
-    void operator()(const Offset& how) const { result_.outline = share(offset(flat_children(), how)); }
+    void operator()(const RotateExtrude& how) const {
+        check_fineness(how.fineness);
+        add(result_, rotate_extrude(flat_children(), how));
+    }
+    void operator()(const Offset& how) const {
+        if (how.corner == Offset::Corner::Round)
+            check_fineness(how.fineness);
+        result_.outline = share(offset(flat_children(), how));
+    }
     void operator()(const Fill&) const { result_.outline = share(fill(flat_children())); }
     void operator()(const Render&) const { unite(children_, dimension_, nullptr, result_); }
     void operator()(const Roof& how) const {
@@ -223,18 +245,26 @@ class MeshMaker {
     NodeGeometry& result_;
 };
 
+void read_outline(const Import& import, NodeGeometry& result) {
+    Remarks remarks;
+    result.outline = share(import_outline(import, remarks));
+    result.warnings = std::move(remarks.warnings);
+    result.failures = std::move(remarks.failures);
+}
+
 void make_leaf(const LeafShape& shape, const Tools& tools, NodeGeometry& result) {
     if (const auto* square = std::get_if<Square>(&shape)) {
         result.outline = share(make_outline(*square));
     } else if (const auto* circle = std::get_if<Circle>(&shape)) {
+        check_fineness(circle->fineness);
         result.outline = share(make_outline(*circle));
     } else if (const auto* polygon = std::get_if<std::shared_ptr<const Polygon>>(&shape)) {
         result.outline = share(make_outline(**polygon));
     } else if (const auto* text = std::get_if<std::shared_ptr<const Text>>(&shape)) {
-        result.outline = share(text_outline(**text, tools.fonts, result.warnings));
+        result.outline = share(text_outline(**text, tools.fonts));
     } else if (const auto* import = std::get_if<std::shared_ptr<const Import>>(&shape)) {
         if (is_flat(shape))
-            result.outline = share(import_outline(**import, result.warnings));
+            read_outline(**import, result);
         else
             add(result, import_solid(**import));
     } else if (const auto* surface = std::get_if<std::shared_ptr<const Surface>>(&shape)) {
@@ -264,6 +294,10 @@ void make(const Tree& tree, NodeId id, Dimension dimension, Children children, c
     }
 }
 
+std::string left_out(const GeometryError& error) {
+    return std::string("this object is left out: ") + error.what();
+}
+
 }  // namespace
 
 NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension, Children children, const Tools& tools) {
@@ -271,8 +305,9 @@ NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension, Chi
     try {
         make(tree, id, dimension, children, tools, result);
     } catch (const GeometryError& error) {
-        result.warnings.push_back(std::string("this object is left out: ") + error.what());
+        result.failures.push_back(left_out(error));
         result.pieces.clear();
+        result.outline = nullptr;
     }
     if (dimension == Dimension::Flat && !result.outline)
         result.outline = std::make_shared<Outline>();
@@ -280,17 +315,17 @@ NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension, Chi
 }
 
 std::shared_ptr<const Solid> as_solid(const NodeGeometry& geometry, const Tools& tools) {
-    if (geometry.outline)
-        return slab(*geometry.outline);
     if (geometry.pieces.size() == 1 && geometry.pieces[0].solid && geometry.pieces[0].placed == glm::dmat4(1.0))
         return geometry.pieces[0].solid;
     try {
+        if (geometry.outline)
+            return slab(*geometry.outline);
         const bool simple = std::all_of(geometry.pieces.begin(), geometry.pieces.end(),
                                         [](const Piece& piece) { return !piece.solid || piece.solid->simple; });
         return to_solid(united(meshes_of(geometry.pieces, tools), tools), simple);
     } catch (const GeometryError& error) {
         auto nothing = std::make_shared<Solid>();
-        nothing->warnings.push_back(std::string("this object is left out: ") + error.what());
+        nothing->failures.push_back(left_out(error));
         return nothing;
     }
 }

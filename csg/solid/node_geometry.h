@@ -36,24 +36,25 @@ struct NodeGeometry {
     std::shared_ptr<const Outline> outline;  ///< In the plane; null where it is solid.
     std::vector<Piece> pieces;               ///< Their union.
     std::vector<std::string> warnings;       ///< Of this node alone.
+    std::vector<std::string> failures;       ///< Why this node is not, or not all, of what was asked for.
 };
 
 class FontLibrary;
 
 /// What making geometry needs besides the tree.
 struct Tools {
-    const MeshOperations* operations = nullptr;  ///< May be missing: what needs it then gives nothing, and a warning.
+    const MeshOperations* operations = nullptr;  ///< May be missing: what needs it then fails.
     FontLibrary& fonts;
     std::function<std::shared_ptr<const Solid>(const LeafShape&)> solid_of;
     std::stop_token stop{};  ///< Where it is asked for, base::Stopped is thrown.
 };
 
 /// Of one node from its children (in the order of the tree, `%` children left out). Never throws for what the user
-/// wrote: whatever cannot be made is empty, with a warning.
+/// wrote: whatever cannot be made is empty, and among the failures. Throws OutOfMemory.
 [[nodiscard]] NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension,
                                          std::span<const NodeGeometry* const> children, const Tools& tools);
 
-/// One mesh: outlines as slabs, several pieces as their union.
+/// One mesh: outlines as slabs, several pieces as their union; where that cannot be made, nothing and a failure.
 [[nodiscard]] std::shared_ptr<const Solid> as_solid(const NodeGeometry& geometry, const Tools& tools);
 
 // pieces.cpp

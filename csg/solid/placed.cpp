@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
 #include "base/stop.h"
 #include "csg/solid/located.h"
 #include "csg/solid/trim_leaves.h"
+#include "csg/tree/finite.h"
 
 namespace csg::solid {
 namespace {
 
 constexpr std::size_t kMostOfAll = std::size_t{1} << 26;  // Triangles: some gigabytes.
+/// Floats hold them, doubles their products.
+constexpr double kLargestCoordinate = 1e30;
 
 bool affine(const glm::dmat4& m) {
     for (int c = 0; c < 4; ++c) {
@@ -32,36 +35,88 @@ void stand_upright(glm::dmat4& m, double flat) {
     m[2] = length > 0 && std::isfinite(length) ? glm::dvec4(across * (flat / length), 0.0) : glm::dvec4(0.0);
 }
 
-void place_leaf(const Tree& tree, const LeafInstance& instance, double flat, PlacedLeaf& leaf,
-                std::vector<std::string>& warnings) {
-    if (!affine(instance.to_world)) {
-        warnings.push_back(
-            located(tree, instance.where, "transformation is not finite or not affine; the object is left out"));
-        return;
-    }
+bool has_volume(const Box& box) {
+    const glm::dvec3 size = box.size();
+    return size.x > 0 && size.y > 0 && size.z > 0;
+}
+
+double largest_coordinate(const Box& box) {
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+    return largest;
+}
+
+/// What has been rounded away.
+std::string lost(double largest) {
+    return fmt::format(
+        "this object is left out: beside coordinates as large as {:.3g} it is too thin for double precision", largest);
+}
+
+void leave_out(PlacedLeaf& leaf) {
+    leaf.points.clear();
+    leaf.triangles.clear();
+    leaf.box = {};
+}
+
+/// Leaves the leaf empty where it has no volume. The failure, where it should not be so.
+std::string place_leaf(const LeafInstance& instance, double flat, PlacedLeaf& leaf) {
+    if (!affine(instance.to_world))
+        return "transformation is not finite or not affine; the object is left out";
     glm::dmat4 m = instance.to_world * (1.0 / instance.to_world[3][3]);
     if (leaf.solid->flat)
         stand_upright(m, flat);
     const double determinant = glm::determinant(glm::dmat3(m));
-    if (leaf.solid->triangles.empty() || determinant == 0 || !std::isfinite(determinant))
-        return;
+    if (leaf.solid->triangles.empty() || determinant == 0)
+        return {};
     leaf.points.reserve(leaf.solid->points.size());
+    bool finite = std::isfinite(determinant);
     for (const glm::dvec3& p : leaf.solid->points) {
         leaf.points.emplace_back(m * glm::dvec4(p, 1.0));
+        finite = finite && is_finite(leaf.points.back());
         leaf.box = enclose(leaf.box, leaf.points.back());
     }
     // A closed mesh without volume is nothing; an open one is seen, however it lies.
-    const glm::dvec3 size = leaf.box.size();
-    const bool nothing = leaf.solid->closed && !(size.x > 0 && size.y > 0 && size.z > 0);
-    if (nothing || !std::isfinite(size.x + size.y + size.z)) {
-        leaf.points.clear();
-        leaf.box = {};
-        return;
+    const double largest = largest_coordinate(leaf.box);
+    finite = finite && std::isfinite(2 * largest);
+    if (!finite || (leaf.solid->closed && !has_volume(leaf.box))) {
+        leave_out(leaf);
+        if (!finite)
+            return "this object is left out: its coordinates are too large for double precision";
+        return has_volume(leaf.solid->box) ? lost(largest) : std::string();
     }
     leaf.triangles = leaf.solid->triangles;
     if (determinant < 0) {
         for (glm::uvec3& t : leaf.triangles)
             std::swap(t.y, t.z);
+    }
+    return {};
+}
+
+/// Leaves out what is larger than can be worked with, or too thin beside the largest coordinate for its faces to be
+/// told apart, and says so.
+void leave_out_extremes(const Tree& tree, const Scene& scene, std::span<PlacedLeaf> leaves,
+                        std::vector<std::string>& failures) {
+    const auto fail = [&](std::size_t i, const std::string& why) {
+        leave_out(leaves[i]);
+        failures.push_back(located(tree, scene.leaves[i].where, why));
+    };
+    double largest = 0;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        if (leaves[i].box.empty())
+            continue;
+        const double own = largest_coordinate(leaves[i].box);
+        if (own > kLargestCoordinate)
+            fail(i, fmt::format("this object is left out: its coordinates reach {:.3g}, and {:.3g} is the most", own,
+                                kLargestCoordinate));
+        else
+            largest = std::max(largest, own);
+    }
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const glm::dvec3 size = leaves[i].box.size();
+        if (!leaves[i].box.empty() && leaves[i].solid->closed && !leaves[i].solid->flat &&
+            std::min({size.x, size.y, size.z}) <= coincidence_tolerance(largest))
+            fail(i, lost(largest));
     }
 }
 
@@ -97,10 +152,18 @@ void assign_planes(Geometry& geometry, const std::stop_token& stop) {
     }
 }
 
+/// An object that occurs twice is told once.
+std::vector<std::string> once(std::vector<std::string> texts) {
+    std::unordered_set<std::string> told;
+    std::erase_if(texts, [&](const std::string& text) { return !told.insert(text).second; });
+    return texts;
+}
+
 }  // namespace
 
 Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat, const std::stop_token& stop) {
     Geometry geometry;
+    Remarks remarks;
     const std::vector<Dimension> by_node = dimensions(tree);
     geometry.leaves.resize(scene.leaves.size());
     // All are counted before any is placed, which takes most of the memory.
@@ -108,30 +171,27 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
         base::end_if_asked(stop);
         PlacedLeaf& leaf = geometry.leaves[i];
-        leaf.solid = cache.get(tree, scene.leaves[i].node, by_node, geometry.warnings, stop);
+        leaf.solid = cache.get(tree, scene.leaves[i].node, by_node, remarks, stop);
         if ((triangles += leaf.solid->triangles.size()) > kMostOfAll)
             throw GeometryError(fmt::format("the model has more than {} triangles", kMostOfAll));
     }
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
         base::end_if_asked(stop);
-        place_leaf(tree, scene.leaves[i], flat, geometry.leaves[i], geometry.warnings);
+        const LeafInstance& instance = scene.leaves[i];
+        if (const std::string failure = place_leaf(instance, flat, geometry.leaves[i]); !failure.empty())
+            remarks.failures.push_back(located(tree, instance.where, failure));
     }
     trim_leaves(scene, geometry.leaves);
+    leave_out_extremes(tree, scene, geometry.leaves, remarks.failures);
     double largest = 0;
     for (const PlacedLeaf& leaf : geometry.leaves) {
         if (leaf.box.empty())
             continue;
         geometry.box = enclose(geometry.box, leaf.box);
-        for (int axis = 0; axis < 3; ++axis)
-            largest = std::max({largest, std::abs(leaf.box.lo[axis]), std::abs(leaf.box.hi[axis])});
+        largest = std::max(largest, largest_coordinate(leaf.box));
     }
-    // An object that occurs twice is told once.
-    std::vector<std::string> once;
-    for (std::string& warning : geometry.warnings) {
-        if (std::find(once.begin(), once.end(), warning) == once.end())
-            once.push_back(std::move(warning));
-    }
-    geometry.warnings = std::move(once);
+    geometry.warnings = once(std::move(remarks.warnings));
+    geometry.failures = once(std::move(remarks.failures));
     geometry.planes = PlaneTable(coincidence_tolerance(largest));
     assign_planes(geometry, stop);
     return geometry;

@@ -8,6 +8,7 @@
 
 #include "csg/solid/mesh_operations.h"
 #include "csg/solid/plane_table.h"
+#include "csg/solid/remarks.h"
 #include "csg/solid/solid.h"
 #include "csg/tree/dimension.h"
 #include "csg/tree/scene.h"
@@ -30,6 +31,7 @@ struct Geometry {
     PlaneTable planes;
     Box box;                            ///< Of all leaves together.
     std::vector<std::string> warnings;  ///< With file:line where known.
+    std::vector<std::string> failures;  ///< Objects that are left out, or less than was asked for; as above.
 };
 
 struct NodeGeometry;
@@ -37,10 +39,11 @@ struct Tools;
 class FontLibrary;
 
 /// Keeps solids and the geometry of nodes by content hash, so that an edit rebuilds only what changed. For one thread
-/// at a time. What is given a `stop` throws base::Stopped soon after it is asked for; nothing half made is kept then.
+/// at a time. Throws OutOfMemory. What is given a `stop` throws base::Stopped soon after it is asked for; nothing half
+/// made is kept then.
 class SolidCache {
   public:
-    /// Without `operations`, what needs booleans of meshes is left out, with a warning.
+    /// Without `operations`, what needs booleans of meshes fails.
     explicit SolidCache(std::shared_ptr<const MeshOperations> operations = nullptr);
     ~SolidCache();
     SolidCache(const SolidCache&) = delete;
@@ -48,14 +51,13 @@ class SolidCache {
 
     /// Of a shape that is solid by itself: cube, sphere, cylinder, polyhedron.
     std::shared_ptr<const Solid> get(const LeafShape& shape, const std::stop_token& stop = {});
-    /// Of any node; `by_node` are the dimensions of the tree's nodes. Warnings of it and of what is below it are
-    /// appended, with file:line.
+    /// Of any node; `by_node` are the dimensions of the tree's nodes. What there is to say about it and what is below
+    /// it is appended, with file:line where known.
     std::shared_ptr<const Solid> get(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
-                                     std::vector<std::string>& warnings, const std::stop_token& stop = {});
-    /// The whole tree as one region of the plane; null where its first object is solid or there is none. Warnings as
+                                     Remarks& remarks, const std::stop_token& stop = {});
+    /// The whole tree as one region of the plane; null where its first object is solid or there is none. Remarks as
     /// above.
-    std::shared_ptr<const Outline> outline(const Tree& tree, std::vector<std::string>& warnings,
-                                           const std::stop_token& stop = {});
+    std::shared_ptr<const Outline> outline(const Tree& tree, Remarks& remarks, const std::stop_token& stop = {});
     struct Size {
         std::size_t entries = 0, bytes = 0;  ///< Bytes of points and triangles.
     };
@@ -65,8 +67,8 @@ class SolidCache {
 
   private:
     struct Entry;
-    const NodeGeometry& geometry(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
-                                 std::vector<std::string>& warnings, const std::stop_token& stop);
+    const NodeGeometry& geometry(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node, Remarks& remarks,
+                                 const std::stop_token& stop);
     [[nodiscard]] Tools tools(const std::stop_token& stop);
 
     std::shared_ptr<const MeshOperations> operations_;
@@ -76,8 +78,9 @@ class SolidCache {
 };
 
 /// Places every leaf. Transforms run in double precision; a matrix that is not finite or is projective makes the leaf
-/// empty, with a warning; one with zero determinant makes it a leaf without volume. Outlines are slabs
-/// of thickness `flat` about their plane, whatever scales it. Throws base::Stopped where `stop` asked for it.
+/// empty, and a failure, and so do coordinates beyond doubles; one with zero determinant makes it a leaf without
+/// volume. A leaf thinner than what coordinates as large as the scene's can tell apart is a failure, too. Outlines are
+/// slabs of thickness `flat` about their plane, whatever scales it. Throws base::Stopped where `stop` asked for it.
 [[nodiscard]] Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat = 1,
                              const std::stop_token& stop = {});
 

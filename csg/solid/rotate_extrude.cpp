@@ -65,7 +65,7 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& given, const RotateExtrude&
         hi = std::max(hi, p.x);
     }
     if (lo < 0 && hi > 0) {
-        solid->warnings.push_back(fmt::format(
+        solid->failures.push_back(fmt::format(
             "all points for rotate_extrude() must have the same X coordinate sign (range is {:.2f} -> {:.2f})", lo,
             hi));
         return solid;
@@ -74,10 +74,9 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& given, const RotateExtrude&
     const int segments = circle_segments(hi - lo, how.fineness);
     Sweep sweep{how.start, angle, static_cast<std::uint32_t>(std::max(1.0, segments * std::abs(angle) / 360)),
                 std::abs(angle) == 360};
-    if (sweep.steps > kMostTriangles / corners.size() / 2) {
-        sweep.steps = static_cast<std::uint32_t>(std::max<std::size_t>(3, kMostTriangles / corners.size() / 2));
-        solid->warnings.push_back("rotate_extrude() has too many fragments; there are fewer");
-    }
+    if (sweep.steps > kMostTriangles / corners.size() / 2)
+        throw GeometryError(
+            fmt::format("rotate_extrude() has too many fragments: {} of {} corners each", sweep.steps, corners.size()));
     const auto rings = add_rings(*solid, corners, sweep);
     const bool flip = (angle < 0) != (lo < 0);
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

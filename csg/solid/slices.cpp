@@ -8,10 +8,9 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kSmallestRadius = 0x1p-20;  // OpenSCAD's GRID_FINE
-constexpr double kMostSlices = 1 << 20;
 
 std::size_t whole(double slices) {
-    return static_cast<std::size_t>(std::clamp(std::ceil(slices), 1.0, kMostSlices));
+    return slices > 1 ? static_cast<std::size_t>(std::min(std::ceil(slices), kMostSlices)) : 1;  // 1 for NaN, too.
 }
 
 /// The longest of f(corner).
@@ -56,9 +55,8 @@ std::size_t twist_slices(double radius, double twist, double height, double scal
         return std::max(whole(twist / 360 * f.fn), least);
     if (f.fe > 0.0 && scale == 1)
         return std::max(slices_by_error(radius, twist, *f.fe), least);
-    const std::size_t by_angle = whole(twist / f.fa);
-    const std::size_t by_length = whole(twisted_length(radius, twist, height, scale) / f.fs);
-    return std::max(std::min(by_angle, by_length), least);
+    // As OpenSCAD, which ignores what is no number.
+    return std::max(whole(std::fmin(twist / f.fa, twisted_length(radius, twist, height, scale) / f.fs)), least);
 }
 
 /// Corners that move straight but in different directions: walls are curved.

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "csg/solid/mesh_checks.h"
 #include "csg/solid/triangulate.h"
 #include "csg/tree/degrees.h"
@@ -137,7 +139,7 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
     const std::vector<glm::dvec3>& points = polyhedron->points;
     for (const glm::dvec3& p : points) {
         if (!is_finite(p)) {
-            solid.warnings.emplace_back("polyhedron has a point that is not finite; it is left out");
+            solid.failures.emplace_back("polyhedron has a point that is not finite; it is left out");
             return;
         }
     }
@@ -145,12 +147,12 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
     for (const auto& loop : polyhedron->faces)
         triangles += loop.size() < 3 ? 0 : loop.size() - 2;
     if (triangles > kMostTriangles) {
-        solid.warnings.emplace_back("polyhedron has more than 16777216 triangles; it is left out");
+        solid.failures.emplace_back("polyhedron has more than 16777216 triangles; it is left out");
         return;
     }
     // Faces that meet in equal points meet: indices of the first of equals stand for all.
     if (!add_faces(*polyhedron, first_of_equals(points), solid))
-        solid.warnings.emplace_back("polyhedron has a face with a point index that is out of bounds; it is ignored");
+        solid.failures.emplace_back("polyhedron has a face with a point index that is out of bounds; it is ignored");
 }
 
 /// Where a polyhedron is open, gaps that no picture shows are closed, if that is all that was missing.
@@ -164,6 +166,7 @@ void close_gaps(const Polyhedron& polyhedron, Solid& solid) {
     check_mesh(closed);
     if (closed.closed) {
         closed.warnings = std::move(solid.warnings);
+        closed.failures = std::move(solid.failures);
         solid = std::move(closed);
     }
 }
@@ -193,14 +196,31 @@ int circle_segments(double r, const Fineness& fineness) {
         return static_cast<int>(std::clamp(fineness.fn, 3.0, double{kMostSegments}));
     if (fineness.fe && *fineness.fe >= kSmallestRadius)
         return segments_by_error(r, *fineness.fe);
+    // As OpenSCAD, which ignores what is no number.
     const double wanted =
-        std::ceil(std::max(std::min(360.0 / fineness.fa, r * 2.0 * std::numbers::pi / fineness.fs), 5.0));
+        std::ceil(std::fmax(std::fmin(360.0 / fineness.fa, r * 2.0 * std::numbers::pi / fineness.fs), 5.0));
     return static_cast<int>(std::min(wanted, double{kMostSegments}));
+}
+
+std::string too_fine(const Fineness& fineness) {
+    return fineness.fn > kMostSegments && std::isfinite(fineness.fn)
+               ? fmt::format("it needs {:.15g} segments, and {} are the most", fineness.fn, kMostSegments)
+               : std::string();
 }
 
 std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
     auto solid = std::make_shared<Solid>();
-    std::visit([&](const auto& s) { build(s, *solid); }, shape);
+    std::visit(
+        [&](const auto& s) {
+            if constexpr (requires { s.fineness; }) {
+                if (const std::string problem = too_fine(s.fineness); !problem.empty()) {
+                    solid->failures.push_back("this object is left out: " + problem);
+                    return;
+                }
+            }
+            build(s, *solid);
+        },
+        shape);
     for (const glm::dvec3& p : solid->points)
         solid->box = enclose(solid->box, p);
     if (!std::holds_alternative<std::shared_ptr<const Polyhedron>>(shape)) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 #include <unordered_set>
 
 #include "base/stop.h"
@@ -6,8 +7,41 @@
 #include "csg/solid/node_geometry.h"
 #include "csg/solid/placed.h"
 #include "csg/solid/text_outline.h"
+#include "csg/tree/out_of_memory.h"
 
 namespace csg::solid {
+
+namespace {
+
+/// Of an object that is part of another, what was told of that is not told again.
+template <typename Made>
+void tell(const Tree& tree, NodeId node, const Made& made, Remarks& remarks, const NodeGeometry* told = nullptr) {
+    const auto add = [&](const std::vector<std::string>& texts, const std::vector<std::string>* known,
+                         std::vector<std::string>& all) {
+        for (const std::string& text : texts) {
+            if (known == nullptr || std::find(known->begin(), known->end(), text) == known->end())
+                all.push_back(located(tree, tree.node(node).where, text));
+        }
+    };
+    add(made.warnings, told != nullptr ? &told->warnings : nullptr, remarks.warnings);
+    add(made.failures, told != nullptr ? &told->failures : nullptr, remarks.failures);
+}
+
+/// What make() gives; where that takes too much memory, it is told which node asked for it.
+template <typename Make>
+auto of_node(const Tree& tree, NodeId node, const Make& make) -> decltype(make()) {
+    try {
+        return make();
+    } catch (const OutOfMemory&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw OutOfMemory(located(tree, tree.node(node).where, "this object"));
+    } catch (const std::length_error&) {
+        throw OutOfMemory(located(tree, tree.node(node).where, "this object"));
+    }
+}
+
+}  // namespace
 
 /// Of one content: as geometry, as a mesh, or both.
 struct SolidCache::Entry {
@@ -34,32 +68,28 @@ std::shared_ptr<const Solid> SolidCache::get(const LeafShape& shape, const std::
 }
 
 std::shared_ptr<const Solid> SolidCache::get(const Tree& tree, NodeId node, const std::vector<Dimension>& by_node,
-                                             std::vector<std::string>& warnings, const std::stop_token& stop) {
+                                             Remarks& remarks, const std::stop_token& stop) {
     if (tree.node(node).operation == Operation::Leaf && by_node[node] == Dimension::Solid) {
         const LeafShape& shape = tree.shape(node);
         if (!std::holds_alternative<std::shared_ptr<const Import>>(shape) &&
             !std::holds_alternative<std::shared_ptr<const Surface>>(shape)) {
-            const auto solid = get(shape, stop);
-            for (const std::string& warning : solid->warnings)
-                warnings.push_back(located(tree, tree.node(node).where, warning));
+            const auto solid = of_node(tree, node, [&] { return get(shape, stop); });
+            tell(tree, node, *solid, remarks);
             return solid;
         }
     }
-    const NodeGeometry& made = geometry(tree, node, by_node, warnings, stop);
+    const NodeGeometry& made = geometry(tree, node, by_node, remarks, stop);
     Entry& entry = entries_[tree.node(node).hash];
     if (!entry.solid)
-        entry.solid = as_solid(made, tools(stop));
-    for (const std::string& warning : entry.solid->warnings) {
-        if (std::find(made.warnings.begin(), made.warnings.end(), warning) == made.warnings.end())
-            warnings.push_back(located(tree, tree.node(node).where, warning));
-    }
+        entry.solid = of_node(tree, node, [&] { return as_solid(made, tools(stop)); });
+    tell(tree, node, *entry.solid, remarks, &made);
     return entry.solid;
 }
 
-/// All nodes below are visited, children first: their geometry is kept as long as this node's is, and warnings are told
+/// All nodes below are visited, children first: their geometry is kept as long as this node's is, and remarks are told
 /// with the places they have in this tree.
 const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std::vector<Dimension>& by_node,
-                                         std::vector<std::string>& warnings, const std::stop_token& stop) {
+                                         Remarks& remarks, const std::stop_token& stop) {
     std::vector<NodeId> nodes{top};
     std::unordered_set<NodeId> seen{top};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -80,18 +110,17 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
                 if (!tree.node(child).modifiers.background)
                     children.push_back(entries_[tree.node(child).hash].geometry.get());
             }
-            known.geometry =
-                std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools(stop)));
+            known.geometry = of_node(tree, id, [&] {
+                return std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools(stop)));
+            });
         }
-        for (const std::string& warning : known.geometry->warnings)
-            warnings.push_back(located(tree, tree.node(id).where, warning));
+        tell(tree, id, *known.geometry, remarks);
     }
     return *entries_[tree.node(top).hash].geometry;
 }
 
-std::shared_ptr<const Outline> SolidCache::outline(const Tree& tree, std::vector<std::string>& warnings,
-                                                   const std::stop_token& stop) {
-    return tree.root() == kNoNode ? nullptr : geometry(tree, tree.root(), dimensions(tree), warnings, stop).outline;
+std::shared_ptr<const Outline> SolidCache::outline(const Tree& tree, Remarks& remarks, const std::stop_token& stop) {
+    return tree.root() == kNoNode ? nullptr : geometry(tree, tree.root(), dimensions(tree), remarks, stop).outline;
 }
 
 SolidCache::Size SolidCache::size() const {

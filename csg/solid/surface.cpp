@@ -133,15 +133,15 @@ void build(const Heights& heights, bool center, Solid& solid) {
 
 std::shared_ptr<Solid> surface_solid(const Surface& surface) {
     auto solid = std::make_shared<Solid>();
-    const auto text = read_file(surface.file.path, kMostBytes, solid->warnings);
+    const auto text = read_file(surface.file.path, kMostBytes, solid->failures);
     if (!text)
         return solid;
     const bool picture = text->size() > 8 && std::memcmp(text->data(), "\x89PNG\r\n\x1a\n", 8) == 0;
     const Heights heights =
-        picture ? read_picture(*text, surface.invert, solid->warnings) : read_table(*text, solid->warnings);
+        picture ? read_picture(*text, surface.invert, solid->failures) : read_table(*text, solid->failures);
     if (heights.columns < 2 || heights.rows < 2) {
-        if (solid->warnings.empty())
-            solid->warnings.emplace_back("surface file holds less than two rows of two numbers");
+        if (solid->failures.empty())
+            solid->failures.emplace_back("surface file holds less than two rows of two numbers");
         return solid;
     }
     build(heights, surface.center, *solid);

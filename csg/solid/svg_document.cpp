@@ -85,7 +85,7 @@ void SvgDocument::read_style_sheet(std::string_view text) {
     }
 }
 
-SvgDocument::SvgDocument(std::string_view text, std::vector<std::string>& warnings) {
+SvgDocument::SvgDocument(std::string_view text, std::vector<std::string>& failures) {
     std::vector<std::size_t> open;
     XmlEvents events;
     events.open = [&](const std::string& name, const Attributes& attributes) {
@@ -102,7 +102,7 @@ SvgDocument::SvgDocument(std::string_view text, std::vector<std::string>& warnin
             read_style_sheet(content);
         open.pop_back();
     };
-    read_xml(text, events, warnings);
+    read_xml(text, events, failures);
     std::reverse(rules_.begin(), rules_.end());
     std::stable_sort(rules_.begin(), rules_.end(),
                      [](const Rule& a, const Rule& b) { return a.specificity() > b.specificity(); });

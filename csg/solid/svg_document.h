@@ -18,8 +18,8 @@ struct SvgElement {
 
 class SvgDocument {
   public:
-    /// What is wrong with the text is a warning with its line; what came before is there.
-    SvgDocument(std::string_view text, std::vector<std::string>& warnings);
+    /// What is wrong with the text is a failure with its line; what came before is there.
+    SvgDocument(std::string_view text, std::vector<std::string>& failures);
 
     [[nodiscard]] bool empty() const { return elements_.empty(); }
     /// The root is element 0.

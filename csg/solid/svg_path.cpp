@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "csg/solid/import_outline.h"
 #include "csg/tree/degrees.h"
 
@@ -82,7 +84,9 @@ class PathReader {
 
     std::vector<SvgSubpath> run() {
         char command = 0;
-        while (!scanner_.at_end() && points_ < kMostPoints) {
+        while (!scanner_.at_end()) {
+            if (points_ >= kMostPoints)
+                throw GeometryError(fmt::format("a path in an SVG file has more than {} points", kMostPoints));
             if (const char next = scanner_.command(); next != 0)
                 command = next;
             else if (command == 'M' || command == 'm')

@@ -100,17 +100,15 @@ glm::dvec2 alignment(const Text& text, const glm::dvec2& advance, const Box& box
 
 }  // namespace
 
-Outline text_outline(const Text& text, FontLibrary& fonts, std::vector<std::string>& warnings) {
+Outline text_outline(const Text& text, FontLibrary& fonts) {
     if (text.text.empty() || !(text.size > 0) || !std::isfinite(text.size) || !std::isfinite(text.spacing))
         return {};
     if (text.text.size() > kMostBytes) {
-        warnings.push_back(fmt::format("text() is longer than {} bytes; it is left out", kMostBytes));
-        return {};
+        throw GeometryError(fmt::format("text() is longer than {} bytes", kMostBytes));
     }
     const Font* font = fonts.impl().find(text);
     if (font == nullptr) {
-        warnings.push_back(fmt::format("Can't get font {}", text.font));
-        return {};
+        throw GeometryError(fmt::format("Can't get font {}", text.font));
     }
     const int around = circle_segments(text.size, text.fineness);
     const unsigned segments = static_cast<unsigned>(std::max(around / 8 + 1, 2));

@@ -33,7 +33,7 @@ const std::map<std::string, Names> kMayInclude = {
     {"ui/viewer", {"csg/tree", "csg/scad", "csg/solid", "gl", "goldfeather", "peel", "npr", "ui/pipeline"}},
     {"ui/command_line",
      {"csg/tree", "csg/scad", "csg/solid", "gl", "goldfeather", "peel", "npr", "ui/pipeline", "ui/viewer"}},
-    {"ui", {"ui/command_line", "ui/pipeline"}},
+    {"ui", {"gl", "ui/command_line", "ui/pipeline"}},
 };
 
 /// The library of a folder, as its CMakeLists.txt names it.

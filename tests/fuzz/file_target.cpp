@@ -69,11 +69,11 @@ void import_solid(const std::uint8_t* data, std::size_t size, const std::string&
 void import_outline(const std::uint8_t* data, std::size_t size, const std::string& suffix) {
     csg::Import import;
     import.file = scratch(suffix).hold(data, size);
-    std::vector<std::string> warnings;
+    csg::solid::Remarks remarks;
     try {
-        if (!std::isfinite(csg::solid::import_outline(import, warnings).area()))
+        if (!std::isfinite(csg::solid::import_outline(import, remarks).area()))
             std::abort();
-    } catch (const csg::solid::OutlineError&) {
+    } catch (const csg::solid::GeometryError&) {
         // Coordinates beyond what can be worked with: an answer, too.
     }
 }

@@ -57,27 +57,27 @@ TEST(DxfMeasures, EveryKindOfDimension) {
 
 TEST(DxfMeasures, CrossOfTheFirstTwoLinesThatStandAlone) {
     csg::Import import;
-    std::vector<std::string> warnings;
+    Remarks remarks;
     const DxfFile file = read_dxf_file(
         section(line(9, 9, 10, 10) + line(10, 10, 11, 9) + line(0, 0, 4, 4) + line(0, 4, 2, 2.5) + line(7, 0, 8, 0)));
-    const auto found = dxf_cross(file, import, "a.dxf", warnings).value;
+    const auto found = dxf_cross(file, import, "a.dxf", remarks).value;
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->x, 16.0 / 7, 1e-12);  // Of the lines drawn on: they need not reach each other.
     EXPECT_NEAR(found->y, 16.0 / 7, 1e-12);
     import.layer = "none";
-    EXPECT_EQ(dxf_cross(file, import, "a.dxf", warnings).problem, "Can't find cross in 'a.dxf', layer 'none'!");
+    EXPECT_EQ(dxf_cross(file, import, "a.dxf", remarks).problem, "Can't find cross in 'a.dxf', layer 'none'!");
     const DxfFile parallel = read_dxf_file(section(line(0, 0, 1, 1) + line(1, 0, 2, 1)));
-    EXPECT_FALSE(dxf_cross(parallel, csg::Import(), "a.dxf", warnings).value);
-    EXPECT_TRUE(warnings.empty());
+    EXPECT_FALSE(dxf_cross(parallel, csg::Import(), "a.dxf", remarks).value);
+    EXPECT_TRUE(remarks.warnings.empty() && remarks.failures.empty());
 }
 
 TEST(DxfMeasures, WhatCannotBeDrawnIsCounted) {
-    std::vector<std::string> warnings;
+    Remarks remarks;
     csg::Import import;
     import.file.shown = "a.dxf";
-    (void)draw_dxf(read_dxf_file(section("0\nLEADER\n8\n0\n0\nLEADER\n8\n0\n")), import, warnings);
-    ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_EQ(warnings[0], "Unsupported DXF Entity 'LEADER' (2) in \"a.dxf\".");
+    (void)draw_dxf(read_dxf_file(section("0\nLEADER\n8\n0\n0\nLEADER\n8\n0\n")), import, remarks);
+    ASSERT_EQ(remarks.warnings.size(), 1U);
+    EXPECT_EQ(remarks.warnings[0], "Unsupported DXF Entity 'LEADER' (2) in \"a.dxf\".");
 }
 
 }  // namespace

@@ -151,9 +151,9 @@ TEST(Import, RubbishGivesNothing) {
             reader(text, mesh, warnings);
             EXPECT_TRUE(mesh.faces.empty());
         }
-        std::vector<std::string> warnings;
-        EXPECT_TRUE(read_dxf(text, {}, warnings).empty());
-        EXPECT_TRUE(read_svg(text, {}, warnings).empty());
+        Remarks remarks;
+        EXPECT_TRUE(read_dxf(text, {}, remarks).empty());
+        EXPECT_TRUE(read_svg(text, {}, remarks).empty());
     }
 }
 
@@ -202,9 +202,9 @@ TEST(Import, SurvivesMutations) {
                     ASSERT_LT(i, mesh.points.size()) << text;
             }
         }
-        std::vector<std::string> warnings;
-        for (const auto& read : {std::function([&] { (void)clean(read_dxf(text, {}, warnings), FillRule::EvenOdd); }),
-                                 std::function([&] { (void)read_svg(text, {}, warnings); })}) {
+        Remarks remarks;
+        for (const auto& read : {std::function([&] { (void)clean(read_dxf(text, {}, remarks), FillRule::EvenOdd); }),
+                                 std::function([&] { (void)read_svg(text, {}, remarks); })}) {
             try {
                 read();
             } catch (const OutlineError&) {
@@ -215,9 +215,9 @@ TEST(Import, SurvivesMutations) {
 }
 
 double dxf_area(const std::string& entities) {
-    std::vector<std::string> warnings;
-    const auto loops = read_dxf("0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n", {}, warnings);
-    EXPECT_TRUE(warnings.empty()) << warnings[0];
+    Remarks remarks;
+    const auto loops = read_dxf("0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n", {}, remarks);
+    EXPECT_TRUE(remarks.warnings.empty() && remarks.failures.empty());
     return clean(loops, FillRule::EvenOdd).area();
 }
 
@@ -248,32 +248,32 @@ TEST(Import, DxfJoinsLinesInAnyOrderAndDirectionInLinearTime) {
         spokes +=
             fmt::format("0\nLINE\n10\n0\n20\n0\n11\n{}\n21\n{}\n", 1000 * std::cos(angle), 1000 * std::sin(angle));
     }
-    std::vector<std::string> warnings;
+    Remarks remarks;
     const auto begin = std::chrono::steady_clock::now();
-    const auto loops = read_dxf("0\nSECTION\n2\nENTITIES\n" + spokes + "0\nENDSEC\n0\nEOF\n", {}, warnings);
+    const auto loops = read_dxf("0\nSECTION\n2\nENTITIES\n" + spokes + "0\nENDSEC\n0\nEOF\n", {}, remarks);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
     EXPECT_EQ(loops.size(), 10'000U);  // Two at a time: out, and in from the other end.
 }
 
 TEST(Import, DxfBlocksThatInsertThemselves) {
-    std::vector<std::string> warnings;
+    Remarks remarks;
     const std::string insert = "0\nINSERT\n2\na\n10\n2\n20\n0\n";
     const auto loops =
         read_dxf("0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nCIRCLE\n10\n0\n20\n0\n40\n1\n" + insert + insert +
                      "0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + insert + "0\nENDSEC\n0\nEOF\n",
-                 {}, warnings);
+                 {}, remarks);
     EXPECT_EQ(loops.size(), 1U);
-    EXPECT_EQ(warnings, std::vector<std::string>{"DXF block 'a' inserts itself"});
+    EXPECT_EQ(remarks.failures, std::vector<std::string>{"DXF block 'a' inserts itself"});
 }
 
 TEST(Import, DxfCoordinatesBeyondAllNumbers) {
-    std::vector<std::string> warnings;
+    Remarks remarks;
     const auto loops = read_dxf(
         "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nLINE\n10\n1e200\n20\n0\n11\n2\n21\n1e200\n0\nENDBLK\n0\nENDSEC\n"
         "0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\na\n41\n1e200\n42\n-1e200\n50\n30\n0\nENDSEC\n0\nEOF\n",
-        {}, warnings);
+        {}, remarks);
     EXPECT_TRUE(loops.empty());
-    EXPECT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(remarks.failures.size(), 1U);
 }
 
 TEST(Import, DxfPolylinesOfOtherLayersAreLeftOut) {
@@ -283,11 +283,11 @@ TEST(Import, DxfPolylinesOfOtherLayersAreLeftOut) {
         return "0\nPOLYLINE\n8\n" + layer + "\n66\n1\n70\n1\n0\nVERTEX\n8\n" + layer +
                "\n10\n0\n20\n0\n0\nVERTEX\n10\n1\n20\n0\n0\nVERTEX\n10\n0\n20\n1\n0\nSEQEND\n8\n" + layer + "\n";
     };
-    std::vector<std::string> warnings;
+    Remarks remarks;
     const std::string text = "0\nSECTION\n2\nENTITIES\n" + triangle("other") + triangle("wanted") + triangle("third") +
                              "0\nENDSEC\n0\nEOF\n";
-    EXPECT_EQ(read_dxf(text, import, warnings).size(), 1U);
-    EXPECT_EQ(read_dxf(text, {}, warnings).size(), 3U);
+    EXPECT_EQ(read_dxf(text, import, remarks).size(), 1U);
+    EXPECT_EQ(read_dxf(text, {}, remarks).size(), 3U);
 }
 
 TEST(Import, OutlinesThatWouldTakeHoursAreAnError) {
@@ -309,10 +309,10 @@ TEST(Import, OutlinesThatWouldTakeHoursAreAnError) {
 /// Circles have as many corners as they ask for after import()'s scale, but those in blocks.
 TEST(Import, DxfCirclesAreAsFineAsTheyGetLarge) {
     const auto corners = [](const std::string& text, double scale) {
-        std::vector<std::string> warnings;
+        Remarks remarks;
         csg::Import import;
         import.scale = scale;
-        const auto loops = read_dxf(text, import, warnings);
+        const auto loops = read_dxf(text, import, remarks);
         return loops.size() == 1 ? loops[0].size() : 0;
     };
     const std::string circle = "0\nCIRCLE\n10\n0\n20\n0\n40\n2\n";
@@ -330,8 +330,8 @@ TEST(Import, DxfChainsGoOnThroughTheirBeginning) {
         std::string text = "0\nSECTION\n2\nENTITIES\n";
         for (const auto& [x0, y0, x1, y1] : lines)
             text += fmt::format("0\nLINE\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", x0, y0, x1, y1);
-        std::vector<std::string> warnings;
-        return read_dxf(text + "0\nENDSEC\n", {}, warnings);
+        Remarks remarks;
+        return read_dxf(text + "0\nENDSEC\n", {}, remarks);
     };
     const auto bow =
         loops_of({{0, 0, 2, 1}, {2, 1, 2, -1}, {2, -1, 0, 0}, {0, 0, -2, 1}, {-2, 1, -2, -1}, {-2, -1, 0, 0}});
@@ -365,12 +365,12 @@ TEST(Import, TheBottomOfASurface) {
 }
 
 double svg_area(const std::string& body, const std::string& head = "width='100mm' height='50mm' viewBox='0 0 100 50'") {
-    std::vector<std::string> warnings;
+    Remarks remarks;
     csg::Import import;
     import.fineness.fn = 4;
     const Outline outline =
-        read_svg("<svg xmlns='http://www.w3.org/2000/svg' " + head + ">" + body + "</svg>", import, warnings);
-    EXPECT_TRUE(warnings.empty()) << warnings[0];
+        read_svg("<svg xmlns='http://www.w3.org/2000/svg' " + head + ">" + body + "</svg>", import, remarks);
+    EXPECT_TRUE(remarks.warnings.empty() && remarks.failures.empty());
     return outline.area();
 }
 

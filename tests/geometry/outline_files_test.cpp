@@ -18,9 +18,9 @@ Outline sample() {
 
 TEST(OutlineFiles, DxfIsReadAgain) {
     const Outline outline = sample();
-    std::vector<std::string> warnings;
-    const Outline read = clean(read_dxf(encode_dxf(outline), {}, warnings), FillRule::EvenOdd);
-    EXPECT_TRUE(warnings.empty());
+    Remarks remarks;
+    const Outline read = clean(read_dxf(encode_dxf(outline), {}, remarks), FillRule::EvenOdd);
+    EXPECT_TRUE(remarks.warnings.empty() && remarks.failures.empty());
     EXPECT_EQ(read.corners(), outline.corners());
     EXPECT_EQ(bounds_of(read.loops), bounds_of(outline.loops));
     EXPECT_NEAR(read.area(), outline.area(), 1e-12 * outline.area());
@@ -28,9 +28,9 @@ TEST(OutlineFiles, DxfIsReadAgain) {
 
 TEST(OutlineFiles, SvgIsReadAgain) {
     const Outline outline = sample();
-    std::vector<std::string> warnings;
-    const Outline read = read_svg(encode_svg(outline, {}), {}, warnings);
-    EXPECT_TRUE(warnings.empty());
+    Remarks remarks;
+    const Outline read = read_svg(encode_svg(outline, {}), {}, remarks);
+    EXPECT_TRUE(remarks.warnings.empty() && remarks.failures.empty());
     EXPECT_EQ(read.corners(), outline.corners());
     EXPECT_NEAR(read.area(), outline.area(), 1e-9 * outline.area());
     EXPECT_NEAR(bounds_of(read.loops).size().y, 20.125, 1e-9);

@@ -75,9 +75,10 @@ TEST(SceneOfNodes, WhatCannotBeMadeIsToldWithItsPlace) {
     const test::Run run = test::run("cube(1);\n\nlinear_extrude(2)\n  cube(1);\nhull() { cube(1); sphere(1); }");
     csg::solid::SolidCache cache;  // Without exact operations.
     const auto geometry = csg::solid::place(*run.evaluation.tree, csg::make_scene(*run.evaluation.tree), cache);
-    ASSERT_EQ(geometry.warnings.size(), 2u);
+    ASSERT_EQ(geometry.warnings.size(), 1u);
+    ASSERT_EQ(geometry.failures.size(), 1u);
     EXPECT_EQ(geometry.warnings[0].substr(0, 12), "case.scad:3:");
-    EXPECT_EQ(geometry.warnings[1].substr(0, 12), "case.scad:5:");
+    EXPECT_EQ(geometry.failures[0].substr(0, 12), "case.scad:5:");
 }
 
 TEST(SolidCache, MakesANodeOnce) {

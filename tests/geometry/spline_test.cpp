@@ -57,27 +57,27 @@ TEST(Splines, NumbersThatDoNotFitGiveNothing) {
 }
 
 TEST(Import, DxfSplinesAndRowsOfBlocks) {
-    const auto area = [](const std::string& text, std::vector<std::string>& warnings) {
-        return clean(read_dxf(text, {}, warnings), FillRule::EvenOdd).area();
+    const auto area = [](const std::string& text, Remarks& remarks) {
+        return clean(read_dxf(text, {}, remarks), FillRule::EvenOdd).area();
     };
-    std::vector<std::string> warnings;
+    Remarks remarks;
     // Half of a disc of radius 10, closed straight.
     const std::string spline =
         "0\nSPLINE\n70\n0\n71\n2\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n2\n40\n2\n40\n2\n"
         "41\n1\n41\n0.70710678\n41\n1\n41\n0.70710678\n41\n1\n"
         "10\n10\n20\n0\n10\n10\n20\n10\n10\n0\n20\n10\n10\n-10\n20\n10\n10\n-10\n20\n0\n";
     const auto entities = [](const std::string& body) { return "0\nSECTION\n2\nENTITIES\n" + body + "0\nENDSEC\n"; };
-    EXPECT_NEAR(area(entities(spline), warnings), 157.08, 3);
-    EXPECT_TRUE(warnings.empty());
-    EXPECT_EQ(area(entities("0\nSPLINE\n71\n3\n40\n1\n10\n0\n20\n0\n"), warnings), 0);
-    EXPECT_EQ(warnings.size(), 1u);
-    warnings.clear();
+    EXPECT_NEAR(area(entities(spline), remarks), 157.08, 3);
+    EXPECT_TRUE(remarks.warnings.empty() && remarks.failures.empty());
+    EXPECT_EQ(area(entities("0\nSPLINE\n71\n3\n40\n1\n10\n0\n20\n0\n"), remarks), 0);
+    EXPECT_EQ(remarks.failures.size(), 1u);
+    remarks = {};
     const std::string square = "0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n10\n0\n20\n1\n";
     EXPECT_NEAR(area("0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n" + square + "0\nENDBLK\n0\nENDSEC\n" +
                          entities("0\nINSERT\n2\na\n70\n4\n71\n3\n44\n2\n45\n5\n50\n30\n"),
-                     warnings),
+                     remarks),
                 12, 1e-6);
-    EXPECT_TRUE(warnings.empty());
+    EXPECT_TRUE(remarks.warnings.empty() && remarks.failures.empty());
 }
 
 }  // namespace

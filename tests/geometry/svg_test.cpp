@@ -11,13 +11,16 @@ using namespace csg::solid;
 struct Read {
     double area;
     csg::Box box;
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings, failures;
 };
 
 Read read(const std::string& body, const std::string& head = "width='100mm' height='50mm' viewBox='0 0 100 50'",
           const csg::Import& import = {}) {
     Read result;
-    const Outline outline = read_svg("<svg " + head + ">" + body + "</svg>", import, result.warnings);
+    Remarks remarks;
+    const Outline outline = read_svg("<svg " + head + ">" + body + "</svg>", import, remarks);
+    result.warnings = std::move(remarks.warnings);
+    result.failures = std::move(remarks.failures);
     result.area = outline.area();
     result.box = bounds_of(outline.loops);
     return result;
@@ -123,8 +126,8 @@ TEST(Svg, WhatIsLeftOutIsTold) {
                 4, 1e-6);
     EXPECT_EQ(read("<rect width='5' height='5'/>", "", import).warnings.size(), 1u);
     const Read broken = read("<rect width='5' height='5'/><g>");
-    ASSERT_EQ(broken.warnings.size(), 1u);
-    EXPECT_NE(broken.warnings[0].find("in line 1"), std::string::npos) << broken.warnings[0];
+    ASSERT_EQ(broken.failures.size(), 1u);
+    EXPECT_NE(broken.failures[0].find("in line 1"), std::string::npos) << broken.failures[0];
     EXPECT_NEAR(broken.area, 25, 1e-6) << "what came before";
 }
 

@@ -200,7 +200,7 @@ TEST(Solid, PolyhedraAreCheckedNotBelieved) {
     wild.faces.push_back({0});
     wild.faces.push_back({});
     EXPECT_NO_THROW(static_cast<void>(solid_of(wild)));
-    EXPECT_FALSE(solid_of(wild).warnings.empty());
+    EXPECT_FALSE(solid_of(wild).failures.empty());
 }
 
 /// Two of `a`, the second moved.
@@ -305,11 +305,11 @@ TEST(Placed, MatricesThatAreNotAffineLeaveTheLeafOut) {
         const auto geometry = csg::solid::place(tree, scene, cache);
         ASSERT_EQ(geometry.leaves.size(), 1U);
         EXPECT_TRUE(geometry.leaves[0].triangles.empty() && geometry.leaves[0].box.empty());
-        EXPECT_EQ(geometry.warnings.empty(), kind == 2);
+        EXPECT_EQ(geometry.failures.empty(), kind == 2);
     }
 }
 
-TEST(SolidCache, AWarningIsToldEveryTimeThatTheMeshIsAskedFor) {
+TEST(SolidCache, AFailureIsToldEveryTimeThatTheMeshIsAskedFor) {
     // Two cubes as one mesh, with nothing at hand that could unite them.
     csg::TreeBuilder builder;
     static_cast<void>(builder.file("two.scad"));
@@ -318,9 +318,9 @@ TEST(SolidCache, AWarningIsToldEveryTimeThatTheMeshIsAskedFor) {
     const csg::Tree tree = builder.finish(builder.mesh({csg::Resize{{4, 4, 4}, {}}}, cubes, {}));
     const csg::Scene scene = csg::make_scene(tree);
     csg::solid::SolidCache cache;
-    const auto first = csg::solid::place(tree, scene, cache).warnings;
+    const auto first = csg::solid::place(tree, scene, cache).failures;
     EXPECT_FALSE(first.empty());
-    EXPECT_EQ(csg::solid::place(tree, scene, cache).warnings, first);
+    EXPECT_EQ(csg::solid::place(tree, scene, cache).failures, first);
 }
 
 }  // namespace

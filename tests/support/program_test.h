@@ -40,6 +40,21 @@ class ProgramTest : public testing::Test {
                 folder_.read("err.txt")};
     }
 
+    /// With streams of the caller's instead of files: `redirections` as for a shell. The exit status as the shell gives
+    /// it (128 and the signal, where one ended it); -1 where the time limit did.
+    [[nodiscard]] int status_of(const std::string& arguments, const std::string& redirections,
+                                const std::string& before = "") const {
+        const std::string command = "cd '" + folder_.path("") + "' && " + before + " timeout " +
+                                    std::to_string(most_seconds_) + " '" CSGSCOPE_PROGRAM "' " + arguments + " " +
+                                    redirections;
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) && WEXITSTATUS(status) != 124 ? WEXITSTATUS(status) : -1;
+    }
+    /// With an open file as standard error.
+    [[nodiscard]] int status_with_standard_error(const std::string& arguments, int fd) const {
+        return status_of(arguments, "2>&" + std::to_string(fd));
+    }
+
     TemporaryFolder folder_;
 
   private:

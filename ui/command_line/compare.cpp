@@ -67,6 +67,7 @@ class PictureVolume {
 
 int compare_with_mesh(const CompareOptions& o) {
     const ComparedModel loaded = load(o);
+    need_whole(*loaded.model);
     const SolidScene solid = solid_scene(loaded.model->scene, loaded.model->geometry);
     if (solid.scene.parts.empty()) {
         throw ModelError("the model is empty: there is nothing to compare");
@@ -123,7 +124,7 @@ int compare_with_mesh(const CompareOptions& o) {
     if (!openscad.is_null()) {
         json["openscad"] = openscad;
     }
-    fmt::print("{}\n", json.dump(2));
+    write_output("-", text_of(json));
     if (!o.report.empty()) {
         fs::create_directories(o.report);
         const fs::path folder = o.report;
@@ -131,7 +132,7 @@ int compare_with_mesh(const CompareOptions& o) {
             write_output((folder / fmt::format("difference_{}.png", i + 1)).string(),
                          gl::encode_png(views[i].difference));
         }
-        write_output((folder / "report.json").string(), json.dump(2) + "\n");
+        write_output((folder / "report.json").string(), text_of(json));
         write_output(
             (folder / "report.html").string(),
             report_page(

@@ -40,11 +40,11 @@ int compare_with_picture(const CompareOptions& o) {
                                          {"pixels_that_differ", share},
                                          {"threshold", o.reference_threshold},
                                          {"within_threshold", good}};
-    fmt::print("{}\n", json.dump(2));
+    write_output("-", text_of(json));
     if (!o.report.empty()) {
         std::filesystem::create_directories(o.report);
         write_output((std::filesystem::path(o.report) / "difference_1.png").string(), gl::encode_png(difference));
-        write_output((std::filesystem::path(o.report) / "report.json").string(), json.dump(2) + "\n");
+        write_output((std::filesystem::path(o.report) / "report.json").string(), text_of(json));
         write_output((std::filesystem::path(o.report) / "report.html").string(),
                      report_page(fmt::format("{} against {}", o.input, o.reference), "Picture to picture.",
                                  {{"The picture", drawn, reference, difference, json, {}}}));

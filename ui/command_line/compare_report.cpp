@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "ui/pipeline/plain_text.h"
+
 namespace ui {
 
 namespace {
@@ -23,7 +25,7 @@ std::string base64(const std::string& bytes) {
 
 std::string html(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : printable(text)) {
         out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
     }
     return out;
@@ -46,7 +48,8 @@ std::string layer_table(const ComparedView& view) {
         return "";
     }
     std::string rows =
-        "</table>\n<table><tr><th>layer</th><th>pixels</th><th>coverage error</th><th>normal error</th><th>orientation error</th>"
+        "</table>\n<table><tr><th>layer</th><th>pixels</th><th>coverage error</th><th>normal error</th><th>orientation "
+        "error</th>"
         "<th>depth, RMS</th><th>depth, largest</th></tr>\n";
     std::size_t number = 0;
     for (const auto& layer : *layers) {

@@ -6,13 +6,14 @@
 #include "ui/command_line/files.h"
 #include "ui/pipeline/mesh_cache.h"
 #include "ui/pipeline/outline.h"
+#include "ui/pipeline/plain_text.h"
 
 namespace ui {
 
 namespace {
 
 std::string file_name(const Options& options) {
-    return options.input == "-" ? std::string() : std::filesystem::path(options.input).filename().string();
+    return options.input == "-" ? std::string() : printable(std::filesystem::path(options.input).filename().string());
 }
 
 std::string drawing(const Options& options, const csg::solid::Outline& outline, csg::solid::DrawingFormat format,
@@ -52,6 +53,7 @@ std::optional<nlohmann::ordered_json> Geometry::figures() const {
 
 Geometry make_geometry(const Options& options, const Model& model, ModelBuilder& builder, Messages& messages,
                        const std::stop_token& stop) {
+    need_whole(model);
     if (wants(options, Format::Mesh)) {
         need_solid(model);
     }
@@ -80,6 +82,9 @@ void write_geometry(const Options& options, const Model& model, const Geometry& 
         three_mf.meta_data.clear();
     } else if (three_mf.meta_data["Title"].empty()) {
         three_mf.meta_data["Title"] = file_name(options);
+    }
+    for (auto& [name, value] : three_mf.meta_data) {
+        value = printable(value);
     }
     for (const Output& output : options.outputs) {
         base::end_if_asked(stop);

@@ -13,6 +13,7 @@
 
 #include "csg/scad/source.h"
 #include "ui/command_line/options.h"
+#include "ui/command_line/standard_streams.h"
 
 namespace ui {
 
@@ -62,18 +63,24 @@ OutputFile::OutputFile(const std::string& path) {
 }
 
 void OutputFile::write(std::string_view bytes) {
+    constexpr std::size_t kPiece = std::size_t{1} << 16;
     if (file_) {
         file_->write(bytes);
-    } else if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) {
-        throw std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+        return;
+    }
+    waiting_ += bytes;
+    if (waiting_.size() >= kPiece) {
+        write_standard_output(waiting_);
+        waiting_.clear();
     }
 }
 
 void OutputFile::finish() {
     if (file_) {
         file_->finish();
-    } else if (std::fflush(stdout) != 0) {
-        throw std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+    } else {
+        write_standard_output(waiting_);
+        waiting_.clear();
     }
 }
 
@@ -81,6 +88,10 @@ void write_output(const std::string& path, const std::string& bytes) {
     OutputFile file(path);
     file.write(bytes);
     file.finish();
+}
+
+std::string text_of(const nlohmann::ordered_json& json) {
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string dependency_rules(const std::vector<std::string>& targets, const std::vector<std::string>& sources) {
@@ -101,7 +112,6 @@ std::string run_make_command(const std::string& command, const std::string& path
         line += c == '\'' ? "'\\''" : std::string(1, c);
     }
     line += '\'';
-    std::fflush(nullptr);
     const int status = std::system(line.c_str());
     if (status == 0) {
         return {};

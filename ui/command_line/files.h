@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "gl/file.h"
 
 namespace ui {
@@ -26,10 +28,14 @@ class OutputFile {
 
   private:
     std::optional<gl::FileWriter> file_;  ///< Nothing: standard output.
+    std::string waiting_;                 ///< For standard output: pieces may be small.
 };
 
 /// Writes the file whole or not at all, or to standard output for "-". Throws std::runtime_error with the reason.
 void write_output(const std::string& path, const std::string& bytes);
+
+/// JSON as it is written: indented, with a newline at its end. Names that are no UTF-8 are written with U+FFFD.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& json);
 
 /// A rule for make, as OpenSCAD's -d writes it: each of `targets` depends on all of `sources`.
 [[nodiscard]] std::string dependency_rules(const std::vector<std::string>& targets,

@@ -1,13 +1,9 @@
 #include "ui/command_line/language_run.h"
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
-#include <new>
 
 #include <fmt/format.h>
 
@@ -15,32 +11,20 @@
 #include "csg/scad/csg_text.h"
 #include "csg/scad/value.h"
 #include "ui/command_line/files.h"
+#include "ui/command_line/memory_limit.h"
 #include "ui/command_line/parameters.h"
+#include "ui/command_line/standard_streams.h"
 #include "ui/pipeline/camera.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
 
-namespace {
-
-/// What the process holds now of what RLIMIT_DATA limits.
-std::size_t data_bytes() {
-    std::ifstream in("/proc/self/statm");
-    std::array<std::size_t, 6> pages{};  // Size, resident, shared, text, library, data and stack.
-    for (std::size_t& number : pages) {
-        in >> number;
-    }
-    return in ? pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
-}
-
-}  // namespace
-
 Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 void Progress::say(const char* stage) const {
     if (shown_) {
-        fmt::print(stderr, "\r\033[K{}", stage);
-        std::fflush(stderr);
+        say("\r\033[K");
+        say(stage);
     }
 }
 
@@ -137,18 +121,21 @@ void LanguageRun::make(const std::string& path) {
     }
 }
 
-/// The kernel refuses more, which ends in std::bad_alloc; lists say first, and with a place, that they are too
-/// long.
+/// The kernel refuses more; lists say first, and with a place, that they are too long.
 void LanguageRun::limit_memory() {
     const std::size_t bytes = static_cast<std::size_t>(options_.memory_limit) << 20;
     auto& most = request_.limits.list_elements;
     most = std::min(most, bytes / sizeof(csg::scad::Value) / 2);
-    // Beyond what the program itself takes, and the deep stack, which is reserved, not used.
-    const rlim_t data = data_bytes() + bytes + request_.limits.stack_bytes;
-    rlimit limit{};
-    if (getrlimit(RLIMIT_DATA, &limit) == 0) {
-        limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? data : std::min(data, limit.rlim_max);
-        (void)setrlimit(RLIMIT_DATA, &limit);
+    // The deep stack counts whole, although it is reserved and not used.
+    constexpr std::size_t kShareOfStack = 4;
+    auto& stack = request_.limits.stack_bytes;
+    stack = std::min(stack, bytes / kShareOfStack);
+    hold_memory_limit();
+}
+
+void LanguageRun::hold_memory_limit() const {
+    if (options_.memory_limit != 0) {
+        ui::limit_memory(static_cast<std::size_t>(options_.memory_limit) << 20);
     }
 }
 

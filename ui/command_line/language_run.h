@@ -45,6 +45,8 @@ class LanguageRun {
     /// file, or the time, ended the run; the messages have said why.
     [[nodiscard]] bool operator()();
     void write_dependencies() const;
+    /// The options' memory limit, if there is one, for the stage that comes (memory_limit.h).
+    void hold_memory_limit() const;
 
     [[nodiscard]] const csg::scad::Evaluation& evaluation() const { return evaluation_; }
     [[nodiscard]] double evaluate_ms() const { return evaluate_ms_; }

@@ -4,9 +4,11 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "csg/scad/diagnostics.h"
+#include "csg/tree/out_of_memory.h"
 
 namespace ui {
 
@@ -38,19 +40,22 @@ class Messages {
     std::string echo_;
 };
 
-/// "csgscope: error: text" on standard error.
-void print_error(const std::string& text);
+/// "csgscope: error: text" on standard error, once for each line of the text.
+void print_error(std::string_view text);
 
-/// The same for a run that got no more memory; names --memory-limit where the arguments do. Needs little itself.
-void print_out_of_memory(const std::vector<std::string>& arguments);
+/// The same for a run that got no more memory for what `what_for` names (null: nobody knows); names --memory-limit
+/// where the arguments do. Needs none itself.
+void print_out_of_memory(const std::vector<std::string>& arguments, const char* what_for);
 
 /// What a run with the arguments gives; where it throws, a message and 1.
 template <typename Action>
 [[nodiscard]] auto or_error(const std::vector<std::string>& arguments, const Action& action) -> decltype(action()) {
     try {
         return action();
+    } catch (const csg::OutOfMemory& out) {
+        print_out_of_memory(arguments, out.what());
     } catch (const std::bad_alloc&) {
-        print_out_of_memory(arguments);
+        print_out_of_memory(arguments, nullptr);
     } catch (const std::exception& error) {
         print_error(error.what());
     }

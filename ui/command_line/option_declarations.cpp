@@ -46,7 +46,8 @@ void declare(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
 
     const char* const checks = "Limits and checks";
-    text("--time-limit", raw.time_limit, "End with an error after that time, whatever is being done", "SECONDS", checks);
+    text("--time-limit", raw.time_limit, "End with an error after that time, whatever is being done", "SECONDS",
+         checks);
     text("--memory-limit", raw.memory_limit, "End with an error where more memory would be needed", "MIB", checks);
     text("--check-parameters", raw.check_parameters,
          "Warn of arguments that user-defined functions and modules do not take: on or off (on)", "BOOL", checks);

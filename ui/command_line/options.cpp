@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -47,9 +49,11 @@ void interpret_limits(Options& o, const RawOptions& raw) {
         o.memory_limit = read_integer("--memory-limit", raw.memory_limit, 1, kMostMebibytes);
     }
     if (!raw.time_limit.empty()) {
+        constexpr double kLongest = 1e9;
         o.time_limit = read_numbers("--time-limit", raw.time_limit, {1}, "seconds")[0];
-        if (o.time_limit <= 0 || o.time_limit > 1e9) {
-            throw UsageError(fmt::format("--time-limit {}: the time must be above 0 seconds", raw.time_limit));
+        if (o.time_limit <= 0 || o.time_limit > kLongest) {
+            throw UsageError(fmt::format("--time-limit {}: the time must be above 0 and at most {:.0f} seconds",
+                                         raw.time_limit, kLongest));
         }
     }
 }
@@ -71,6 +75,40 @@ void interpret_engine(Options& o, const RawOptions& raw) {
         if (o.engine.minimal_fraction < 0 || o.engine.minimal_fraction > 1) {
             throw UsageError(fmt::format("--minimal-fraction {}: a share is from 0 to 1", raw.minimal_fraction));
         }
+    }
+}
+
+/// A value that is there and empty would leave the option as it is, which nobody means who names it.
+void refuse_empty_values(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        const bool takes_value = !option->get_positional() && option->get_items_expected_max() > 0;
+        const std::vector<std::string>& values = option->results();
+        if (takes_value && option->count() > 0 && std::find(values.begin(), values.end(), "") != values.end()) {
+            throw UsageError(fmt::format("{}: the value is empty", option->get_name()));
+        }
+    }
+}
+
+/// Two outputs of one name would be one of them.
+void refuse_equal_outputs(const Options& o) {
+    std::vector<std::string> paths;
+    for (const Output& output : o.outputs) {
+        paths.push_back(output.path);
+    }
+    for (const auto& path : {o.statistics, o.summary_file, o.dependencies}) {
+        if (path) {
+            paths.push_back(*path);
+        }
+    }
+    std::set<std::filesystem::path> known;
+    for (const std::string& path : paths) {
+        if (path != "-" && !path.starts_with("/dev/") &&
+            !known.insert(std::filesystem::absolute(path).lexically_normal()).second) {
+            throw UsageError(fmt::format("{} is to be written twice", path));
+        }
+    }
+    if (!o.input.empty() && known.contains(std::filesystem::absolute(o.input).lexically_normal())) {
+        throw UsageError(fmt::format("{} is the input and an output", o.input));
     }
 }
 
@@ -131,6 +169,7 @@ void interpret(Options& o, const RawOptions& raw) {
     o.statistics = given(raw.statistics);
     o.summary_file = given(raw.summary_file);
     o.dependencies = given(raw.dependencies);
+    refuse_equal_outputs(o);
     o.summary = !raw.summary.empty();
     o.summary_parts = read_summary_parts(raw.summary);
     o.exports = read_export_options(raw.export_options);
@@ -198,6 +237,7 @@ CommandLine read_command_line(const std::vector<std::string>& arguments) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
+    refuse_empty_values(app);
     if (raw.version) {
         line.text = "csgscope version " CSGSCOPE_VERSION "\n";
         return line;

@@ -1,16 +1,19 @@
 #include "ui/command_line/run.h"
 
 #include <new>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "base/stop.h"
+#include "csg/tree/out_of_memory.h"
 #include "gl/error.h"
 #include "ui/command_line/compare.h"
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/options.h"
+#include "ui/command_line/standard_streams.h"
 #include "ui/command_line/summary.h"
 #include "ui/command_line/time_limit.h"
 #include "ui/pipeline/camera.h"
@@ -18,6 +21,7 @@
 #include "ui/pipeline/flat_lines.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/outline.h"
+#include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
@@ -56,6 +60,12 @@ class Run {
         } catch (const base::Stopped&) {
             limit_.tell();
             return false;
+        } catch (const csg::OutOfMemory&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            throw csg::OutOfMemory(stage_);
+        } catch (const std::length_error&) {
+            throw csg::OutOfMemory(stage_);
         }
     }
 
@@ -74,9 +84,10 @@ class Run {
             build();
         }
         if (needs_geometry(options_)) {
-            language_.progress().say("Computing the geometry…");
+            begin("Computing the geometry…", "computing the geometry");
             geometry_ = make_geometry(options_, *model_, builder_, language_.messages(), limit_.token());
             language_.progress().say("");
+            stage_ = "writing the geometry";
             write_geometry(options_, *model_, geometry_, language_.messages(), limit_.token());
         }
         if (wants(options_, Format::Png)) {
@@ -107,7 +118,7 @@ class Run {
     }
 
     void build() {
-        language_.progress().say("Building the model…");
+        begin("Building the model…", "building the model");
         if (!options_.preview) {
             builder_.show(csg::Showing::Result);
         }
@@ -115,7 +126,13 @@ class Run {
         for (const std::string& warning : model_->warnings) {
             language_.messages().warn(warning);
         }
-        if (options_.hard_warnings && !model_->warnings.empty()) {
+        if (needs_geometry(options_)) {
+            need_whole(*model_);
+        }
+        for (const std::string& failure : model_->failures) {
+            language_.messages().warn(failure);  // A picture shows what there is.
+        }
+        if (options_.hard_warnings && !(model_->warnings.empty() && model_->failures.empty())) {
             throw ModelError("stopped at a warning");
         }
         const CameraRequest request{options_.camera, options_.projection, options_.view_all, options_.autocenter};
@@ -147,7 +164,7 @@ class Run {
     }
 
     void draw() {
-        language_.progress().say("Drawing…");
+        begin("Drawing…", "drawing");
         Stopwatch watch;
         const std::unique_ptr<gl::Context> context = wanted_context();
         Renderer renderer =
@@ -182,14 +199,21 @@ class Run {
     void report() {
         language_.write_dependencies();
         if (options_.statistics) {
-            write_output(*options_.statistics, statistics().dump(2) + "\n");
+            write_output(*options_.statistics, text_of(statistics()));
         }
         if (options_.summary_file) {
-            write_output(*options_.summary_file, summary().dump(2) + "\n");
+            write_output(*options_.summary_file, text_of(summary()));
         }
         if (options_.summary && !options_.quiet) {
-            fmt::print(stderr, "{}\n", summary().dump(2));
+            say(printable(text_of(summary())));
         }
+    }
+
+    /// `said`: on a terminal; `stage`: what memory was for, where it runs out.
+    void begin(const char* said, const char* stage) {
+        stage_ = stage;
+        language_.progress().say(said);
+        language_.hold_memory_limit();
     }
 
     [[nodiscard]] Json statistics() const {
@@ -226,6 +250,7 @@ class Run {
         return summary_json(options_.summary_parts, figures);
     }
 
+    const char* stage_ = "the evaluation";
     Options options_;
     TimeLimit limit_;
     LanguageRun language_;

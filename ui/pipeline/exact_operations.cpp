@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
+#include <stdexcept>
 
 #include "csg/reference/hull.h"
 #include "csg/reference/mesh_boolean.h"
 #include "csg/reference/minkowski.h"
 #include "csg/reference/roof.h"
 #include "csg/reference/voronoi_roof.h"
+#include "ui/pipeline/plain_text.h"
 
 namespace ui {
 
@@ -32,15 +35,19 @@ csg::ExpressionKind expression_kind(BooleanKind kind) {
     return csg::ExpressionKind::Union;
 }
 
-/// What csg/reference throws becomes a problem, but for base::Stopped.
+/// What csg/reference throws becomes a problem, but for base::Stopped and out of memory.
 template <typename Make>
 MeshResult answer(Make&& make) {
     MeshResult result;
     try {
         csg::reference::Mesh mesh = make();
         result.mesh = {std::move(mesh.points), std::move(mesh.triangles)};
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::length_error&) {
+        throw;
     } catch (const std::exception& error) {
-        result.problem = error.what();
+        result.problem = plain(error.what());
     }
     return result;
 }

@@ -30,18 +30,30 @@ class SolidMeasures : public csg::scad::Measures {
         if (file == nullptr) {
             return std::nullopt;
         }
-        (void)csg::solid::draw_dxf(*file, query.import, warnings.of_file);  // Warns of what it cannot draw.
+        csg::solid::Remarks remarks;
+        (void)csg::solid::draw_dxf(*file, query.import, remarks);  // Tells what it cannot draw.
+        tell(std::move(remarks), warnings);
         return answer(csg::solid::dxf_dimension(*file, query.import, query.dimension, query.file), warnings);
     }
 
     std::optional<glm::dvec2> cross(const DrawingQuery& query, MeasureWarnings& warnings) override {
         const csg::solid::DxfFile* const file = drawing(query, warnings);
-        return file == nullptr
-                   ? std::nullopt
-                   : answer(csg::solid::dxf_cross(*file, query.import, query.file, warnings.of_file), warnings);
+        if (file == nullptr) {
+            return std::nullopt;
+        }
+        csg::solid::Remarks remarks;
+        const auto found = csg::solid::dxf_cross(*file, query.import, query.file, remarks);
+        tell(std::move(remarks), warnings);
+        return answer(found, warnings);
     }
 
   private:
+    static void tell(csg::solid::Remarks remarks, MeasureWarnings& warnings) {
+        for (auto* texts : {&remarks.warnings, &remarks.failures}) {
+            warnings.of_file.insert(warnings.of_file.end(), texts->begin(), texts->end());
+        }
+    }
+
     /// Null, with a warning, where it cannot be read.
     const csg::solid::DxfFile* drawing(const DrawingQuery& query, MeasureWarnings& warnings) {
         const csg::FileStamp& stamp = query.import.file;

@@ -7,11 +7,14 @@
 #include <map>
 
 #include "csg/solid/located.h"
+#include "csg/tree/out_of_memory.h"
+#include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
 
 ModelMesh make_mesh(const Model& model, const std::stop_token& stop) {
+    need_whole(model);
     ModelMesh result;
     Stopwatch watch;
     try {
@@ -23,9 +26,11 @@ ModelMesh make_mesh(const Model& model, const std::stop_token& stop) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const csg::reference::LeafError& error) {
-        throw ModelError(csg::solid::located(*model.tree, model.scene.leaves[error.leaf()].where, error.what()));
+        throw ModelError(csg::solid::located(*model.tree, model.scene.leaves[error.leaf()].where, plain(error.what())));
+    } catch (const std::length_error&) {
+        throw csg::OutOfMemory("the mesh");
     } catch (const std::exception& error) {
-        throw ModelError(error.what());
+        throw ModelError(plain(error.what()));
     }
     result.boolean_ms = watch.lap();
     if (result.mesh.empty()) {
@@ -41,8 +46,8 @@ std::string part_name(const Model& model, std::size_t number, csg::LeafId leaf) 
     const csg::SourceLocation& where = model.scene.leaves[leaf].where;
     const auto& files = model.tree->files();
     return where.known() && where.file < files.size()
-               ? fmt::format("part {} ({}:{})", number, std::filesystem::path(files[where.file]).filename().string(),
-                             where.line)
+               ? fmt::format("part {} ({}:{})", number,
+                             printable(std::filesystem::path(files[where.file]).filename().string()), where.line)
                : fmt::format("part {}", number);
 }
 

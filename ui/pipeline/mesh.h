@@ -21,8 +21,8 @@ struct ModelMesh {
     double boolean_ms = 0;       ///< Wall time.
 };
 
-/// The solid and translucent parts as one closed mesh. Throws ModelError where there is nothing, or no closed mesh,
-/// base::Stopped where `stop` asked for it.
+/// The solid and translucent parts as one closed mesh. Throws ModelError where there is nothing, no closed mesh, or an
+/// object that could not be made, base::Stopped where `stop` asked for it.
 [[nodiscard]] ModelMesh make_mesh(const Model& model, const std::stop_token& stop = {});
 
 /// The bytes of a file. Parts of the file are the colours of the model; each is named by the place in the source where

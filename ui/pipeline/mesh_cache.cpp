@@ -1,8 +1,8 @@
 #include "ui/pipeline/mesh_cache.h"
 
 #include <cstring>
-#include <fstream>
-#include <sstream>
+#include <new>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -149,10 +149,8 @@ std::shared_ptr<const ModelMesh> MeshCache::get(const Model& model, const std::s
     };
     const auto path = folder_ / fmt::format("{:016x}{:016x}.mesh", key[0], key[1]);
     if (!folder_.empty()) {
-        std::ifstream file(path, std::ios::binary);
-        std::ostringstream bytes;
-        if (file && bytes << file.rdbuf()) {
-            if (auto mesh = decode_kept(key, bytes.str(), model.scene.leaves.size())) {
+        if (const auto bytes = gl::read_regular_file(path)) {
+            if (auto mesh = decode_kept(key, *bytes, model.scene.leaves.size())) {
                 return keep(std::move(*mesh));
             }
         }
@@ -162,7 +160,12 @@ std::shared_ptr<const ModelMesh> MeshCache::get(const Model& model, const std::s
     if (!folder_.empty()) {
         try {
             std::filesystem::create_directories(folder_);
+            if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+                throw std::runtime_error(path.string() + " is no regular file");
+            }
             gl::write_file(path, encode_kept(key, *mesh));
+        } catch (const std::bad_alloc&) {
+            throw;
         } catch (const std::exception& error) {
             problem_ = fmt::format("the mesh is not kept: {}", error.what());
         }

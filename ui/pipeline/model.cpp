@@ -1,8 +1,10 @@
 #include "ui/pipeline/model.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/stop.h"
 #include "ui/pipeline/stopwatch.h"
@@ -48,6 +50,12 @@ std::vector<goldfeather::Product> products_of(Model& model, const csg::Part& par
     return found ? std::move(found->products) : std::vector<goldfeather::Product>{};
 }
 
+void throw_failures(const std::vector<std::string>& failures) {
+    if (!failures.empty()) {
+        throw ModelError(fmt::format("{}", fmt::join(failures, "\n")));
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, const std::stop_token& stop) {
@@ -80,16 +88,26 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     statistics.parts = model->scene.parts.size();
     statistics.planes = model->geometry.planes.planes().size();
     model->warnings = model->geometry.warnings;
+    model->failures = model->geometry.failures;
     return model;
 }
 
 std::shared_ptr<const csg::solid::Outline> ModelBuilder::outline(const Model& model, const std::stop_token& stop) {
-    std::vector<std::string> warnings;
-    auto outline = solids_.outline(*model.tree, warnings, stop);
+    csg::solid::Remarks remarks;
+    auto outline = solids_.outline(*model.tree, remarks, stop);
+    // To put the objects together may fail, too.
+    std::erase_if(remarks.failures, [&](const std::string& failure) {
+        return std::find(model.failures.begin(), model.failures.end(), failure) != model.failures.end();
+    });
+    throw_failures(remarks.failures);
     if (!outline || outline->empty()) {
         throw ModelError("the model is empty: there is nothing to export");
     }
     return outline;
+}
+
+void need_whole(const Model& model) {
+    throw_failures(model.failures);
 }
 
 goldfeather::EngineConditions engine_conditions(const Model& model, bool software_renderer, int layers) {

@@ -37,12 +37,17 @@ struct Model {
     std::string over_budget;                                  ///< Why a part has no products; empty where all have.
     csg::Box box;                       ///< Encloses the solid; empty where nothing is to be seen.
     bool flat = false;                  ///< An outline in the plane, and nothing else (Showing::Result only).
-    std::vector<std::string> warnings;  ///< With file:line:column where known.
+    std::vector<std::string> warnings;  ///< With file:line where known.
+    std::vector<std::string> failures;  ///< Objects that are left out, or less than was asked for; as above.
     ModelStatistics statistics;
     std::uint64_t generation = 0;  ///< Counts the models of the process: which one a renderer holds.
 
     [[nodiscard]] bool empty() const { return box.empty(); }
 };
+
+/// Throws ModelError with all failures of the model, one a line, where it has any: nothing may be exported that is not
+/// all of what was asked for.
+void need_whole(const Model& model);
 
 /// What the choice of an engine goes by. `layers`: wanted (0: all).
 [[nodiscard]] goldfeather::EngineConditions engine_conditions(const Model& model, bool software_renderer, int layers);
@@ -60,8 +65,9 @@ class ModelBuilder {
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree,
                                                      const std::stop_token& stop = {});
 
-    /// A flat model (ui/pipeline/outline.h) as one region of the plane; its warnings are those of the model. Throws
-    /// ModelError where nothing is left of it, base::Stopped where `stop` asked for it.
+    /// A flat model (ui/pipeline/outline.h) as one region of the plane; its warnings and failures are those of the
+    /// model. Throws ModelError where nothing is left of it, or its objects cannot be put together, base::Stopped
+    /// where `stop` asked for it.
     [[nodiscard]] std::shared_ptr<const csg::solid::Outline> outline(const Model& model,
                                                                      const std::stop_token& stop = {});
 

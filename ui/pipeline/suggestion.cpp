@@ -1,8 +1,11 @@
 #include "ui/pipeline/suggestion.h"
 
+#include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "npr/edit_distance.h"
 
@@ -18,19 +21,40 @@ std::string lower(std::string_view text) {
     return result;
 }
 
+std::string without_dashes(const std::string& name) {
+    return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+}
+
+std::string quoted(const std::string& name) {
+    return fmt::format("\"{}\"", name);
+}
+
+constexpr std::size_t kMostNamed = 3;
+
 }  // namespace
 
 std::string suggestion(std::string_view name, std::span<const std::string> candidates, std::string_view fallback) {
-    const std::string wanted = lower(name.substr(0, 64));
-    std::size_t best = wanted.size() / 3 + 2;
-    const std::string* nearest = nullptr;
+    const std::string wanted = without_dashes(lower(name.substr(0, 64)));
+    std::vector<std::string> begun, nearest;  // Those that go on where `name` ends; those with the fewest differences.
+    std::size_t best = wanted.size() / 3 + 1;
     for (const std::string& candidate : candidates) {
-        if (const std::size_t distance = npr::edit_distance(wanted, lower(candidate)); distance < best) {
-            best = distance;
-            nearest = &candidate;
+        const std::string known = without_dashes(lower(candidate));
+        if (!wanted.empty() && known.starts_with(wanted)) {
+            begun.push_back(quoted(candidate));
         }
+        const std::size_t distance = npr::edit_distance(wanted, known);
+        if (distance > std::min(best, known.size() / 2)) {
+            continue;  // Of a short name little may differ.
+        }
+        if (distance < best) {
+            best = distance;
+            nearest.clear();
+        }
+        nearest.push_back(quoted(candidate));
     }
-    return nearest ? fmt::format(" Did you mean \"{}\"?", *nearest) : std::string(fallback);
+    std::vector<std::string>& found = begun.empty() ? nearest : begun;
+    found.resize(std::min(found.size(), kMostNamed));
+    return found.empty() ? std::string(fallback) : fmt::format(" Did you mean {}?", fmt::join(found, " or "));
 }
 
 }  // namespace ui

@@ -7,7 +7,8 @@
 
 namespace ui {
 
-/// ` Did you mean "x"?` where a candidate is near to `name`, else `fallback`.
+/// ` Did you mean "x" or "y"?` with the candidates that begin with `name`, else with those nearest to it (at most
+/// three); `fallback` where none is near.
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates,
                                      std::string_view fallback = "");
 

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "base/stop.h"
+#include "csg/tree/out_of_memory.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/stopwatch.h"
 
@@ -77,10 +78,12 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     }
     auto model = builder.build(evaluation.tree, ended.get_token());
     revision.build_ms = watch.lap();
-    for (const std::string& warning : model->warnings) {
-        revision.messages.add(LineKind::Warning, "WARNING: " + warning);
+    for (const auto* texts : {&model->warnings, &model->failures}) {
+        for (const std::string& text : *texts) {
+            revision.messages.add(LineKind::Warning, "WARNING: " + text);
+        }
     }
-    if (source.hard_warnings && !model->warnings.empty()) {
+    if (source.hard_warnings && !(model->warnings.empty() && model->failures.empty())) {
         revision.messages.add(LineKind::Error, "stopped at a warning");
         return;
     }
@@ -94,6 +97,8 @@ Revision make_revision(const Source& source, const csg::scad::View& camera, Mode
         evaluate_and_build(revision, source, camera, builder, measures, stop);
     } catch (const base::Stopped&) {
         // Another revision takes its place.
+    } catch (const csg::OutOfMemory& out) {
+        revision.messages.add(LineKind::Error, std::string("ERROR: out of memory for ") + out.what());
     } catch (const std::bad_alloc&) {
         revision.messages.add(LineKind::Error, "ERROR: out of memory");
     } catch (const std::exception& error) {
