@@ -71,7 +71,7 @@ void build(const Sphere& sphere, Solid& solid) {
     const int segments = circle_segments(sphere.radius, sphere.fineness);
     const int rings = (segments + 1) / 2;
     if (std::size_t{2} * static_cast<std::size_t>(segments) * static_cast<std::size_t>(rings) > kMostTriangles) {
-        solid.warnings.emplace_back("sphere has more than 16777216 triangles; it is left out");
+        solid.failures.emplace_back("sphere has more than 16777216 triangles; it is left out");
         return;
     }
     std::uint32_t last = 0;

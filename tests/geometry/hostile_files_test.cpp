@@ -50,11 +50,11 @@ TEST(HostileFiles, AHugePictureIsRefusedBeforeItTakesMemory) {
     const long before = peak_mebibytes();
     const auto solid = surface_solid(surface);
     EXPECT_TRUE(solid->triangles.empty());
-    ASSERT_EQ(solid->warnings.size(), 1u);
-    EXPECT_NE(solid->warnings[0].find("60000 × 60000 pixels is too large"), std::string::npos) << solid->warnings[0];
+    ASSERT_EQ(solid->failures.size(), 1u);
+    EXPECT_NE(solid->failures[0].find("60000 × 60000 pixels is too large"), std::string::npos) << solid->failures[0];
     EXPECT_LT(peak_mebibytes() - before, 64);
     surface.file.path = folder.write("cut.png", picture(8, 8));
-    EXPECT_NE(surface_solid(surface)->warnings[0].find("Can't read surface picture"), std::string::npos);
+    EXPECT_NE(surface_solid(surface)->failures[0].find("Can't read surface picture"), std::string::npos);
 }
 
 /// Of 2 GB, which is not there.

@@ -50,8 +50,8 @@ const Heavy kHeavy[] = {
     // Leaves and what makes a mesh of its children.
     {"a_million_cubes", "for (i = [0:999], j = [0:999]) translate([i, j, i % 7] * 2) cube(1);", "-o out.png"},
     {"a_fine_sphere", "sphere(10, $fn = 4000);", "-o out.png"},
-    {"slices", "linear_extrude(10, twist = 1e9, slices = 1e9) square(3);", "-o out.stl"},
-    {"revolutions", "rotate_extrude($fn = 1e6) translate([5, 0]) circle(3, $fn = 400);", "-o out.png"},
+    {"slices", "linear_extrude(10, twist = 1e9, slices = 1e6) square(3);", "-o out.stl"},
+    {"revolutions", "rotate_extrude($fn = 65000) translate([5, 0]) circle(3, $fn = 120);", "-o out.png"},
     {"flat_union",
      "r = rands(0, 100, 80000, 1); for (i = [0:2:79998]) translate([r[i], r[i + 1]]) circle(5, $fn = 90);",
      "-o out.svg"},
