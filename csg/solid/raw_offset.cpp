@@ -97,6 +97,30 @@ Loop RawOffset::around(const Loop& line) {
     return std::move(loop_);
 }
 
+Loop RawOffset::beside(const Loop& line) {
+    loop_.clear();
+    const auto [corners, exact] = distinct(line, false, how_.join == Join::Round ? 0 : unit_);
+    const std::size_t edges = corners.size() - 1;
+    std::vector<glm::dvec2> normals;
+    for (std::size_t i = 0; i < edges; ++i)
+        normals.push_back(normal_of(exact[i + 1] - exact[i]));
+    if (normals.empty())
+        return {};
+    add(corners[0], normals[0]);
+    for (std::size_t i = 1; i < edges; ++i) {
+        const int side = turn_sign(exact[i - 1], exact[i], exact[i + 1]);
+        add_corner(corners[i], Bend(normals[i - 1], normals[i], side));
+    }
+    add(corners[edges], normals[edges - 1]);
+    for (std::size_t i = edges; i-- > 0;) {
+        add(corners[i + 1], -0.25 * normals[i]);
+        add(corners[i], -0.25 * normals[i]);
+        if (i > 0)
+            loop_.push_back(corners[i]);
+    }
+    return std::move(loop_);
+}
+
 void RawOffset::add_corner(const glm::dvec2& corner, const Bend& bend) {
     if (bend.cosine > 0 && std::abs(bend.sine * how_.distance) < unit_) {
         add(corner, bend.before);

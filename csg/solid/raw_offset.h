@@ -18,11 +18,11 @@ class RawOffset {
     /// Loops do not repeat their first corner. Empty where nothing is swept.
     [[nodiscard]] Loop around(const Loop& line);
 
+    /// Around what is swept when the edges of an open line move, with the joins between them, and a quarter as far to
+    /// the other side without joins: counter-clockwise, or clockwise where the distance is negative.
+    [[nodiscard]] Loop beside(const Loop& line);
+
   private:
-    struct Edge {
-        glm::dvec2 normal;  ///< To the right, of length 1.
-        std::size_t from = 0, to = 0;
-    };
     struct Bend;
 
     void add(const glm::dvec2& corner, const glm::dvec2& way) { loop_.push_back(corner + how_.distance * way); }

@@ -202,6 +202,17 @@ TEST(Offset, NeedlesAndTheirGaps) {
     }
 }
 
+/// What lies on the way of every edge of a comb is swept hundreds of times.
+TEST(Offset, TenThousandCorners) {
+    Loop star;
+    for (int i = 0; i < 10'000; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / 10'000, r = i % 2 == 0 ? 9 : 10;
+        star.emplace_back(r * std::cos(angle), r * std::sin(angle));
+    }
+    EXPECT_NEAR(offset({{star}}, rounded(0.5)).area(), 3.14159265358979 * 10.5 * 10.5, 0.02);
+    EXPECT_NEAR(offset({{star}}, rounded(-0.5)).area(), 3.14159265358979 * 8.5 * 8.5, 0.02);
+}
+
 TEST(Outline, TenThousandsOfCorners) {
     Loop star, walk;
     std::mt19937 random(9);
