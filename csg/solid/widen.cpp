@@ -23,12 +23,15 @@ const Loop& checked(const Loop& loop) {
 
 /// About how many edges cross: as many for each corner as quadrilaterals and joins lie above each other, were they
 /// spread evenly; their areas add up to what the raw loops have more than the given ones.
-double crossings(const Outline& given, const std::vector<Loop>& raw) {
+double crossings(const Outline& given, const std::vector<Loop>& raw, double distance) {
     double swept = -given.area();
     for (const Loop& loop : raw)
         swept += area2(loop) / 2;
-    const Box box = bounds_of(raw);
-    return static_cast<double>(given.corners()) * std::abs(swept) / ((box.hi.x - box.lo.x) * (box.hi.y - box.lo.y));
+    // Miters may reach far beyond the box, but most lies within.
+    const Box box = bounds_of(given.loops);
+    const double reach = std::max(2 * distance, 0.0);
+    return static_cast<double>(given.corners()) * std::abs(swept) /
+           ((box.hi.x - box.lo.x + reach) * (box.hi.y - box.lo.y + reach));
 }
 
 /// What some edges of a loop, one after the other, sweep; the last of them is the first of the next part. So parts
@@ -71,7 +74,7 @@ Outline widen(std::span<const Loop> loops, const Widening& how) {
     std::vector<Loop> raw;
     for (const Loop& loop : finite->loops)
         raw.push_back(checked(offset.around(loop)));
-    if (how.end == LineEnd::Closed && crossings(*finite, raw) > kMuchCrossing) {
+    if (how.end == LineEnd::Closed && crossings(*finite, raw, how.distance) > kMuchCrossing) {
         std::vector<Part> parts;
         for (const Loop& loop : finite->loops)
             sweep_parts(loop, offset, parts);

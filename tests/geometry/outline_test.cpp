@@ -211,6 +211,9 @@ TEST(Offset, TenThousandCorners) {
     }
     EXPECT_NEAR(offset({{star}}, rounded(0.5)).area(), 3.14159265358979 * 10.5 * 10.5, 0.02);
     EXPECT_NEAR(offset({{star}}, rounded(-0.5)).area(), 3.14159265358979 * 8.5 * 8.5, 0.02);
+    csg::Offset sharp = rounded(5);
+    sharp.corner = csg::Offset::Corner::Miter;  // Each reaches hundreds of units out.
+    EXPECT_GT(bounds_of(offset({{star}}, sharp).loops).hi.x, 500);
 }
 
 TEST(Outline, TenThousandsOfCorners) {
