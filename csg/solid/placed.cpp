@@ -93,30 +93,32 @@ std::string place_leaf(const LeafInstance& instance, double flat, PlacedLeaf& le
     return {};
 }
 
-/// Leaves out what is larger than can be worked with, or too thin beside the largest coordinate for its faces to be
-/// told apart, and says so.
-void leave_out_extremes(const Tree& tree, const Scene& scene, std::span<PlacedLeaf> leaves,
-                        std::vector<std::string>& failures) {
-    const auto fail = [&](std::size_t i, const std::string& why) {
-        leave_out(leaves[i]);
-        failures.push_back(located(tree, scene.leaves[i].where, why));
-    };
+/// Leaves out what is larger than can be worked with, and says so; what is too thin beside the largest coordinate for
+/// its faces to be told apart has a mesh, by exact arithmetic, but no picture.
+void look_for_extremes(const Tree& tree, const Scene& scene, std::span<PlacedLeaf> leaves, Remarks& remarks) {
     double largest = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         if (leaves[i].box.empty())
             continue;
         const double own = largest_coordinate(leaves[i].box);
-        if (own > kLargestCoordinate)
-            fail(i, fmt::format("this object is left out: its coordinates reach {:.3g}, and {:.3g} is the most", own,
-                                kLargestCoordinate));
-        else
+        if (own > kLargestCoordinate) {
+            leave_out(leaves[i]);
+            remarks.failures.push_back(
+                located(tree, scene.leaves[i].where,
+                        fmt::format("this object is left out: its coordinates reach {:.3g}, and {:.3g} is the most",
+                                    own, kLargestCoordinate)));
+        } else {
             largest = std::max(largest, own);
+        }
     }
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const glm::dvec3 size = leaves[i].box.size();
         if (!leaves[i].box.empty() && leaves[i].solid->closed && !leaves[i].solid->flat &&
             std::min({size.x, size.y, size.z}) <= coincidence_tolerance(largest))
-            fail(i, lost(largest));
+            remarks.warnings.push_back(located(
+                tree, scene.leaves[i].where,
+                fmt::format("no picture shows this object: it is too thin beside coordinates as large as {:.3g}",
+                            largest)));
     }
 }
 
@@ -182,7 +184,7 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
             remarks.failures.push_back(located(tree, instance.where, failure));
     }
     trim_leaves(scene, geometry.leaves);
-    leave_out_extremes(tree, scene, geometry.leaves, remarks.failures);
+    look_for_extremes(tree, scene, geometry.leaves, remarks);
     double largest = 0;
     for (const PlacedLeaf& leaf : geometry.leaves) {
         if (leaf.box.empty())

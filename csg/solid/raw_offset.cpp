@@ -25,7 +25,9 @@ struct Corners {
 /// Without those that are nearer than `least` to the one before.
 Corners distinct(const Loop& line, bool closed, double least) {
     Corners kept;
-    auto& [given, exact] = kept;
+    // Not a structured binding: those are not for lambdas in Clang 14.
+    Loop& given = kept.given;
+    std::vector<GridPoint>& exact = kept.exact;
     const auto repeats = [&](std::size_t i, std::size_t k) {
         return exact[i] == exact[k] || glm::distance(given[i], given[k]) < least;
     };
@@ -70,7 +72,9 @@ Loop RawOffset::around(const Loop& line) {
     loop_.clear();
     const bool closed = how_.end == LineEnd::Closed;
     // Miters and squares make large corners of the smallest steps.
-    const auto [corners, exact] = distinct(line, closed, how_.join == Join::Round ? 0 : unit_);
+    const Corners kept = distinct(line, closed, how_.join == Join::Round ? 0 : unit_);
+    const Loop& corners = kept.given;
+    const std::vector<GridPoint>& exact = kept.exact;
     // What remains of a region or a hole that is narrower still is as good as a line.
     if (corners.empty() || (closed && corners.size() < 3 && area2(line) * how_.distance <= 0))
         return {};

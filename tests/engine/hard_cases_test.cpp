@@ -167,8 +167,8 @@ TEST_P(HardCases, OpenPolyhedronCountsFromTheEye) {
     peel(combine(Operation::Difference, {at({0.5, 0.5, 0.5}, cube(2, 2, 2)), mesh}), from({7, -6, 9}, {1, 1, 1}));
 }
 
-TEST_P(HardCases, SelfIntersectingPolyhedronIsEvenOdd) {
-    // Two cubes in one mesh: where they overlap is outside.
+TEST_P(HardCases, ShellsThatOverlapAreSolidThroughout) {
+    // Two cubes in one mesh: inside is a winding number.
     csg::Polyhedron both;
     for (const double d : {0.0, 1.0}) {
         const auto first = static_cast<std::uint32_t>(both.points.size());
@@ -179,7 +179,7 @@ TEST_P(HardCases, SelfIntersectingPolyhedronIsEvenOdd) {
             both.faces.push_back({first + f[0], first + f[1], first + f[2], first + f[3]});
     }
     const Model mesh = leaf(std::make_shared<const csg::Polyhedron>(both));
-    EXPECT_EQ(along(peel(mesh, from({1.5, 1.6, 20}, {1.5, 1.6, 0}))), ">0 <0 >0 <0");
+    EXPECT_EQ(along(peel(mesh, from({1.5, 1.6, 20}, {1.5, 1.6, 0}))), ">0 <0");
 }
 
 TEST_P(HardCases, HugeAndTinyCopiesLookTheSame) {
