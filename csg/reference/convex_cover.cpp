@@ -10,8 +10,8 @@
 #include "csg/reference/convex_growth.h"
 #include "csg/reference/facets.h"
 #include "csg/reference/mesh_boolean.h"
-#include "csg/reference/solid_angle.h"
 #include "csg/solid/plane_table.h"
+#include "csg/solid/winding_number.h"
 
 namespace csg::reference {
 namespace {
@@ -66,8 +66,9 @@ void add(ConvexCover& cover, Mesh mesh, const std::stop_token& stop) {
 }  // namespace
 
 bool ConvexCover::holds(const glm::dvec3& point) const {
-    return std::any_of(meshes.begin(), meshes.end(),
-                       [&](const Mesh& mesh) { return winding_number(mesh, point) != 0; });
+    return std::any_of(meshes.begin(), meshes.end(), [&](const Mesh& mesh) {
+        return solid::winding_number(mesh.points, mesh.triangles, point) != 0;
+    });
 }
 
 void grow(ConvexCover& cover, const std::stop_token& stop) {

@@ -8,6 +8,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "csg/reference/point_grid.h"
+
 namespace csg::reference {
 
 /// Constructions are kept as intervals and as the way to the exact value, which is found where intervals do not decide.
@@ -26,20 +28,15 @@ class ExactPoints {
     std::uint32_t add(const Point& point);
     [[nodiscard]] const Point& operator[](std::uint32_t id) const { return points_[id]; }
     /// Within a hair of the point (2⁻⁴⁰ of the size).
-    [[nodiscard]] const glm::dvec3& near(std::uint32_t id) const { return near_[id]; }
+    [[nodiscard]] const glm::dvec3& near(std::uint32_t id) const { return grid_.points()[id]; }
     /// The point in doubles, each coordinate a neighbour of the exact one.
     [[nodiscard]] glm::dvec3 rounded(std::uint32_t id) const;
     [[nodiscard]] std::size_t size() const { return points_.size(); }
 
   private:
-    [[nodiscard]] std::size_t bucket(std::int64_t x, std::int64_t y, std::int64_t z) const;
-    void insert(std::uint32_t id);
-
-    double hair_, cell_;
+    double hair_;
+    PointGrid grid_;  ///< Of what is near the points.
     std::vector<Point> points_;
-    std::vector<glm::dvec3> near_;
-    std::vector<std::uint32_t> next_;     ///< Chains of points in one bucket.
-    std::vector<std::uint32_t> buckets_;  ///< Heads of the chains; a power of two of them.
 };
 
 }  // namespace csg::reference

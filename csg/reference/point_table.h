@@ -5,29 +5,31 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "csg/reference/point_grid.h"
+
 namespace csg::reference {
 
 /// Finds or adds points. A point within `tolerance` of a known one is that point. The tolerance lies far above the
 /// rounding of an intersection and far below the distance of points that are meant to be two.
 class PointTable {
   public:
-    explicit PointTable(double tolerance);
+    explicit PointTable(double tolerance) : tolerance_(tolerance), grid_(tolerance) {}
 
-    std::uint32_t add(const glm::dvec3& point);
+    std::uint32_t add(const glm::dvec3& point) {
+        const std::uint32_t known = grid_.find(point, [&](std::uint32_t id) {
+            const glm::dvec3 way = (*this)[id] - point;
+            return glm::dot(way, way) <= tolerance_ * tolerance_;
+        });
+        return known != PointGrid::kNone ? known : grid_.add(point);
+    }
 
-    [[nodiscard]] const glm::dvec3& operator[](std::uint32_t id) const { return points_[id]; }
-    [[nodiscard]] const std::vector<glm::dvec3>& points() const { return points_; }
+    [[nodiscard]] const glm::dvec3& operator[](std::uint32_t id) const { return grid_.points()[id]; }
+    [[nodiscard]] const std::vector<glm::dvec3>& points() const { return grid_.points(); }
     [[nodiscard]] double tolerance() const { return tolerance_; }
 
   private:
-    [[nodiscard]] std::size_t bucket(std::int64_t x, std::int64_t y, std::int64_t z) const;
-    void insert(std::uint32_t id);
-
     double tolerance_;
-    double cell_;
-    std::vector<glm::dvec3> points_;
-    std::vector<std::uint32_t> next_;     ///< Chains of points in one bucket.
-    std::vector<std::uint32_t> buckets_;  ///< Heads of the chains; a power of two of them.
+    PointGrid grid_;
 };
 
 }  // namespace csg::reference

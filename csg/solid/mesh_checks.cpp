@@ -1,28 +1,15 @@
 #include "csg/solid/mesh_checks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <numeric>
 #include <tuple>
+
+#include "csg/solid/winding_number.h"
 
 namespace csg::solid {
 namespace {
 
 constexpr std::size_t kMostConvexityTests = std::size_t{1} << 24;
-
-/// How often the mesh is around the point, which must not be on it: the sum of the solid angles of its triangles (Van
-/// Oosterom and Strackee 1983).
-double winding_number(const Solid& solid, const glm::dvec3& point) {
-    double half_angles = 0;
-    for (const glm::uvec3& t : solid.triangles) {
-        const glm::dvec3 a = solid.points[t.x] - point, b = solid.points[t.y] - point, c = solid.points[t.z] - point;
-        const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-        half_angles += std::atan2(glm::dot(a, glm::cross(b, c)),
-                                  la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
-    }
-    return half_angles / (2 * std::numbers::pi);
-}
 
 /// No point is outside any triangle's plane by more than rounding, and there are not several such shells in one.
 bool is_convex(const Solid& solid) {
@@ -45,7 +32,7 @@ bool is_convex(const Solid& solid) {
                 return false;
         }
     }
-    return std::lround(winding_number(solid, middle)) == 1;
+    return winding_number(solid.points, solid.triangles, middle) == 1;
 }
 
 /// Is each directed edge there as often as its opposite?

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "csg/reference/components.h"
-#include "csg/reference/solid_angle.h"
+#include "csg/solid/winding_number.h"
 #include "tests/reference/meshes.h"
 #include "tests/reference/random_operands.h"
 
@@ -15,7 +15,7 @@ using csg::Box;
 using csg::reference::Mesh;
 
 bool inside(const Mesh& mesh, const glm::dvec3& point) {
-    return csg::reference::winding_number(mesh, point) != 0;
+    return csg::solid::winding_number(mesh.points, mesh.triangles, point) != 0;
 }
 
 Box box_of(const Mesh& mesh, const glm::uvec3& t) {
