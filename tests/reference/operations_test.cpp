@@ -104,6 +104,7 @@ TEST(Minkowski, OfCubesThatTouchAlongAnEdge) {
     }
     for (const glm::uvec3& t : second.triangles)
         touching.triangles.emplace_back(index[t.x], index[t.y], index[t.z]);
+    touching.sources.resize(touching.triangles.size());
     ASSERT_EQ(touching.points.size(), 14U);
     const Mesh shared[] = {touching, operands[1]};
     EXPECT_NEAR(volume(csg::reference::minkowski_sum(shared)), 27 + 27 - 3, 1e-9);
