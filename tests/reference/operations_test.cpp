@@ -178,6 +178,7 @@ TEST(Minkowski, OfShellsThatOverlapAndOfAMeshInsideOut) {
     two.points.insert(two.points.end(), second.points.begin(), second.points.end());
     for (const glm::uvec3& t : second.triangles)
         two.triangles.push_back(t + first);
+    two.sources.resize(two.triangles.size());
     Mesh turned = mesh_of("difference() { cube([4, 4, 1]); translate([2, 2, -1]) cube([3, 3, 3]); }");
     for (glm::uvec3& t : turned.triangles)
         std::swap(t.y, t.z);
@@ -242,6 +243,7 @@ TEST(SelfIntersection, IsFound) {
     mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
     for (const glm::uvec3& t : other.triangles)
         mesh.triangles.push_back(t + first);
+    mesh.sources.resize(mesh.triangles.size());
     EXPECT_GT(csg::reference::count_self_intersections(mesh, 1e-9), 0u);
 }
 
