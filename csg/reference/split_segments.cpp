@@ -4,6 +4,7 @@
 #include "base/stop.h"
 #include "csg/reference/plane_axes.h"
 #include "csg/reference/segments.h"
+#include "csg/reference/sweep_pairs.h"
 
 namespace csg::reference {
 namespace {
@@ -28,25 +29,9 @@ class Splitter {
     }
 
     void split() {
-        glm::dvec2 lo(1e300), hi(-1e300);
-        for (const Item& item : items_) {
-            lo = glm::min(lo, item.lo);
-            hi = glm::max(hi, item.hi);
-        }
-        const int axis = hi.x - lo.x >= hi.y - lo.y ? 0 : 1;
-        std::sort(items_.begin(), items_.end(), [axis](const Item& a, const Item& b) {
-            return a.lo[axis] != b.lo[axis] ? a.lo[axis] < b.lo[axis] : a.id < b.id;
-        });
-        std::vector<const Item*> active;
-        for (const Item& item : items_) {
-            std::erase_if(active, [&](const Item* other) { return other->hi[axis] < item.lo[axis]; });
-            for (const Item* other : active) {
-                paced_();
-                if (other->lo[1 - axis] <= item.hi[1 - axis] && item.lo[1 - axis] <= other->hi[1 - axis])
-                    meet(*other, item);
-            }
-            active.push_back(&item);
-        }
+        sweep_pairs(
+            items_, [](const Item& item) { return item.id; }, [this] { paced_(); },
+            [this](const Item& other, const Item& item) { meet(other, item); });
     }
 
   private:
