@@ -1,8 +1,8 @@
-# csgscope_embed_shaders(TARGET NAMESPACE): embeds every shader file of the current folder (*.vert, *.frag, *.comp,
-# *.glsl) into TARGET, as `std::span<const gl::ShaderFile> NAMESPACE::shader_files()`, declared in gl/shader_file.h's
-# form by the folder's own header.
+# csgscope_embed_shaders(TARGET NAMESPACE): embeds every shader file of the current folder and those below it (*.vert,
+# *.frag, *.comp, *.glsl) into TARGET, as `std::span<const gl::ShaderFile> NAMESPACE::shader_files()`, declared in
+# gl/shader_file.h's form by the folder's own header.
 function(csgscope_embed_shaders target namespace)
-    file(GLOB shaders CONFIGURE_DEPENDS
+    file(GLOB_RECURSE shaders CONFIGURE_DEPENDS
         "${CMAKE_CURRENT_SOURCE_DIR}/*.vert" "${CMAKE_CURRENT_SOURCE_DIR}/*.frag"
         "${CMAKE_CURRENT_SOURCE_DIR}/*.comp" "${CMAKE_CURRENT_SOURCE_DIR}/*.glsl")
     set(output "${CMAKE_CURRENT_BINARY_DIR}/${target}_shader_files.cpp")

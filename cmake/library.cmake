@@ -1,6 +1,7 @@
-# csgscope_library(NAME [libraries...]): one folder, one static library. Sources are all .cpp files of the folder.
+# csgscope_library(NAME [libraries...]): one folder, one static library. Sources are all .cpp files of the folder and
+# those below it.
 function(csgscope_library name)
-    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
     if(NOT sources)
         return()
     endif()

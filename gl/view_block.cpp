@@ -4,7 +4,7 @@
 
 namespace gl {
 
-ViewValues view_values(const View& view, const glm::dvec3& local_centre, double diagonal) {
+ViewValues view_values(const base::View& view, const glm::dvec3& local_centre, double diagonal) {
     ViewValues b;
     // Doubles become floats once, after the large translations have cancelled.
     b.clip_from_local = glm::mat4(glm::translate(view.clip_from_world(), local_centre));
@@ -16,7 +16,7 @@ ViewValues view_values(const View& view, const glm::dvec3& local_centre, double 
     return b;
 }
 
-void ViewBlock::update(const View& view, const glm::dvec3& local_centre, double diagonal) {
+void ViewBlock::update(const base::View& view, const glm::dvec3& local_centre, double diagonal) {
     const ViewValues values = view_values(view, local_centre, diagonal);
     buffer_.upload_bytes(&values, sizeof values, GL_STREAM_DRAW);
 }

@@ -1,7 +1,7 @@
 // The uniform block of gl/view.glsl.
 #pragma once
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "gl/objects.h"
 
 namespace gl {
@@ -16,14 +16,14 @@ struct ViewValues {
 };
 
 /// `local_centre`: world position of the local origin; `diagonal`: the scene's size.
-[[nodiscard]] ViewValues view_values(const View& view, const glm::dvec3& local_centre, double diagonal);
+[[nodiscard]] ViewValues view_values(const base::View& view, const glm::dvec3& local_centre, double diagonal);
 
 /// Binding point 0 of uniform blocks, for every program that includes gl/view.glsl.
 class ViewBlock {
   public:
     explicit ViewBlock(const Functions& gl) : buffer_(gl) {}
     /// See view_values.
-    void update(const View& view, const glm::dvec3& local_centre, double diagonal);
+    void update(const base::View& view, const glm::dvec3& local_centre, double diagonal);
     void bind() const { buffer_.bind(GL_UNIFORM_BUFFER, 0); }
 
   private:

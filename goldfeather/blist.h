@@ -19,7 +19,7 @@
 
 namespace goldfeather {
 
-/// Immutable. Rows have the layout of goldfeather/blist.glsl, which evaluates them the same way.
+/// Immutable. Rows have the layout of goldfeather/lists/blist.glsl, which evaluates them the same way.
 class Blist {
   public:
     /// Exits of a chain. Leaves are smaller.

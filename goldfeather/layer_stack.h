@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/solid/placed.h"
 #include "csg/tree/scene.h"
-#include "gl/camera.h"
 #include "gl/objects.h"
 
 namespace goldfeather {
@@ -32,7 +32,7 @@ struct LayerStack {
     glm::ivec2 size{0};
     int layers = 0;         ///< How many layers the textures hold; at least 1. The last may be empty everywhere.
     bool complete = false;  ///< True where no pixel has a further layer.
-    gl::Texture depth;      ///< R32F array: reversed depth (gl::View); 0 where there is no surface.
+    gl::Texture depth;      ///< R32F array: reversed depth (base::View); 0 where there is no surface.
     /// RG32UI array. x: leaf id << 1 | reversed, or kNoSurface; `reversed` where the surface belongs to a subtracted
     /// leaf. y: plane id << 1 | leaving; `leaving` where the ray leaves the result there (a back face of it).
     gl::Texture surface;

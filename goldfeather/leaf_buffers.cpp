@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gl/stop.h"
+#include "base/stop.h"
 
 namespace goldfeather {
 namespace {
@@ -60,10 +60,10 @@ LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& ge
     triangles_.reserve(triangle_count_ * 2 * sizeof(glm::vec4), GL_DYNAMIC_COPY);  // as TriangleRow
 }
 
-void LeafBuffers::project(const gl::View& view, const gl::Program& prepare, const std::stop_token& stop) {
+void LeafBuffers::project(const base::View& view, const gl::Program& prepare, const std::stop_token& stop) {
     scratch_.clear();
     for (const csg::solid::Plane& plane : planes_) {
-        const gl::View::PlaneDepth d = view.plane_depth(plane.normal, plane.offset);
+        const base::View::PlaneDepth d = view.plane_depth(plane.normal, plane.offset);
         scratch_.emplace_back(d.a, d.b, d.c, d.edge_on ? 1.0F : 0.0F);
     }
     plane_depths_.upload<glm::vec4>(scratch_, GL_STREAM_DRAW);
@@ -75,7 +75,7 @@ void LeafBuffers::project(const gl::View& view, const gl::Program& prepare, cons
     prepare.use();
     const unsigned piece = stop.stop_possible() ? kPieceTriangles : count;
     for (unsigned first = 0; first < count; first += piece) {
-        gl::end_if_asked(stop);
+        base::end_if_asked(stop);
         prepare.set("first_triangle", first);
         gl_.DispatchCompute((std::min(piece, count - first) + 63) / 64, 1, 1);
         if (stop.stop_possible()) {

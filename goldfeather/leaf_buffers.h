@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/solid/placed.h"
-#include "gl/camera.h"
 #include "gl/program.h"
 
 namespace goldfeather {
@@ -34,8 +34,8 @@ class LeafBuffers {
 
     /// Computes the depth functions of all planes (in double precision) and projects all triangles for `view` with
     /// `prepare` (goldfeather/prepare.comp); gl/view.glsl's block must be bound. Uses storage blocks 2 to 6. Throws
-    /// gl::Stopped where `stop` asked for it.
-    void project(const gl::View& view, const gl::Program& prepare, const std::stop_token& stop = {});
+    /// base::Stopped where `stop` asked for it.
+    void project(const base::View& view, const gl::Program& prepare, const std::stop_token& stop = {});
 
     /// Binds the rows of the projected triangles to storage block 8; goldfeather/leaf.vert's attribute 1 comes from
     /// `positions()`.

@@ -74,7 +74,8 @@ peel::LayerStack Accumulator::draw_sample(Style& style, const Picture& picture, 
         gl_.ClearNamedFramebufferfv(sum_target_.id(), GL_COLOR, 0, zero.data());
     }
     samples_ = static_cast<int>(sample) + 1;
-    const gl::View view(picture.camera, picture.size, picture.lo, picture.hi, sample_offsets(picture.samples)[sample]);
+    const base::View view(picture.camera, picture.size, picture.lo, picture.hi,
+                          sample_offsets(picture.samples)[sample]);
     peel::LayerStack layers = peel(view);
     style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_,
                 picture.stop});
@@ -107,7 +108,7 @@ void Accumulator::resolve(GLuint target, glm::ivec2 corner) {
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-gl::Image Accumulator::image() {
+base::Image Accumulator::image() {
     if (!resolved_) {
         resolved_ = gl::Texture::make_2d(gl_, GL_RGBA8, sum_.size());
         resolved_target_.attach({&resolved_});
@@ -120,7 +121,7 @@ gl::Image Accumulator::image() {
     gl_.GetTextureImage(resolved_.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
                         pixels.data());
     // OpenGL's rows go up, the image's down.
-    gl::Image image{size.x, size.y, std::vector<std::uint8_t>(pixels.size())};
+    base::Image image{size.x, size.y, std::vector<std::uint8_t>(pixels.size())};
     for (std::size_t y = 0; y < height; ++y)
         std::copy_n(&pixels[y * row], row, &image.rgba[(height - 1 - y) * row]);
     return image;

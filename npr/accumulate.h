@@ -6,8 +6,8 @@
 #include <span>
 #include <stop_token>
 
-#include "gl/camera.h"
-#include "gl/image.h"
+#include "base/camera.h"
+#include "base/image.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "npr/style.h"
@@ -23,18 +23,19 @@ inline constexpr std::array kSampleCounts{1, 4, 8, 16};
 
 /// What is drawn, and how.
 struct Picture {
-    gl::Camera camera;
+    base::Camera camera;
     glm::ivec2 size{0};
-    glm::dvec3 lo{0}, hi{0};  ///< The box of the model, as gl::View takes it.
+    glm::dvec3 lo{0}, hi{0};  ///< The box of the model, as base::View takes it.
     const Parameters& parameters;
     const ColorScheme& scheme;
     bool transparent_background = false;
     int samples = 1;
-    std::stop_token stop{};  ///< Where it is asked for, drawing throws gl::Stopped: begin with the first sample again.
+    std::stop_token
+        stop{};  ///< Where it is asked for, drawing throws base::Stopped: begin with the first sample again.
 };
 
 /// The layers as seen from a view; called once per sample.
-using PeelView = std::function<peel::LayerStack(const gl::View& view)>;
+using PeelView = std::function<peel::LayerStack(const base::View& view)>;
 
 /// Draws pictures sample by sample and keeps their sum. One per context, reused; `gl` must outlive it.
 class Accumulator {
@@ -48,7 +49,7 @@ class Accumulator {
     peel::LayerStack draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel);
 
     /// The picture drawn last.
-    [[nodiscard]] gl::Image image();
+    [[nodiscard]] base::Image image();
     /// Writes the picture drawn last into `target` (0: the window) as sRGB with straight alpha, its lower left corner
     /// at `corner`. Replaces what was there.
     void resolve(GLuint target, glm::ivec2 corner);

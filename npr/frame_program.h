@@ -17,7 +17,7 @@ namespace npr {
 /// blocks from 2 and all image units are free for its own use.
 class FrameProgram {
   public:
-    /// File names from the repository's root, such as "npr/shaded.frag". Throws gl::Error.
+    /// File names from the repository's root, such as "npr/styles/shaded.frag". Throws gl::Error.
     FrameProgram(const gl::Functions& gl, std::initializer_list<std::string_view> files,
                  const gl::Defines& defines = {});
 

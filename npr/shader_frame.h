@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gl/view_block.h"
-#include "npr/cpu_frame.h"
+#include "npr/painter/cpu_frame.h"
 #include "npr/srgb.h"
 
 namespace npr::shader {
@@ -58,8 +58,8 @@ struct Frame {
 
 #include "npr/surface_color.glsl"
 
-#include "npr/edge_point.glsl"
-#include "npr/line_ink.glsl"
+#include "npr/edges/edge_point.glsl"
+#include "npr/edges/line_ink.glsl"
 
     /// Do two pixels see the same planes of the same leaves, in all layers?
     [[nodiscard]] bool same_surfaces(ivec2 p, ivec2 q) const;

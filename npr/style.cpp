@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "npr/blueprint.h"
-#include "npr/edges.h"
-#include "npr/shaded.h"
-#include "npr/sketch.h"
-#include "npr/xray.h"
+#include "npr/styles/blueprint.h"
+#include "npr/styles/edges.h"
+#include "npr/styles/shaded.h"
+#include "npr/styles/sketch.h"
+#include "npr/styles/xray.h"
 
 namespace npr {
 

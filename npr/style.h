@@ -6,10 +6,10 @@
 #include <stop_token>
 #include <string_view>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "gl/objects.h"
 #include "npr/color_scheme.h"
-#include "npr/cpu_frame.h"
+#include "npr/painter/cpu_frame.h"
 #include "npr/parameter.h"
 #include "peel/layer_stack.h"
 
@@ -17,14 +17,14 @@ namespace npr {
 
 /// One sample per pixel of a picture, to be drawn by a style.
 struct Frame {
-    const gl::View& view;  ///< That `layers` was peeled from, its jitter included.
+    const base::View& view;  ///< That `layers` was peeled from, its jitter included.
     const peel::LayerStack& layers;
     const Parameters& parameters;  ///< Of the style that draws.
     const ColorScheme& scheme;
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
     /// Of the size of the stack, one RGBA32F attachment: linear light, premultiplied alpha. Undefined before.
     const gl::Framebuffer& target;
-    std::stop_token stop{};  ///< Where it is asked for, the style throws gl::Stopped; the target is undefined then.
+    std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the target is undefined then.
 };
 
 /// A way to draw layers. Made once per context, which must be current in every call and outlive the style.

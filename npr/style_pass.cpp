@@ -1,6 +1,6 @@
 #include "npr/style_pass.h"
 
-#include "gl/stop.h"
+#include "base/stop.h"
 
 namespace npr {
 namespace {
@@ -33,7 +33,7 @@ void StylePass::draw(const Frame& frame, const gl::Framebuffer& target) {
         gl_.Finish();
     }
     gl_.Disable(GL_SCISSOR_TEST);
-    gl::end_if_asked(frame.stop);
+    base::end_if_asked(frame.stop);
 }
 
 }  // namespace npr

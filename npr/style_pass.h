@@ -8,12 +8,12 @@ namespace npr {
 /// A fragment program that draws the whole picture.
 class StylePass {
   public:
-    /// `fragment`: file name from the repository's root, such as "npr/shaded.frag". Throws gl::Error.
+    /// `fragment`: file name from the repository's root, such as "npr/styles/shaded.frag". Throws gl::Error.
     StylePass(const gl::Functions& gl, std::string_view fragment, const gl::Defines& defines = {});
 
     /// For the fragment program's own uniforms.
     [[nodiscard]] const gl::Program& program() const { return program_.program(); }
-    /// Throws gl::Stopped where the frame is asked to.
+    /// Throws base::Stopped where the frame is asked to.
     void draw(const Frame& frame) { draw(frame, frame.target); }
     /// Into another target of the picture's size.
     void draw(const Frame& frame, const gl::Framebuffer& target);

@@ -1,7 +1,7 @@
 // Layers in main memory, as npr/ reads them.
 #pragma once
 
-#include "goldfeather/lists_cpu.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "goldfeather/surface_rows.h"
 
 namespace peel {

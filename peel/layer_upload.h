@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "goldfeather/lists_cpu.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "peel/layer_stack.h"
 
 namespace peel {

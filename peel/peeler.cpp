@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/stop.h"
 #include "gl/error.h"
-#include "gl/stop.h"
 
 namespace peel {
 namespace {
@@ -51,7 +51,7 @@ Peeler::Peeler(const gl::Functions& gl, std::size_t memory_budget, double minima
       target_(gl),
       upload_(gl) {}
 
-LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+LayerStack Peeler::peel(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
                         const std::stop_token& stop) {
     if (model.engine == EngineKind::ListsCpu) {
         return peel_lists_cpu(view, model, max_layers, stats, stop);
@@ -77,7 +77,7 @@ LayerStack Peeler::peel(const gl::View& view, PeelModel& model, int max_layers, 
     return peel_parts(view, model, max_layers, stats, stop);
 }
 
-std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+std::optional<LayerStack> Peeler::peel_lists(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
                                              const std::stop_token& stop) {
     if (!lists_ && lists_fault_.empty()) {
         try {
@@ -100,7 +100,7 @@ std::optional<LayerStack> Peeler::peel_lists(const gl::View& view, PeelModel& mo
     return std::nullopt;
 }
 
-LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers, WalkStats& stats,
+LayerStack Peeler::peel_lists_cpu(const base::View& view, const PeelModel& model, int max_layers, WalkStats& stats,
                                   const std::stop_token& stop) {
     goldfeather::ListsStats lists;
     goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists, stop);
@@ -112,7 +112,7 @@ LayerStack Peeler::peel_lists_cpu(const gl::View& view, const PeelModel& model, 
     return stack;
 }
 
-LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+LayerStack Peeler::peel_parts(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
                               const std::stop_token& stop) {
     const bool scs = model.engine == EngineKind::Scs;
     if (scs && !scs_)
@@ -131,7 +131,7 @@ LayerStack Peeler::peel_parts(const gl::View& view, PeelModel& model, int max_la
     std::optional<LayerStack> plain, highlighted;
     for (std::size_t part = 0; part < model.products.size(); ++part) {
         std::optional<LayerStack>& kind = model.kinds[part] == csg::PartKind::Highlight ? highlighted : plain;
-        gl::end_if_asked(stop);
+        base::end_if_asked(stop);
         LayerStack next = walk(model.products[part]);
         kind = kind ? merge(*kind, next, max_layers) : std::move(next);
     }

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "goldfeather/choice.h"
-#include "goldfeather/engine.h"
-#include "goldfeather/lists.h"
-#include "goldfeather/lists_cpu.h"
-#include "goldfeather/scs.h"
+#include "goldfeather/goldfeather/engine.h"
+#include "goldfeather/lists/lists.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
+#include "goldfeather/scs/scs.h"
 #include "peel/layer_stack.h"
 #include "peel/layer_upload.h"
 
@@ -54,19 +54,19 @@ class Peeler {
     /// Throws gl::Error where a program does not compile. The first `max_layers` surfaces of the whole scene
     /// (kAllLayers: all). Where surfaces of two parts coincide, a highlighted part comes first, and otherwise the part
     /// with the smaller id.
-    /// Throws gl::Stopped where `stop` asked for it.
-    [[nodiscard]] LayerStack peel(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+    /// Throws base::Stopped where `stop` asked for it.
+    [[nodiscard]] LayerStack peel(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
                                   const std::stop_token& stop = {});
 
     /// Hands a stack back that nobody reads any more: the next one may use its textures again.
     void give_back(LayerStack stack) { upload_.give_back(std::move(stack)); }
 
   private:
-    [[nodiscard]] LayerStack peel_parts(const gl::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+    [[nodiscard]] LayerStack peel_parts(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
                                         const std::stop_token& stop);
-    [[nodiscard]] std::optional<LayerStack> peel_lists(const gl::View& view, PeelModel& model, int max_layers,
+    [[nodiscard]] std::optional<LayerStack> peel_lists(const base::View& view, PeelModel& model, int max_layers,
                                                        WalkStats& stats, const std::stop_token& stop);
-    [[nodiscard]] LayerStack peel_lists_cpu(const gl::View& view, const PeelModel& model, int max_layers,
+    [[nodiscard]] LayerStack peel_lists_cpu(const base::View& view, const PeelModel& model, int max_layers,
                                             WalkStats& stats, const std::stop_token& stop);
     [[nodiscard]] LayerStack merge(const LayerStack& front, const LayerStack& back, int max_layers);
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "gl/temporary_names.h"
+#include "base/temporary_names.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/standard_streams.h"
@@ -29,7 +29,7 @@ int become(const char* name, char** arguments) {
 
 int main(int argc, char** argv) {
     ui::hold_standard_streams();
-    gl::remove_temporary_names_at_signals();
+    base::remove_temporary_names_at_signals();
     ui::keep_freed_memory();
     const auto become_graphics = [argv] { return become("csgscope-graphics", argv); };
     const auto hand_over = [&become_graphics](std::size_t said) {

@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "base/stop.h"
-#include "csg/scad/evaluator.h"
-#include "csg/scad/parser.h"
+#include "csg/scad/machine/evaluator.h"
+#include "csg/scad/syntax/parser.h"
 
 namespace csg::scad {
 

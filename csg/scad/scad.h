@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "csg/scad/diagnostics.h"
-#include "csg/scad/measures.h"
+#include "csg/scad/builtin/measures.h"
+#include "csg/scad/source/diagnostics.h"
 #include "csg/tree/tree.h"
 
 namespace csg::scad {

@@ -13,9 +13,9 @@
 #include "tests/bench/report.h"
 #include "tests/bench/subject.h"
 #include "tests/support/output.h"
-#include "ui/pipeline/camera.h"
 #include "ui/pipeline/heap.h"
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/picture/camera.h"
+#include "ui/pipeline/picture/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace bench {
@@ -59,7 +59,7 @@ class Bench {
         const auto model = ui::ModelBuilder().build(evaluation.tree);
         preparation.place = model->statistics.place_ms;
         preparation.normalize = model->statistics.normalize_ms;
-        const gl::Camera camera = ui::choose_camera({}, evaluation.view, model->box);
+        const base::Camera camera = ui::choose_camera({}, evaluation.view, model->box);
         bool first = true;
         for (const goldfeather::EngineKind engine : kEngines) {
             if (!settings_.engine.empty() && settings_.engine != goldfeather::name(engine)) {
@@ -84,8 +84,8 @@ class Bench {
   private:
     /// Floor, engine and frame for all numbers of layers, in turn: their ratios are what counts.
     void measure(const std::string& name, const ui::Model& model, peel::PeelModel& peel_model, ui::Renderer& renderer,
-                 const gl::Camera& camera, int size) {
-        const gl::View view(camera, glm::ivec2(size), model.geometry.box.lo, model.geometry.box.hi);
+                 const base::Camera& camera, int size) {
+        const base::View view(camera, glm::ivec2(size), model.geometry.box.lo, model.geometry.box.hi);
         Floor floor(gl_, model.geometry, glm::ivec2(size));
         const std::size_t count = settings_.layers.size();
         std::vector<peel::WalkStats> stats(count);
@@ -130,7 +130,7 @@ class Bench {
     static const char* style(int layers) { return layers == 1 ? "shaded" : "blueprint"; }
 
     /// On software OpenGL lists of the CPU end in main memory, as in frames that the CPU paints.
-    void peel(peel::PeelModel& model, const gl::View& view, int layers, peel::CpuLayers& cpu_layers,
+    void peel(peel::PeelModel& model, const base::View& view, int layers, peel::CpuLayers& cpu_layers,
               peel::WalkStats& stats) {
         stats = {};
         if (model.engine == goldfeather::EngineKind::ListsCpu && context_.software()) {

@@ -10,8 +10,8 @@
 
 #include "csg/reference/boolean.h"
 #include "csg/scad/scad.h"
+#include "ui/pipeline/comparison/solid_scene.h"
 #include "ui/pipeline/model.h"
-#include "ui/pipeline/solid_scene.h"
 
 namespace {
 

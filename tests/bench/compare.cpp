@@ -22,7 +22,7 @@ double peak_megabytes() {
 /// The true distance of the first surface in some of a picture's pixels.
 class FirstSurfaces {
   public:
-    FirstSurfaces(const ui::Model& model, const gl::View& view) : diagonal_(model.geometry.box.diagonal()) {
+    FirstSurfaces(const ui::Model& model, const base::View& view) : diagonal_(model.geometry.box.diagonal()) {
         const truth::RayCaster caster(model.scene, model.geometry, view);
         // A step that is prime to the width visits all columns. A ray costs as many steps as there are leaves.
         const int pixels = view.size().x * view.size().y;
@@ -61,7 +61,7 @@ Comparison::Comparison(gl::Context& context, int largest, int repeat)
 std::vector<Compared> Comparison::run(const Subject& subject, int side) {
     context_.make_current();
     const ui::Model& model = *subject.model;
-    const gl::View view(subject.camera, glm::ivec2(side), model.geometry.box.lo, model.geometry.box.hi);
+    const base::View view(subject.camera, glm::ivec2(side), model.geometry.box.lo, model.geometry.box.hi);
     const FirstSurfaces truth(model, view);
     const Compared head{subject.name,
                         subject.size,

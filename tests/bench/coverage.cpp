@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "goldfeather/lists_cpu.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 
 namespace bench {
 
-ExactCoverage::ExactCoverage(const ui::Model& model, const gl::Camera& camera) {
-    const gl::View view(camera, glm::ivec2(kSide), model.geometry.box.lo, model.geometry.box.hi);
+ExactCoverage::ExactCoverage(const ui::Model& model, const base::Camera& camera) {
+    const base::View view(camera, glm::ivec2(kSide), model.geometry.box.lo, model.geometry.box.hi);
     goldfeather::CpuLayers layers;
     goldfeather::ListsStats stats;
     goldfeather::peel_lists({model.scene, model.geometry}, view, 1, 0, layers, stats);

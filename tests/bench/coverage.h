@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "ui/pipeline/model.h"
 
 namespace bench {
@@ -14,7 +14,7 @@ namespace bench {
 class ExactCoverage {
   public:
     static constexpr int kSide = 4096;
-    ExactCoverage(const ui::Model& model, const gl::Camera& camera);
+    ExactCoverage(const ui::Model& model, const base::Camera& camera);
 
     /// The share of the covered area by which a picture of side × side pixels differs, in percent; `side` divides
     /// kSide. `shown`: how much of each pixel is drawn, 0 to 1.

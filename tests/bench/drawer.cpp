@@ -19,7 +19,7 @@ bool too_much_for_passes(const ui::Model& model) {
            model.statistics.literals > kMostLiteralsOfPasses;
 }
 
-double distance(const gl::View& view, float depth) {
+double distance(const base::View& view, float depth) {
     return depth > 0 ? view.distance(static_cast<double>(depth)) : std::numeric_limits<double>::infinity();
 }
 
@@ -27,8 +27,8 @@ double distance(const gl::View& view, float depth) {
 class CpuDrawer final : public Drawer {
   public:
     explicit CpuDrawer(const ui::Model& model) : lists_(model.scene, model.geometry) {}
-    void prepare(const gl::View& view) override { view_.emplace(view); }
-    bool draw(const gl::View& view, int layers) override {
+    void prepare(const base::View& view) override { view_.emplace(view); }
+    bool draw(const base::View& view, int layers) override {
         goldfeather::ListsStats stats;
         goldfeather::peel_lists(lists_, view, layers, 0, layers_, stats);
         return true;
@@ -45,7 +45,7 @@ class CpuDrawer final : public Drawer {
   private:
     goldfeather::ListsModel lists_;
     goldfeather::CpuLayers layers_;
-    std::optional<gl::View> view_;
+    std::optional<base::View> view_;
 };
 
 class GlDrawer final : public Drawer {
@@ -54,11 +54,11 @@ class GlDrawer final : public Drawer {
         : context_(context),
           peeler_(peeler),
           model_(context.functions(), model.scene, model.geometry, model.products, kind) {}
-    void prepare(const gl::View& view) override {
+    void prepare(const base::View& view) override {
         context_.make_current();
         view_.emplace(view);
     }
-    bool draw(const gl::View& view, int layers) override {
+    bool draw(const base::View& view, int layers) override {
         context_.make_current();
         peel::WalkStats stats;
         peeler_.give_back(std::move(stack_));
@@ -94,15 +94,15 @@ class GlDrawer final : public Drawer {
     peel::Peeler& peeler_;
     peel::PeelModel model_;
     goldfeather::LayerStack stack_;
-    std::optional<gl::View> view_;
+    std::optional<base::View> view_;
 };
 
 class OpenCsgDrawer final : public Drawer {
   public:
     OpenCsgDrawer(opencsg::OpenCsg& opencsg, const ui::Model& model, opencsg::Algorithm algorithm)
         : opencsg_(opencsg), model_(model), algorithm_(algorithm) {}
-    void prepare(const gl::View& view) override { opencsg_.load(model_.geometry, model_.products, view, algorithm_); }
-    bool draw(const gl::View& /*view*/, int layers) override {
+    void prepare(const base::View& view) override { opencsg_.load(model_.geometry, model_.products, view, algorithm_); }
+    bool draw(const base::View& /*view*/, int layers) override {
         if (layers != 1) {
             return false;
         }

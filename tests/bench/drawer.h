@@ -19,10 +19,10 @@ class Drawer {
   public:
     virtual ~Drawer() = default;
     /// What is not to be timed: to be called for each new view.
-    virtual void prepare(const gl::View& view) = 0;
+    virtual void prepare(const base::View& view) = 0;
     /// Draws the first `layers` surfaces (kAllLayers: all) and waits for them. The view is that prepared for, but for
     /// its jitter. Gives false where the engine has left the picture to another one.
-    virtual bool draw(const gl::View& view, int layers) = 0;
+    virtual bool draw(const base::View& view, int layers) = 0;
     /// How many surfaces each pixel of the last picture has, rows from bottom to top.
     [[nodiscard]] virtual std::vector<int> counts() = 0;
     /// The distance of the first one from the eye's plane; infinite where there is none.

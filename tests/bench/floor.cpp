@@ -55,7 +55,7 @@ Floor::Floor(const gl::Functions& gl, const csg::solid::Geometry& geometry, glm:
     target_.attach({&color_}, &depth_);
 }
 
-void Floor::draw(const gl::View& view) {
+void Floor::draw(const base::View& view) {
     view_block_.update(view, centre_, diagonal_);
     view_block_.bind();
     target_.bind();

@@ -1,8 +1,8 @@
 // The floor that every engine is measured against: one plain z-buffer draw of all leaves, nothing subtracted.
 #pragma once
 
+#include "base/camera.h"
 #include "csg/solid/placed.h"
-#include "gl/camera.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/view_block.h"
@@ -15,7 +15,7 @@ class Floor {
     Floor(const gl::Functions& gl, const csg::solid::Geometry& geometry, glm::ivec2 size);
 
     /// Clears, draws all triangles with a depth test and flat light, and waits.
-    void draw(const gl::View& view);
+    void draw(const base::View& view);
 
   private:
     const gl::Functions& gl_;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "goldfeather/pixel_walk.h"
+#include "goldfeather/lists_cpu/pixel_walk.h"
 #include "tests/bench/knobs.h"
 #include "tests/truth/ray_caster.h"
 
@@ -25,7 +25,7 @@ struct Format {
 };
 
 /// OpenGL's usual depth: fixed point between a near and a far plane close about the scene.
-Format fixed_point(int bits, const gl::View& view, const csg::Box& box) {
+Format fixed_point(int bits, const base::View& view, const csg::Box& box) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec4 corner((i & 1) != 0 ? box.hi.x : box.lo.x, (i & 2) != 0 ? box.hi.y : box.lo.y,
@@ -51,7 +51,7 @@ struct Projected {
     std::uint32_t plane;
 };
 
-std::vector<Projected> project(const ui::Model& model, const gl::View& view) {
+std::vector<Projected> project(const ui::Model& model, const base::View& view) {
     std::vector<Projected> result;
     const double scale = view.size().y / (2 * view.half_height());
     for (csg::LeafId id = 0; id < model.geometry.leaves.size(); ++id) {
@@ -105,10 +105,10 @@ bool same(const truth::Ray& ray, std::span<const goldfeather::FoundSurface> foun
 void turn_depth(const Subject& subject, std::vector<KnobRow>& rows) {
     constexpr int kSide = 256, kRays = 2000;
     const ui::Model& model = *subject.model;
-    const gl::View view(subject.camera, glm::ivec2(kSide), model.geometry.box.lo, model.geometry.box.hi);
+    const base::View view(subject.camera, glm::ivec2(kSide), model.geometry.box.lo, model.geometry.box.hi);
     const truth::RayCaster caster(model.scene, model.geometry, view);
     const std::vector<Projected> triangles = project(model, view);
-    std::vector<gl::View::ExactPlaneDepth> planes;
+    std::vector<base::View::ExactPlaneDepth> planes;
     for (const csg::solid::Plane& plane : model.geometry.planes.planes()) {
         planes.push_back(view.exact_plane_depth(plane.normal, plane.offset));
     }

@@ -4,14 +4,14 @@
 #include <optional>
 
 #include "tests/bench/knobs.h"
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/picture/renderer.h"
 
 namespace bench {
 
 namespace {
 
 /// Pixels of which a channel differs by more than rounding, in percent.
-double difference_percent(const gl::Image& a, const gl::Image& b) {
+double difference_percent(const base::Image& a, const base::Image& b) {
     constexpr int kRounding = 2;
     const std::size_t pixels = a.rgba.size() / 4;
     std::size_t different = 0;
@@ -37,13 +37,13 @@ void turn_minimal_fraction(gl::Context& context, const Subject& subject, const K
     request.samples = 1;
     for (const goldfeather::EngineKind kind :
          {goldfeather::EngineKind::ListsCpu, goldfeather::EngineKind::Goldfeather}) {
-        std::optional<gl::Image> whole;
+        std::optional<base::Image> whole;
         for (const double fraction : {0.0, 1e-4, 1e-3, 1e-2, 1e-1}) {
             context.make_current();
             goldfeather::EngineOptions engine(kind);
             engine.minimal_fraction = fraction;
             ui::Renderer renderer(context, engine);
-            gl::Image image;
+            base::Image image;
             const Time time = median(options.repeat, [&] { image = renderer.render(*subject.model, request); });
             if (!whole) {
                 whole = image;

@@ -12,12 +12,12 @@ namespace bench {
 
 namespace {
 
-gl::View view_of(const Subject& subject, int side, glm::dvec2 jitter = glm::dvec2(0)) {
+base::View view_of(const Subject& subject, int side, glm::dvec2 jitter = glm::dvec2(0)) {
     return {subject.camera, glm::ivec2(side), subject.model->geometry.box.lo, subject.model->geometry.box.hi, jitter};
 }
 
 /// Draws and times; gives false where the engine leaves the picture to another.
-bool measure(Drawer& drawer, const gl::View& view, int layers, int repeat, double& cpu) {
+bool measure(Drawer& drawer, const base::View& view, int layers, int repeat, double& cpu) {
     drawer.prepare(view);
     bool whole = true;
     cpu = median(repeat, [&] { whole = drawer.draw(view, layers) && whole; }).cpu;
@@ -90,7 +90,7 @@ void turn_samples(DrawerSet& drawers, const Subject& subject, const KnobOptions&
 }
 
 void turn_layers(DrawerSet& drawers, const Subject& subject, const KnobOptions& options, std::vector<KnobRow>& rows) {
-    const gl::View view = view_of(subject, options.side);
+    const base::View view = view_of(subject, options.side);
     for (const std::string engine : {"lists-cpu", "lists", "goldfeather"}) {
         const auto drawer = drawers.make(engine, *subject.model);
         if (!drawer) {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "ui/pipeline/camera.h"
+#include "ui/pipeline/picture/camera.h"
 
 namespace bench {
 
@@ -39,7 +39,7 @@ Subject from_file(const std::string& path) {
     return s;
 }
 
-Subject from_tree(std::string name, double size, csg::Tree tree, const gl::Camera& camera) {
+Subject from_tree(std::string name, double size, csg::Tree tree, const base::Camera& camera) {
     return {std::move(name), size, ui::ModelBuilder().build(std::make_shared<const csg::Tree>(std::move(tree))),
             camera};
 }

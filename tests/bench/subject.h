@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/scad/scad.h"
-#include "gl/camera.h"
 #include "ui/pipeline/model.h"
 
 namespace bench {
@@ -17,7 +17,7 @@ struct Subject {
     std::string name;
     double size = 0;  ///< What grows in its family; 0 for models of the gallery.
     std::shared_ptr<const ui::Model> model;
-    gl::Camera camera;
+    base::Camera camera;
 };
 
 /// The files of the gallery in a folder, in the order of its manifest.json.
@@ -30,6 +30,6 @@ struct Subject {
 [[nodiscard]] Subject from_file(const std::string& path);
 
 /// A model by its tree.
-[[nodiscard]] Subject from_tree(std::string name, double size, csg::Tree tree, const gl::Camera& camera);
+[[nodiscard]] Subject from_tree(std::string name, double size, csg::Tree tree, const base::Camera& camera);
 
 }  // namespace bench

@@ -51,7 +51,7 @@ Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_sc
 }
 
 goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                                 const gl::View& view, int max_layers, peel::EngineKind engine) {
+                                 const base::View& view, int max_layers, peel::EngineKind engine) {
     peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products, engine);
     peel::WalkStats stats;
     auto layers = peel::read_back(gl, peeler.peel(view, model, max_layers, stats));
@@ -68,8 +68,8 @@ std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, i
     return surfaces;
 }
 
-std::string difference(const Subject& subject, const gl::View& view, const goldfeather::HostLayers& stack, Count& count,
-                       int most) {
+std::string difference(const Subject& subject, const base::View& view, const goldfeather::HostLayers& stack,
+                       Count& count, int most) {
     const truth::RayCaster caster(subject.scene, subject.geometry, view, subject.part_enabled);
     std::string first;
     int wrong = 0;

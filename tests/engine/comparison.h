@@ -22,7 +22,7 @@ struct Subject {
     std::vector<char> part_enabled;                           ///< 0: over budget, left out.
     std::size_t over_budget = 0;
 
-    [[nodiscard]] gl::View view(const gl::Camera& camera, glm::ivec2 size) const {
+    [[nodiscard]] base::View view(const base::Camera& camera, glm::ivec2 size) const {
         return {camera, size, geometry.box.lo, geometry.box.hi};
     }
 };
@@ -41,7 +41,7 @@ class OtherEngine : public std::runtime_error {
 
 /// Peels all layers. Throws OtherEngine.
 [[nodiscard]] goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                                               const gl::View& view, int max_layers = peel::kAllLayers,
+                                               const base::View& view, int max_layers = peel::kAllLayers,
                                                peel::EngineKind engine = peel::EngineKind::Goldfeather);
 
 /// The first `layers` layers of a stack; empty ones where it has fewer.
@@ -52,7 +52,7 @@ class OtherEngine : public std::runtime_error {
 
 /// Empty where the stack agrees with the truth at every pixel outside the band; otherwise what differs first, and
 /// in how many pixels. `most`: layers that the stack was limited to.
-[[nodiscard]] std::string difference(const Subject& subject, const gl::View& view, const goldfeather::HostLayers& stack,
-                                     Count& count, int most = peel::kAllLayers);
+[[nodiscard]] std::string difference(const Subject& subject, const base::View& view,
+                                     const goldfeather::HostLayers& stack, Count& count, int most = peel::kAllLayers);
 
 }  // namespace comparison

@@ -8,7 +8,7 @@ class OnOpenGl : public Engine {
   public:
     OnOpenGl(std::unique_ptr<gl::Context> context, peel::EngineKind kind)
         : context_(std::move(context)), kind_(kind), peeler_(context_->functions()) {}
-    goldfeather::HostLayers peel(const Subject& subject, const gl::View& view, int max_layers) override {
+    goldfeather::HostLayers peel(const Subject& subject, const base::View& view, int max_layers) override {
         context_->make_current();  // Another engine's may have been since.
         auto layers = peel_all(context_->functions(), peeler_, subject, view, max_layers, kind_);
         EXPECT_EQ(context_->functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -25,7 +25,7 @@ class OnOpenGl : public Engine {
 
 class ListsCpu : public Engine {
   public:
-    goldfeather::HostLayers peel(const Subject& subject, const gl::View& view, int max_layers) override {
+    goldfeather::HostLayers peel(const Subject& subject, const base::View& view, int max_layers) override {
         const goldfeather::ListsModel model(subject.scene, subject.geometry);
         goldfeather::ListsStats stats;
         goldfeather::peel_lists(model, view, max_layers, 2, layers_, stats);

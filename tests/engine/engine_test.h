@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "goldfeather/lists_cpu.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "tests/engine/comparison.h"
 #include "tests/support/gl_test.h"
 
@@ -14,7 +14,7 @@ namespace comparison {
 class Engine {
   public:
     virtual ~Engine() = default;
-    [[nodiscard]] virtual goldfeather::HostLayers peel(const Subject& subject, const gl::View& view,
+    [[nodiscard]] virtual goldfeather::HostLayers peel(const Subject& subject, const base::View& view,
                                                        int max_layers = peel::kAllLayers) = 0;
     /// Layers that it finds; kAllLayers where it finds all.
     [[nodiscard]] virtual int most_layers() const { return peel::kAllLayers; }

@@ -24,8 +24,8 @@ Model scaled(double s, Model child) {
 Model cube(double x, double y, double z) {
     return leaf(csg::Cube{{x, y, z}, false});
 }
-gl::Camera from(const glm::dvec3& eye, const glm::dvec3& center, double fov = 30) {
-    gl::Camera camera = gl::camera_between(eye, center);
+base::Camera from(const glm::dvec3& eye, const glm::dvec3& center, double fov = 30) {
+    base::Camera camera = base::camera_between(eye, center);
     camera.fov = fov;
     return camera;
 }
@@ -33,9 +33,9 @@ gl::Camera from(const glm::dvec3& eye, const glm::dvec3& center, double fov = 30
 class HardCases : public comparison::EngineTest {
   protected:
     /// Peels all layers, from which the truth must not differ.
-    goldfeather::HostLayers peel(const Model& model, const gl::Camera& camera, double most_undecided = 0.1) {
+    goldfeather::HostLayers peel(const Model& model, const base::Camera& camera, double most_undecided = 0.1) {
         const Subject subject = this->subject(model);
-        const gl::View view = subject.view(camera, {65, 65});
+        const base::View view = subject.view(camera, {65, 65});
         auto stack = engine().peel(subject, view);
         comparison::Count count;
         EXPECT_EQ(comparison::difference(subject, view, stack, count), "") << random_tree::scad_text(model);

@@ -14,10 +14,10 @@ TEST_P(LayerUploads, TexturesUsedAgainHoldJustTheNewPicture) {
         const comparison::Subject subject(random_tree::make_tree(random_tree::make_model(random)), false);
         peel::PeelModel model(gl(), subject.scene, subject.geometry, {}, goldfeather::EngineKind::ListsCpu);
         for (int picture = 0; picture < 4; ++picture) {
-            const gl::Camera camera =
+            const base::Camera camera =
                 random_tree::make_camera(random, subject.geometry.box.lo, subject.geometry.box.hi);
             // Of a size that is no multiple of the tiles'.
-            const gl::View view = subject.view(camera, {75, 70});
+            const base::View view = subject.view(camera, {75, 70});
             const int layers = picture % 2 == 0 ? peel::kAllLayers : 2;
             peel::WalkStats stats;
             peel::LayerStack stack = peeler.peel(view, model, layers, stats);

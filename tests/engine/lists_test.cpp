@@ -1,9 +1,9 @@
 // What only the engine `lists` has: its memory, its check of itself, and what happens where that fails.
-#include "goldfeather/lists.h"
+#include "goldfeather/lists/lists.h"
 
 #include <cmath>
 
-#include "goldfeather/list_self_test.h"
+#include "goldfeather/lists/list_self_test.h"
 #include "tests/engine/engine_test.h"
 #include "tests/random/build_model.h"
 
@@ -24,16 +24,16 @@ random_tree::Model slabs(int count) {
     return random_tree::combine(csg::Operation::Union, all);
 }
 
-gl::Camera from_above(double height) {
-    gl::Camera camera = gl::camera_between({2.1, 1.9, 3 * height}, {2.1, 1.9, 0});
-    camera.projection = gl::Projection::Orthographic;
+base::Camera from_above(double height) {
+    base::Camera camera = base::camera_between({2.1, 1.9, 3 * height}, {2.1, 1.9, 0});
+    camera.projection = base::Projection::Orthographic;
     camera.fov = 2 * glm::degrees(std::atan(3 / camera.distance));  // Six units high.
     return camera;
 }
 
 class ListsOnOpenGl : public test_support::GlTest {
   protected:
-    HostLayers peel(Lists& lists, const Subject& subject, const gl::View& view, int max_layers,
+    HostLayers peel(Lists& lists, const Subject& subject, const base::View& view, int max_layers,
                     goldfeather::WalkStats& stats) {
         const auto tables = goldfeather::SurfaceTables::make(gl(), subject.scene, subject.geometry);
         goldfeather::LeafBuffers leaves(gl(), subject.geometry, tables->local_centre);
@@ -43,7 +43,7 @@ class ListsOnOpenGl : public test_support::GlTest {
     }
 };
 
-Subject random_subject(std::uint64_t seed, gl::Camera& camera) {
+Subject random_subject(std::uint64_t seed, base::Camera& camera) {
     std::mt19937_64 random(seed);
     const random_tree::Options options{seed % 4 == 0 ? 60 : 14, 6, true};
     Subject subject(random_tree::make_tree(random_tree::make_model(random, options)), false);
@@ -56,9 +56,9 @@ TEST_P(ListsOnOpenGl, PiecesDoNotShow) {
     Lists whole(gl()), split(gl(), 20000), tiny(gl(), 1);
     int most_pieces = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        gl::Camera camera;
+        base::Camera camera;
         const Subject subject = random_subject(seed, camera);
-        const gl::View view = subject.view(camera, kSize), small = subject.view(camera, {7, 5});
+        const base::View view = subject.view(camera, kSize), small = subject.view(camera, {7, 5});
         goldfeather::WalkStats stats, split_stats, tiny_stats, ignored;
         const HostLayers a = peel(whole, subject, view, 0, stats), b = peel(split, subject, view, 0, split_stats);
         ASSERT_EQ(a.layers, b.layers) << "seed " << seed;
@@ -87,7 +87,7 @@ TEST_P(ListsOnOpenGl, AnyNumberOfSurfacesAndLayers) {
     Lists lists(gl());
     for (const int count : {1, 4, 5, 16, 17, 150}) {
         const Subject subject(random_tree::make_tree(slabs(count)), false);
-        const gl::View view = subject.view(from_above(2 * count), {33, 33});
+        const base::View view = subject.view(from_above(2 * count), {33, 33});
         goldfeather::WalkStats stats;
         const HostLayers all = peel(lists, subject, view, 0, stats);
         EXPECT_EQ(all.layers, 2 * count);
@@ -109,7 +109,7 @@ TEST_P(ListsOnOpenGl, AgreeWithGoldfeather) {
     Lists lists(gl());
     peel::Peeler peeler(gl());
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-        gl::Camera camera;
+        base::Camera camera;
         const Subject without = random_subject(seed, camera);
         std::mt19937_64 random(seed);
         const random_tree::Options options{seed % 4 == 0 ? 60 : 14, 6, true};
@@ -117,7 +117,7 @@ TEST_P(ListsOnOpenGl, AgreeWithGoldfeather) {
         if (subject.over_budget > 0) {
             continue;
         }
-        const gl::View view = subject.view(camera, kSize);
+        const base::View view = subject.view(camera, kSize);
         goldfeather::WalkStats stats;
         const HostLayers a = peel(lists, subject, view, 0, stats);
         const HostLayers b = comparison::peel_all(gl(), peeler, subject, view);
@@ -144,22 +144,22 @@ TEST_P(ListsOnOpenGl, SelfTestSeesAWrongShader) {
         bool windings = false;  ///< Of what is done for winding numbers.
     };
     for (const Fault& fault :
-         {Fault{"goldfeather/list_short.glsl", "next = max(next, list_depths[i])", "next = list_depths[i]"},
-          Fault{"goldfeather/list_long.glsl", "if (other.x > below.x)", "if (other.x < below.x)"},
+         {Fault{"goldfeather/lists/list_short.glsl", "next = max(next, list_depths[i])", "next = list_depths[i]"},
+          Fault{"goldfeather/lists/list_long.glsl", "if (other.x > below.x)", "if (other.x < below.x)"},
 
-          Fault{"goldfeather/blist.glsl", ".w & 1u) != 0u", ".w & 4u) != 0u"},
-          Fault{"goldfeather/list_long.glsl", "== back ? 1u : 0xffffffffu", "== back ? 1u : 1u", true},
-          Fault{"goldfeather/list_long.glsl", "].y + by : 0u", "].y : 0u", true},
-          Fault{"goldfeather/list_short.glsl", "passed - all", "passed", true},
-          Fault{"goldfeather/list_short.glsl", "? -1 : 1;", "? 1 : 1;", true},
-          Fault{"goldfeather/resolve_lists.glsl", "list_switches(smallest, odd, after)", "odd", true},
-          Fault{"goldfeather/list_short.glsl", "bit = 1u << other;", ";"},
+          Fault{"goldfeather/lists/blist.glsl", ".w & 1u) != 0u", ".w & 4u) != 0u"},
+          Fault{"goldfeather/lists/list_long.glsl", "== back ? 1u : 0xffffffffu", "== back ? 1u : 1u", true},
+          Fault{"goldfeather/lists/list_long.glsl", "].y + by : 0u", "].y : 0u", true},
+          Fault{"goldfeather/lists/list_short.glsl", "passed - all", "passed", true},
+          Fault{"goldfeather/lists/list_short.glsl", "? -1 : 1;", "? 1 : 1;", true},
+          Fault{"goldfeather/lists/resolve_lists.glsl", "list_switches(smallest, odd, after)", "odd", true},
+          Fault{"goldfeather/lists/list_short.glsl", "bit = 1u << other;", ";"},
 
-          Fault{"goldfeather/blist.glsl", "== (nearer == group.z)", "!= (nearer == group.z)"},
-          Fault{"goldfeather/resolve_lists.glsl", "odd = !odd;", ";"},
-          Fault{"goldfeather/resolve_lists.glsl", "    if (leaving)\n", "    if (!leaving)\n"},
+          Fault{"goldfeather/lists/blist.glsl", "== (nearer == group.z)", "!= (nearer == group.z)"},
+          Fault{"goldfeather/lists/resolve_lists.glsl", "odd = !odd;", ";"},
+          Fault{"goldfeather/lists/resolve_lists.glsl", "    if (leaving)\n", "    if (!leaving)\n"},
 
-          Fault{"goldfeather/resolve_lists.glsl", "if (of_leaf >= from)", "if (of_leaf > from)"}}) {
+          Fault{"goldfeather/lists/resolve_lists.glsl", "if (of_leaf >= from)", "if (of_leaf > from)"}}) {
         std::string text(right.find(fault.file).text);
         const std::size_t at = text.find(fault.from);
         ASSERT_NE(at, std::string::npos) << fault.from;
@@ -179,7 +179,7 @@ class FallBack : public ListsOnOpenGl {
     /// Draws with a table of functions that has a fault; gives the reason for drawing on the CPU.
     std::string reason(const gl::Functions& faulty) {
         const Subject subject(random_tree::make_tree(slabs(3)), false);
-        const gl::View view = subject.view(from_above(6), {33, 33});
+        const base::View view = subject.view(from_above(6), {33, 33});
         peel::Peeler peeler(faulty);
         peel::PeelModel model(faulty, subject.scene, subject.geometry, {}, peel::EngineKind::Lists);
         std::string reason;
@@ -232,7 +232,7 @@ TEST_P(FallBack, WhereTwoPassesDisagree) {
             csg::Operation::Union, {random_tree::box({0, 0, 0}, {4, 4, 1}), random_tree::box({1000, 0, 2}, {4, 4, 1}),
                                     random_tree::box({0, 0, 4}, {4, 4, 1})})),
         false);
-    const gl::View view = subject.view(from_above(6), {33, 33});
+    const base::View view = subject.view(from_above(6), {33, 33});
     peel::Peeler peeler(faulty);
     peel::PeelModel model(faulty, subject.scene, subject.geometry, {}, peel::EngineKind::Lists);
     peel::WalkStats stats;

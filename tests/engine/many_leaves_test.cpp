@@ -43,9 +43,9 @@ Model chain(int count) {
 /// Seconds of one thread for a picture, the least of three.
 double cost(const Model& model) {
     const comparison::Subject subject(random_tree::make_tree(model), false);
-    gl::Camera camera;
-    gl::view_all(camera, subject.geometry.box.lo, subject.geometry.box.hi, true);
-    const gl::View view = subject.view(camera, {32, 32});
+    base::Camera camera;
+    base::view_all(camera, subject.geometry.box.lo, subject.geometry.box.hi, true);
+    const base::View view = subject.view(camera, {32, 32});
     double least = 1e30;
     for (int i = 0; i < 3; ++i) {
         const double start = cpu_seconds();

@@ -21,11 +21,11 @@ Subject plate_with_stack() {
     return Subject(random_tree::make_tree(random_tree::combine(csg::Operation::Union, children)));
 }
 
-gl::View from_above(const Subject& subject) {
-    gl::Camera camera;
-    camera.projection = gl::Projection::Orthographic;
+base::View from_above(const Subject& subject) {
+    base::Camera camera;
+    camera.projection = base::Projection::Orthographic;
     camera.rotation = {0, 0, 0};
-    gl::view_all(camera, subject.geometry.box.lo, subject.geometry.box.hi, true);
+    base::view_all(camera, subject.geometry.box.lo, subject.geometry.box.hi, true);
     return subject.view(camera, kSize);
 }
 
@@ -68,7 +68,7 @@ class MinimalFractionOfTheWalk : public test_support::GlTest {};
 
 TEST_P(MinimalFractionOfTheWalk, FewerPixelsThanThatLackSomething) {
     const Subject subject = plate_with_stack();
-    const gl::View view = from_above(subject);
+    const base::View view = from_above(subject);
     peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
     const auto peel = [&](double minimal_fraction, peel::WalkStats& stats) {
         peel::Peeler peeler(gl(), goldfeather::kDefaultMemoryBudget, minimal_fraction);

@@ -14,7 +14,7 @@ constexpr glm::ivec2 kSize{48, 48};
 
 struct Sample {
     random_tree::Model model;
-    gl::Camera camera;
+    base::Camera camera;
 };
 
 Sample make_sample(std::uint64_t seed, bool wound = false) {
@@ -52,7 +52,7 @@ class Check {
     std::string run(const Sample& sample, comparison::Count& count, std::size_t& over_budget) {
         const Subject subject(random_tree::make_tree(sample.model), engine_.needs_products());
         over_budget += subject.over_budget;
-        const gl::View view = subject.view(sample.camera, kSize);
+        const base::View view = subject.view(sample.camera, kSize);
         return comparison::difference(subject, view, engine_.peel(subject, view), count);
     }
 
@@ -124,7 +124,7 @@ TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
         const Sample sample = make_sample(seed);
         const Subject subject = this->subject(sample.model);
-        const gl::View view = subject.view(sample.camera, kSize);
+        const base::View view = subject.view(sample.camera, kSize);
         const auto all = engine().peel(subject, view);
         for (const int k : {1, 2}) {
             const auto few = engine().peel(subject, view, k);
@@ -153,7 +153,7 @@ TEST_P(Bands, DoNotShow) {
         if (subject.products.empty())
             continue;
         peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
-        const gl::View view = subject.view(sample.camera, kSize);
+        const base::View view = subject.view(sample.camera, kSize);
         const goldfeather::PartProducts part{model.products[0], model.leaf_boxes, model.wound};
         goldfeather::WalkStats stats, split_stats;
         const auto a = goldfeather::read_back(gl(), whole.walk(view, *model.leaves, part, model.tables, 0, stats));

@@ -1,5 +1,5 @@
 // Sequenced convex subtraction against the ray caster.
-#include "goldfeather/scs.h"
+#include "goldfeather/scs/scs.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ using random_tree::Model;
 
 constexpr glm::ivec2 kSize{48, 48};
 
-std::string obstacle(const Subject& subject, const gl::View& view, int max_layers = 1) {
+std::string obstacle(const Subject& subject, const base::View& view, int max_layers = 1) {
     for (const auto& products : subject.products) {
         std::string reason = goldfeather::Scs::obstacle(view, subject.geometry, products, max_layers);
         if (!reason.empty()) {
@@ -33,7 +33,7 @@ std::string obstacle(const Subject& subject, const gl::View& view, int max_layer
 class ScsOnOpenGl : public test_support::GlTest {
   protected:
     /// What is wrong with the first layer; empty if nothing is.
-    std::string wrong(peel::Peeler& peeler, const Subject& subject, const gl::View& view, comparison::Count& count) {
+    std::string wrong(peel::Peeler& peeler, const Subject& subject, const base::View& view, comparison::Count& count) {
         return comparison::difference(
             subject, view, comparison::peel_all(gl(), peeler, subject, view, 1, peel::EngineKind::Scs), count, 1);
     }
@@ -51,7 +51,7 @@ TEST_P(ScsOnOpenGl, RandomTreesAgreeWithTheRayCaster) {
         }
         const Model model = random_tree::make_model(random, options);
         const Subject subject(random_tree::make_tree(model));
-        const gl::View view =
+        const base::View view =
             subject.view(random_tree::make_camera(random, subject.geometry.box.lo, subject.geometry.box.hi), kSize);
         if (subject.over_budget > 0 || !obstacle(subject, view).empty()) {
             continue;
@@ -78,7 +78,7 @@ TEST_P(ScsOnOpenGl, OverlappingHolesInAnyOrder) {
     all.insert(all.end(), holes.begin(), holes.end());
     const Subject subject(random_tree::make_tree(combine(Operation::Difference, all)));
     for (const glm::dvec3& eye : {glm::dvec3(0.5, 1, 50), glm::dvec3(0.5, 1, -50), glm::dvec3(30, 20, 40)}) {
-        const gl::View view = subject.view(gl::camera_between(eye, {0, 0, 0}), kSize);
+        const base::View view = subject.view(base::camera_between(eye, {0, 0, 0}), kSize);
         comparison::Count count;
         EXPECT_EQ(wrong(peeler, subject, view, count), "");
     }
@@ -91,7 +91,7 @@ TEST_P(ScsOnOpenGl, SharedFacesHaveNoSkin) {
     for (const Model& model : {plate, same}) {
         const Subject subject(random_tree::make_tree(model));
         for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.2, 20), glm::dvec3(3, -8, 15), glm::dvec3(0.1, 0.1, -20)}) {
-            const gl::View view = subject.view(gl::camera_between(eye, {0.05, 0.06, 0.5}), kSize);
+            const base::View view = subject.view(base::camera_between(eye, {0.05, 0.06, 0.5}), kSize);
             comparison::Count count;
             EXPECT_EQ(wrong(peeler, subject, view, count), "");
         }
@@ -104,7 +104,7 @@ TEST_P(ScsOnOpenGl, BandsDoNotShow) {
     const Subject subject(random_tree::make_tree(
         combine(Operation::Difference, {box({-4, -4, 0}, {8, 8, 2}), at({1, 0, 0}, leaf(csg::Sphere{2, {12, 12, 2}})),
                                         leaf(csg::Cylinder{9, 1, 1, true, {9, 12, 2}})})));
-    const gl::View view = subject.view(gl::camera_between({9, 8, 17}, {0, 0, 0}), kSize);
+    const base::View view = subject.view(base::camera_between({9, 8, 17}, {0, 0, 0}), kSize);
     const auto a = comparison::peel_all(gl(), whole, subject, view, 1, peel::EngineKind::Scs);
     const auto b = comparison::peel_all(gl(), split, subject, view, 1, peel::EngineKind::Scs);
     EXPECT_EQ(a.surfaces, b.surfaces);
@@ -114,8 +114,8 @@ TEST_P(ScsOnOpenGl, BandsDoNotShow) {
 TEST_P(ScsOnOpenGl, KnowsItsLimits) {
     const Model solid = combine(Operation::Difference, {box({-4, -4, 0}, {8, 8, 2}), box({-1, -1, 1}, {2, 2, 1})});
     const Subject subject(random_tree::make_tree(solid));
-    const gl::View outside = subject.view(gl::camera_between({9, 8, 17}, {0, 0, 0}), kSize);
-    const gl::View inside = subject.view(gl::camera_between({2, 2, 1}, {0, 0, 1}), kSize);
+    const base::View outside = subject.view(base::camera_between({9, 8, 17}, {0, 0, 0}), kSize);
+    const base::View inside = subject.view(base::camera_between({2, 2, 1}, {0, 0, 1}), kSize);
     csg::Polyhedron arrow;  // A prism over a polygon that is not convex.
     arrow.points = {{0, 0, 0}, {4, 2, 0}, {0, 4, 0}, {1, 2, 0}, {0, 0, 1}, {4, 2, 1}, {0, 4, 1}, {1, 2, 1}};
     arrow.faces = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
@@ -125,7 +125,7 @@ TEST_P(ScsOnOpenGl, KnowsItsLimits) {
     EXPECT_NE(obstacle(subject, outside, 2), "");
     EXPECT_NE(obstacle(subject, outside, peel::kAllLayers), "");
     EXPECT_NE(obstacle(subject, inside), "");
-    EXPECT_NE(obstacle(hollow, hollow.view(gl::camera_between({9, 8, 17}, {0, 0, 0}), kSize)), "");
+    EXPECT_NE(obstacle(hollow, hollow.view(base::camera_between({9, 8, 17}, {0, 0, 0}), kSize)), "");
 
     peel::Peeler peeler(gl());
     peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products, peel::EngineKind::Scs);

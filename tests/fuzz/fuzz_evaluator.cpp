@@ -6,8 +6,8 @@
 #include <string>
 #include <thread>
 
-#include "csg/scad/csg_text.h"
 #include "csg/scad/scad.h"
+#include "csg/scad/text/csg_text.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "csg/scad/ast_text.h"
-#include "csg/scad/customizer.h"
-#include "csg/scad/parser.h"
+#include "csg/scad/customizer/customizer.h"
+#include "csg/scad/syntax/parser.h"
+#include "csg/scad/text/ast_text.h"
 #include "tests/scad/build_bodies.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "gl/image.h"
+#include "base/image.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -19,7 +19,7 @@ const std::set<std::string> kTakenElsewhere{"torture_openscad.png", "filler_open
 
 /// Share of pixels that differ by more than an eighth of the range in some channel. Another OpenGL driver may cover the
 /// pixels of outlines a little differently; a style that has changed differs in far more.
-double difference(const gl::Image& a, const gl::Image& b) {
+double difference(const base::Image& a, const base::Image& b) {
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         bool far = false;
@@ -44,7 +44,7 @@ TEST(Gallery, PicturesAreCurrent) {
         }
         SCOPED_TRACE(file);
         ASSERT_TRUE(fs::exists(folder.path(file))) << "tools/gallery.txt does not name it";
-        const gl::Image today = gl::read_png(folder.path(file)), kept = gl::read_png(entry.path());
+        const base::Image today = base::read_png(folder.path(file)), kept = base::read_png(entry.path());
         ASSERT_EQ(today.width, kept.width);
         ASSERT_EQ(today.height, kept.height);
         EXPECT_LT(difference(today, kept), 0.01) << "tools/gallery draws it anew";

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "goldfeather/expression_state.h"
+#include "goldfeather/lists_cpu/expression_state.h"
 #include "tests/random/build_model.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "goldfeather/screen_plan.h"
+#include "goldfeather/goldfeather/screen_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@ using goldfeather::Product;
 using goldfeather::ScreenPlan;
 
 /// A view from above, one world unit a pixel or so.
-gl::View from_above(const csg::Box& box) {
-    gl::Camera camera;
+base::View from_above(const csg::Box& box) {
+    base::Camera camera;
     camera.rotation = {0, 0, 0};
-    camera.projection = gl::Projection::Orthographic;
-    gl::view_all(camera, box.lo, box.hi, true);
+    camera.projection = base::Projection::Orthographic;
+    base::view_all(camera, box.lo, box.hi, true);
     return {camera, {400, 400}, box.lo, box.hi};
 }
 
@@ -35,7 +35,7 @@ TEST(ScreenPlan, HolesOfAPlateShareSlots) {
         boxes.push_back({{x + 5, y + 5, -1}, {x + 15, y + 15, 6}});
         plate.literals.push_back({static_cast<csg::LeafId>(i + 1), true});
     }
-    const gl::View view = from_above(box_of(boxes));
+    const base::View view = from_above(box_of(boxes));
     const ScreenPlan plan = goldfeather::plan(view, std::vector{plate}, boxes);
     EXPECT_EQ(plan.leaves.size(), 501U);
     EXPECT_LE(plan.slots, 5U);
@@ -45,7 +45,7 @@ TEST(ScreenPlan, HolesOfAPlateShareSlots) {
 TEST(ScreenPlan, WhatIsNotInTheViewIsNotPlanned) {
     const std::vector<csg::Box> boxes{{{0, 0, 0}, {10, 10, 10}}, {{1000, 0, 0}, {1010, 10, 10}}};
     const std::vector<Product> products{{{{0, false}}, boxes[0]}, {{{1, false}}, boxes[1]}};
-    const gl::View view = from_above(boxes[0]);
+    const base::View view = from_above(boxes[0]);
     const ScreenPlan plan = goldfeather::plan(view, products, boxes);
     ASSERT_EQ(plan.leaves.size(), 1U);
     EXPECT_EQ(plan.leaves[0].leaf, 0U);
@@ -77,7 +77,7 @@ TEST(ScreenPlan, EntriesMeanTheProducts) {
             if (!p.box.empty())
                 products.push_back(p);
         }
-        const gl::View view = from_above(box_of(boxes));
+        const base::View view = from_above(box_of(boxes));
         // Every third round some of the leaves have winding numbers: a word that is not zero is a full mask.
         std::vector<char> wound(boxes.size());
         for (char& leaf : wound)

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "csg/scad/scad.h"
-#include "goldfeather/lists_cpu.h"
-#include "ui/pipeline/camera.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "ui/pipeline/model.h"
+#include "ui/pipeline/picture/camera.h"
 
 namespace {
 
@@ -20,19 +20,19 @@ nlohmann::json manifest() {
     return nlohmann::json::parse(file).at("models");
 }
 
-goldfeather::HostLayers peel(const ui::Model& model, const gl::View& view) {
+goldfeather::HostLayers peel(const ui::Model& model, const base::View& view) {
     return goldfeather::peel_to_host(model.scene, model.geometry, view);
 }
 
 /// The volume as the picture knows it: along each ray of an orthographic view the solid lies between an entering and a
 /// leaving layer.
 double volume(const ui::Model& model) {
-    gl::Camera camera;
-    camera.projection = gl::Projection::Orthographic;
+    base::Camera camera;
+    camera.projection = base::Projection::Orthographic;
     camera.rotation = {57, 0, 23};  // along no axis of a model
-    gl::view_all(camera, model.geometry.box.lo, model.geometry.box.hi, true);
+    base::view_all(camera, model.geometry.box.lo, model.geometry.box.hi, true);
     const int side = 1024;
-    const gl::View view(camera, glm::ivec2(side), model.geometry.box.lo, model.geometry.box.hi);
+    const base::View view(camera, glm::ivec2(side), model.geometry.box.lo, model.geometry.box.hi);
     const auto stack = peel(model, view);
     double length = 0;
     for (int y = 0; y < side; ++y) {
@@ -64,8 +64,8 @@ TEST(Manifest, ModelsAreWhatItSays) {
         EXPECT_EQ(model->warnings.size(), 0U);
         EXPECT_EQ(model->statistics.leaves, row.at("leaves"));
         EXPECT_EQ(model->statistics.products, row.at("products"));
-        const gl::Camera camera = ui::choose_camera({}, evaluation.view, model->box);
-        const gl::View view(camera, {512, 512}, model->geometry.box.lo, model->geometry.box.hi);
+        const base::Camera camera = ui::choose_camera({}, evaluation.view, model->box);
+        const base::View view(camera, {512, 512}, model->geometry.box.lo, model->geometry.box.hi);
         EXPECT_EQ(peel(*model, view).layers, row.at("layers"));
         // A pixel on an outline is counted wholly or not at all, which is right to within half of it at random: with
         // some ten thousand of them among a few hundred thousand, about 3e-4 of the whole.

@@ -34,11 +34,11 @@ class Constant : public npr::Style {
 
 class AccumulateTest : public test_support::GlTest {
   protected:
-    gl::Image draw(npr::Style& style, npr::Accumulator& accumulator, int samples) {
+    base::Image draw(npr::Style& style, npr::Accumulator& accumulator, int samples) {
         const npr::Parameters none{std::span<const npr::Parameter>()};
         const npr::Picture picture{{},    {5, 3}, glm::dvec3(-1), glm::dvec3(1), none, npr::color_schemes()[0],
                                    false, samples};
-        accumulator.draw(style, picture, [](const gl::View&) { return peel::LayerStack(); });
+        accumulator.draw(style, picture, [](const base::View&) { return peel::LayerStack(); });
         return accumulator.image();
     }
 };
@@ -48,7 +48,7 @@ TEST_P(AccumulateTest, ConstantPictureIsExact) {
     for (const int samples : {1, 4, 8, 16})
         for (int byte = 0; byte < 256; byte += 3) {
             Constant style(gl(), {linear(byte), linear(255 - byte), linear(byte / 2), 1});
-            const gl::Image image = draw(style, accumulator, samples);
+            const base::Image image = draw(style, accumulator, samples);
             ASSERT_EQ(image.rgba.size(), 5U * 3U * 4U);
             for (int i = 0; i < 15; ++i) {
                 const std::uint8_t* p = image.pixel(i % 5, i / 5);
@@ -62,11 +62,11 @@ TEST_P(AccumulateTest, ConstantPictureIsExact) {
 TEST_P(AccumulateTest, AlphaIsStraight) {
     npr::Accumulator accumulator(gl());
     Constant half(gl(), glm::vec4(linear(200), linear(100), linear(50), 1) * 0.4F);
-    const gl::Image image = draw(half, accumulator, 4);
+    const base::Image image = draw(half, accumulator, 4);
     const std::uint8_t* p = image.pixel(2, 1);
     EXPECT_EQ((std::array<int, 4>{p[0], p[1], p[2], p[3]}), (std::array<int, 4>{200, 100, 50, 102}));
     Constant nothing(gl(), glm::vec4(0));
-    const gl::Image empty = draw(nothing, accumulator, 4);
+    const base::Image empty = draw(nothing, accumulator, 4);
     EXPECT_EQ(*std::max_element(empty.rgba.begin(), empty.rgba.end()), 0);
 }
 

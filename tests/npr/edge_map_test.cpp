@@ -1,5 +1,5 @@
 // Edges against the true edges of solids, in all layers.
-#include "npr/edge_map.h"
+#include "npr/edges/edge_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ std::vector<Segment> box_edges(const glm::dvec3& lo, const glm::dvec3& hi) {
     return edges;
 }
 
-glm::dvec2 project(const gl::View& view, const glm::dvec3& p) {
+glm::dvec2 project(const base::View& view, const glm::dvec3& p) {
     const glm::dvec4 clip = view.clip_from_world() * glm::dvec4(p, 1);
     // The view's jitter is zero here.
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(view.size());
@@ -63,7 +63,7 @@ int line_count(const std::vector<npr::HostEdge>& edges, int layer, bool profile)
 
 class EdgeMapTest : public test_support::GlTest {
   protected:
-    void find(const scene::Model& model, const gl::Camera* camera = nullptr, int size = 128,
+    void find(const scene::Model& model, const base::Camera* camera = nullptr, int size = 128,
               const npr::EdgeSettings& settings = {}) {
         const comparison::Subject subject(random_tree::make_tree(model));
         peel::Peeler peeler(gl());
@@ -115,15 +115,15 @@ class EdgeMapTest : public test_support::GlTest {
         }
     }
 
-    std::optional<gl::View> view_;
+    std::optional<base::View> view_;
     std::vector<npr::HostEdge> edges_;
 };
 
 TEST_P(EdgeMapTest, CubeSeenFromACorner) {
-    gl::Camera camera;
+    base::Camera camera;
     camera.rotation = {54.7356, 0, 45};
-    camera.projection = gl::Projection::Orthographic;
-    gl::view_all(camera, glm::dvec3(0), glm::dvec3(10), true);
+    camera.projection = base::Projection::Orthographic;
+    base::view_all(camera, glm::dvec3(0), glm::dvec3(10), true);
     find(scene::box({0, 0, 0}, glm::dvec3(10)), &camera);
     EXPECT_EQ(line_count(edges_, 0, true), 6);
     EXPECT_EQ(line_count(edges_, 0, false), 3);
@@ -167,9 +167,9 @@ TEST_P(EdgeMapTest, PartsAndColorsWithinAPlane) {
 }
 
 TEST_P(EdgeMapTest, MantlesAreSmoothAndPrismsAreNot) {
-    gl::Camera side;
+    base::Camera side;
     side.rotation = {90, 0, 10};
-    gl::view_all(side, {-5, -5, 0}, {5, 5, 10}, true);
+    base::view_all(side, {-5, -5, 0}, {5, 5, 10}, true);
     for (const auto& [sides, lines] : {std::pair{64, 0}, {24, 0}, {12, 0}, {6, 2}, {4, 1}}) {
         csg::Fineness fineness;
         fineness.fn = sides;

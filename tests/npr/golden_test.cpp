@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gl/file.h"
-#include "gl/image.h"
+#include "base/file.h"
+#include "base/image.h"
 #include "tests/npr/golden_tolerance.h"
 #include "tests/npr/scene.h"
 #include "tests/support/gl_test.h"
@@ -54,7 +54,7 @@ std::vector<Golden> goldens() {
 }
 
 /// Empty where the picture is the golden, within the tolerance.
-std::string difference(const gl::Image& image, const gl::Image& golden, const golden::Tolerance& tolerance) {
+std::string difference(const base::Image& image, const base::Image& golden, const golden::Tolerance& tolerance) {
     if (image.width != golden.width || image.height != golden.height)
         return "of another size";
     int pixels = 0, largest = 0;
@@ -80,25 +80,25 @@ TEST_P(GoldenTest, PicturesOfAllStyles) {
     scene::Studio studio(gl());
     const scene::Model model = subject();
     for (const Golden& g : goldens()) {
-        const gl::Image image = studio.draw(model, g.request);
+        const base::Image image = studio.draw(model, g.request);
         const fs::path file = folder / (std::string(g.name) + ".png");
         if (update && *update == '1') {
             fs::create_directories(folder);
-            gl::write_file(file, gl::encode_png(image));
+            base::write_file(file, base::encode_png(image));
             continue;
         }
         ASSERT_TRUE(fs::exists(file)) << file;
-        const std::string differs = difference(image, gl::read_png(file), golden::tolerance(context_->renderer()));
+        const std::string differs = difference(image, base::read_png(file), golden::tolerance(context_->renderer()));
         if (differs.empty())
             continue;
         const fs::path actual = fs::path(testing::TempDir()) / (std::string(g.name) + "_actual.png");
-        gl::write_file(actual, gl::encode_png(image));
+        base::write_file(actual, base::encode_png(image));
         ADD_FAILURE() << g.name << ": " << differs << "; see " << actual;
     }
 }
 
 TEST(GoldenComparison, TellsPicturesApart) {
-    gl::Image a{10, 10, std::vector<std::uint8_t>(400, 100)}, b = a;
+    base::Image a{10, 10, std::vector<std::uint8_t>(400, 100)}, b = a;
     const golden::Tolerance tolerance{2, 0.02};
     EXPECT_EQ(difference(a, b, tolerance), "");
     for (std::uint8_t& v : b.rgba)
@@ -109,7 +109,7 @@ TEST(GoldenComparison, TellsPicturesApart) {
     EXPECT_EQ(difference(a, b, tolerance), "") << "two of a hundred pixels";
     b.rgba[80] = 103;
     EXPECT_NE(difference(a, b, tolerance), "");
-    EXPECT_NE(difference(a, gl::Image{20, 5, a.rgba}, tolerance), "");
+    EXPECT_NE(difference(a, base::Image{20, 5, a.rgba}, tolerance), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, GoldenTest, testing::Values(gl::ContextKind::Egl, gl::ContextKind::Osmesa),

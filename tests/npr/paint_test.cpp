@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "npr/cpu_accumulate.h"
+#include "npr/painter/cpu_accumulate.h"
 #include "npr/srgb.h"
 #include "tests/npr/golden_tolerance.h"
 #include "tests/npr/scene.h"
@@ -17,7 +17,7 @@ using csg::Operation;
 
 struct View {
     const char* name;
-    gl::Camera camera;
+    base::Camera camera;
     glm::ivec2 size;
     int samples;
     bool transparent_background;
@@ -33,17 +33,17 @@ class Easel {
 
     [[nodiscard]] const csg::Box& box() const { return subject_.geometry.box; }
 
-    [[nodiscard]] gl::Image paint(const npr::StyleInfo& style, const npr::Parameters& parameters, const View& view,
-                                  unsigned threads = 0) {
+    [[nodiscard]] base::Image paint(const npr::StyleInfo& style, const npr::Parameters& parameters, const View& view,
+                                    unsigned threads = 0) {
         return paint(style.make_paint(), parameters, view, threads);
     }
 
-    [[nodiscard]] gl::Image paint(const npr::Paint& paint, const npr::Parameters& parameters, const View& view,
-                                  unsigned threads = 0) {
+    [[nodiscard]] base::Image paint(const npr::Paint& paint, const npr::Parameters& parameters, const View& view,
+                                    unsigned threads = 0) {
         npr::CpuAccumulator accumulator;
         for (std::size_t i = 0; i < npr::sample_offsets(view.samples).size(); ++i) {
             accumulator.paint_sample(paint, rows_, picture(parameters, view), i,
-                                     [&](const gl::View& v) -> const peel::CpuLayers& {
+                                     [&](const base::View& v) -> const peel::CpuLayers& {
                                          goldfeather::ListsStats stats;
                                          goldfeather::peel_lists(lists_, v, 0, threads, layers_, stats);
                                          return layers_;
@@ -52,13 +52,13 @@ class Easel {
         return accumulator.image();
     }
 
-    [[nodiscard]] gl::Image draw(const gl::Functions& gl, const npr::StyleInfo& style,
-                                 const npr::Parameters& parameters, const View& view) {
+    [[nodiscard]] base::Image draw(const gl::Functions& gl, const npr::StyleInfo& style,
+                                   const npr::Parameters& parameters, const View& view) {
         peel::PeelModel model(gl, subject_.scene, subject_.geometry, subject_.products,
                               goldfeather::EngineKind::ListsCpu);
         peel::Peeler peeler(gl);
         npr::Accumulator accumulator(gl);
-        accumulator.draw(*style.make(gl), picture(parameters, view), [&](const gl::View& v) {
+        accumulator.draw(*style.make(gl), picture(parameters, view), [&](const base::View& v) {
             peel::WalkStats stats;
             return peeler.peel(v, model, peel::kAllLayers, stats);
         });
@@ -91,8 +91,8 @@ scene::Model mixed() {
 }
 
 std::vector<View> views(const csg::Box& box) {
-    gl::Camera plain = scene::camera(box), flat = plain, inside;
-    flat.projection = gl::Projection::Orthographic;
+    base::Camera plain = scene::camera(box), flat = plain, inside;
+    flat.projection = base::Projection::Orthographic;
     inside.target = box.centre();
     inside.distance = 1e-3;
     return {{"perspective", plain, {200, 170}, 1, false},
@@ -132,7 +132,7 @@ npr::Parameters parameters(const npr::StyleInfo& style, const std::map<std::stri
 }
 
 /// Pixels that differ by more than `channel` in some channel.
-int differing(const gl::Image& a, const gl::Image& b, int channel) {
+int differing(const base::Image& a, const base::Image& b, int channel) {
     int count = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         bool far = false;
@@ -156,7 +156,7 @@ TEST_P(PaintTest, IsWhatOpenGlDraws) {
     for (const View& view : views(easel.box())) {
         for (const auto& [style, settings] : ways()) {
             const npr::Parameters p = parameters(*style, settings);
-            const gl::Image painted = easel.paint(*style, p, view), drawn = easel.draw(gl(), *style, p, view);
+            const base::Image painted = easel.paint(*style, p, view), drawn = easel.draw(gl(), *style, p, view);
             ASSERT_EQ(painted.rgba.size(), drawn.rgba.size());
             EXPECT_LE(differing(painted, drawn, golden::tolerance(context_->renderer()).channel),
                       view.samples * kTurned * view.size.x * view.size.y)
@@ -170,7 +170,7 @@ TEST(Paint, TheSameBytesWithAnyNumberOfThreads) {
     const View view = views(easel.box())[0];
     for (const auto& [style, settings] : ways()) {
         const npr::Parameters p = parameters(*style, settings);
-        const gl::Image one = easel.paint(*style, p, view, 1);
+        const base::Image one = easel.paint(*style, p, view, 1);
         EXPECT_EQ(differing(one, easel.paint(*style, p, view, 3), 0), 0) << style->name;
         EXPECT_EQ(differing(one, easel.paint(*style, p, view), 0), 0) << style->name;
     }
@@ -200,7 +200,7 @@ TEST(Paint, ASceneOfNothingIsBackground) {
                                {scene::box({0, 0, 0}, glm::dvec3(1)), scene::box({2, 0, 0}, glm::dvec3(1))}));
     for (const auto& [style, settings] : ways()) {
         const npr::Parameters p = parameters(*style, settings);
-        const gl::Image clear = easel.paint(*style, p, {"", gl::Camera(), {40, 40}, 4, true});
+        const base::Image clear = easel.paint(*style, p, {"", base::Camera(), {40, 40}, 4, true});
         EXPECT_EQ(*std::max_element(clear.rgba.begin(), clear.rgba.end()), 0) << style->name;
     }
 }

@@ -26,18 +26,18 @@ Model colored(const csg::Rgba& color, Model model) {
     return {Operation::Color, {}, csg::Cube{}, glm::dmat4(1.0), color, {std::move(model)}};
 }
 
-gl::Camera camera(const csg::Box& box) {
-    gl::Camera c;
-    gl::view_all(c, box.lo, box.hi, true);
+base::Camera camera(const csg::Box& box) {
+    base::Camera c;
+    base::view_all(c, box.lo, box.hi, true);
     return c;
 }
 
-gl::Image Studio::draw(const Model& model, const Request& request) {
+base::Image Studio::draw(const Model& model, const Request& request) {
     const auto style = npr::find_style(request.style)->make(gl_);
     return draw_with(*style, model, request);
 }
 
-gl::Image Studio::draw_with(npr::Style& style, const Model& model, const Request& request) {
+base::Image Studio::draw_with(npr::Style& style, const Model& model, const Request& request) {
     const comparison::Subject subject(random_tree::make_tree(model));
     npr::Parameters parameters(npr::find_style(request.style)->parameters());
     for (const auto& [name, value] : request.settings)
@@ -52,7 +52,7 @@ gl::Image Studio::draw_with(npr::Style& style, const Model& model, const Request
                                request.transparent_background,
                                request.samples};
     const int needed = npr::find_style(request.style)->layers(true);
-    accumulator_.draw(style, picture, [&](const gl::View& view) {
+    accumulator_.draw(style, picture, [&](const base::View& view) {
         peel::WalkStats stats;
         return peeler_.peel(view, peel_model, needed == 0 ? peel::kAllLayers : needed, stats);
     });

@@ -26,7 +26,7 @@ using random_tree::Model;
 [[nodiscard]] Model colored(const csg::Rgba& color, Model model);
 
 /// OpenSCAD's default direction of view, all of the box in the picture.
-[[nodiscard]] gl::Camera camera(const csg::Box& box);
+[[nodiscard]] base::Camera camera(const csg::Box& box);
 
 /// Holds what pictures need in one context.
 class Studio {
@@ -41,11 +41,11 @@ class Studio {
         std::string_view scheme = "Cornfield";
         bool transparent_background = false;
         /// Null: all of the model from OpenSCAD's default direction.
-        const gl::Camera* camera = nullptr;
+        const base::Camera* camera = nullptr;
     };
-    [[nodiscard]] gl::Image draw(const Model& model, const Request& request);
+    [[nodiscard]] base::Image draw(const Model& model, const Request& request);
     /// The same with a style kept by the caller, who makes it of `request.style`.
-    [[nodiscard]] gl::Image draw_with(npr::Style& style, const Model& model, const Request& request);
+    [[nodiscard]] base::Image draw_with(npr::Style& style, const Model& model, const Request& request);
     [[nodiscard]] npr::Accumulator& accumulator() { return accumulator_; }
 
   private:

@@ -18,8 +18,8 @@ scene::Model nothing() {
 }
 
 /// A picture of one face only, and nothing else in sight.
-gl::Camera close_up() {
-    gl::Camera camera;
+base::Camera close_up() {
+    base::Camera camera;
     camera.target = {50, 50, 10};
     camera.rotation = {0, 0, 0};
     camera.distance = 20;
@@ -29,7 +29,7 @@ scene::Model slab() {
     return scene::box({0, 0, 0}, {100, 100, 10});
 }
 
-std::size_t differing(const gl::Image& a, const gl::Image& b, int tolerance = 0) {
+std::size_t differing(const base::Image& a, const base::Image& b, int tolerance = 0) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         bool same = true;
@@ -40,7 +40,7 @@ std::size_t differing(const gl::Image& a, const gl::Image& b, int tolerance = 0)
     return count;
 }
 
-int darkest(const gl::Image& image) {
+int darkest(const base::Image& image) {
     int least = 255;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4)
         least = std::min<int>(least, image.rgba[i + 1]);
@@ -50,7 +50,7 @@ int darkest(const gl::Image& image) {
 class StyleTest : public test_support::GlTest {
   protected:
     /// In a studio of its own, so that nothing is kept from other pictures.
-    gl::Image draw(const scene::Model& model, const scene::Studio::Request& request) {
+    base::Image draw(const scene::Model& model, const scene::Studio::Request& request) {
         scene::Studio studio(gl());
         return studio.draw(model, request);
     }
@@ -65,19 +65,19 @@ TEST_P(StyleTest, SamePictureTwice) {
 
 TEST_P(StyleTest, EmptySceneIsBackground) {
     for (const npr::StyleInfo& info : npr::styles()) {
-        const gl::Image image = draw(nothing(), {.style = info.name});
+        const base::Image image = draw(nothing(), {.style = info.name});
         // A sketch's paper has a grain.
         const int grain = info.name == "sketch" ? 8 : 0;
         for (std::size_t i = 0; i < image.rgba.size(); ++i)
             ASSERT_NEAR(image.rgba[i], image.rgba[i % 4], grain) << info.name;
-        const gl::Image clear = draw(nothing(), {.style = info.name, .samples = 4, .transparent_background = true});
+        const base::Image clear = draw(nothing(), {.style = info.name, .samples = 4, .transparent_background = true});
         EXPECT_EQ(*std::max_element(clear.rgba.begin(), clear.rgba.end()), 0) << info.name;
     }
 }
 
 TEST_P(StyleTest, TransparentBackgroundShowsOnlyTheModel) {
     for (const npr::StyleInfo& info : npr::styles()) {
-        const gl::Image image = draw(scene::widget(), {.style = info.name, .transparent_background = true});
+        const base::Image image = draw(scene::widget(), {.style = info.name, .transparent_background = true});
         for (const auto& [x, y] : {std::pair{0, 0}, {63, 0}, {0, 63}, {63, 63}})
             EXPECT_EQ(image.pixel(x, y)[3], 0) << info.name;
         // On the block, beside its bores.
@@ -90,7 +90,7 @@ TEST_P(StyleTest, LinesAreDrawnAcrossThePicturesSize) {
     const scene::Model box = scene::box({0, 0, 0}, glm::dvec3(10));
     for (const std::string_view style : {"edges", "xray", "sketch"})
         for (const int size : {64, 200}) {
-            const gl::Image image = draw(box, {.style = style, .size = {size, size}, .samples = 4});
+            const base::Image image = draw(box, {.style = style, .size = {size, size}, .samples = 4});
             EXPECT_LT(darkest(image), 110) << style << ' ' << size;
         }
 }
@@ -99,12 +99,12 @@ TEST_P(StyleTest, HiddenEdgesOfTheBlueprint) {
     // From above, a box in a box shows its outline in the second layer only.
     const scene::Model model = scene::combine(
         Operation::Difference, {scene::box({0, 0, 0}, glm::dvec3(10)), scene::box({3, 3, 3}, glm::dvec3(4))});
-    const gl::Image all = draw(model, {.style = "blueprint", .settings = {{"tone", "0"}}});
-    const gl::Image visible = draw(model, {.style = "blueprint", .settings = {{"tone", "0"}, {"hidden", "0"}}});
-    const gl::Image one = draw(model, {.style = "blueprint", .settings = {{"tone", "0"}, {"layers", "1"}}});
+    const base::Image all = draw(model, {.style = "blueprint", .settings = {{"tone", "0"}}});
+    const base::Image visible = draw(model, {.style = "blueprint", .settings = {{"tone", "0"}, {"hidden", "0"}}});
+    const base::Image one = draw(model, {.style = "blueprint", .settings = {{"tone", "0"}, {"layers", "1"}}});
     EXPECT_GT(differing(all, visible, 10), 100U);
     EXPECT_EQ(differing(visible, one), 0U);
-    const gl::Image white = draw(model, {.style = "blueprint", .settings = {{"ground", "white"}}});
+    const base::Image white = draw(model, {.style = "blueprint", .settings = {{"ground", "white"}}});
     EXPECT_GT(white.pixel(1, 1)[0], 200);
     EXPECT_LT(all.pixel(1, 1)[0], 60);
 }
@@ -125,7 +125,7 @@ TEST_P(StyleTest, SeedOfASketch) {
         return draw(scene::widget(), {.style = "sketch", .settings = {{"seed", seed}, {"medium", medium}}});
     };
     for (const char* medium : {"pencil", "ink", "chalk"}) {
-        const gl::Image one = sketch("1", medium);
+        const base::Image one = sketch("1", medium);
         EXPECT_EQ(one.rgba, sketch("1", medium).rgba) << medium;
         EXPECT_GT(differing(one, sketch("2", medium)), 200U) << medium;
     }
@@ -154,12 +154,12 @@ TEST_P(StyleTest, AKeptSketchIsDrawnAnewWhenTold) {
 TEST_P(StyleTest, AKeptSketchOnTheModelFollowsEveryPartOfTheCamera) {
     scene::Studio studio(gl());
     const auto style = npr::find_style("sketch")->make(gl());
-    const gl::Camera usual;
-    gl::Camera wide;
-    gl::Camera flat;
+    const base::Camera usual;
+    base::Camera wide;
+    base::Camera flat;
     wide.fov = 60;
-    flat.projection = gl::Projection::Orthographic;
-    for (const gl::Camera& camera : {usual, wide, usual, flat}) {
+    flat.projection = base::Projection::Orthographic;
+    for (const base::Camera& camera : {usual, wide, usual, flat}) {
         const scene::Studio::Request request{
             .style = "sketch", .settings = {{"anchor", "model"}}, .size = {48, 48}, .camera = &camera};
         EXPECT_EQ(studio.draw_with(*style, scene::widget(), request).rgba, draw(scene::widget(), request).rgba);
@@ -168,12 +168,12 @@ TEST_P(StyleTest, AKeptSketchOnTheModelFollowsEveryPartOfTheCamera) {
 
 TEST_P(StyleTest, JitterNeverMovesNoise) {
     // One face fills the picture, so that every sample sees the same; grain and wash must not be blurred by averaging.
-    const gl::Camera camera = close_up();
+    const base::Camera camera = close_up();
     const auto sketch = [&](int samples) {
         return draw(slab(), {.style = "sketch", .settings = {{"hatch", "0"}}, .samples = samples, .camera = &camera});
     };
-    const gl::Image one = sketch(1);
-    EXPECT_GT(differing(one, gl::Image{one.width, one.height, std::vector<std::uint8_t>(one.rgba.size(), 200)}), 0U);
+    const base::Image one = sketch(1);
+    EXPECT_GT(differing(one, base::Image{one.width, one.height, std::vector<std::uint8_t>(one.rgba.size(), 200)}), 0U);
     EXPECT_NE(std::set<std::uint8_t>(one.rgba.begin(), one.rgba.end()).size(), 4U) << "no grain at all";
     EXPECT_LE(differing(one, sketch(16), 1), 0U);
 }
@@ -181,8 +181,8 @@ TEST_P(StyleTest, JitterNeverMovesNoise) {
 TEST_P(StyleTest, ModelAnchorMovesTheNoiseAlong) {
     // With the noise anchored to the model, a camera that moves along with the model's translation changes nothing.
     const auto sketch = [&](const glm::dvec3& place, const char* anchor, double pan) {
-        gl::Camera camera = scene::camera({place, place + glm::dvec3(10)});
-        camera.projection = gl::Projection::Orthographic;
+        base::Camera camera = scene::camera({place, place + glm::dvec3(10)});
+        camera.projection = base::Projection::Orthographic;
         // Pan by whole pixels: the picture is the same, shifted.
         const double pixel = 2 * camera.distance * std::tan(glm::radians(camera.fov / 2)) / 64;
         const glm::dmat3 world_from_eye = glm::transpose(glm::dmat3(camera.eye_from_world()));
@@ -193,24 +193,24 @@ TEST_P(StyleTest, ModelAnchorMovesTheNoiseAlong) {
              .settings = {{"anchor", anchor}, {"medium", "ink"}, {"color", "0"}, {"hatch", "0"}, {"wobble", "6"}},
              .camera = &camera});
     };
-    const auto shifted = [](const gl::Image& a, const gl::Image& b, int by) {
+    const auto shifted = [](const base::Image& a, const base::Image& b, int by) {
         std::size_t count = 0;
         for (int y = 0; y < a.height; ++y)
             for (int x = by; x < a.width; ++x)
                 count += std::abs(a.pixel(x, y)[1] - b.pixel(x - by, y)[1]) > 24 ? 1 : 0;
         return count;
     };
-    const gl::Image still = sketch({0, 0, 0}, "model", 0);
+    const base::Image still = sketch({0, 0, 0}, "model", 0);
     EXPECT_EQ(differing(still, sketch({7, 7, 7}, "model", 0), 24), 0U);
     EXPECT_LE(shifted(still, sketch({0, 0, 0}, "model", 5), 5), 4U);
     EXPECT_GT(shifted(sketch({0, 0, 0}, "picture", 0), sketch({0, 0, 0}, "picture", 5), 5), 40U);
 }
 
 TEST_P(StyleTest, StrokesOvershootAndStrayFromTheEdge) {
-    gl::Camera camera;
+    base::Camera camera;
     camera.rotation = {0, 0, 0};
-    camera.projection = gl::Projection::Orthographic;
-    gl::view_all(camera, glm::dvec3(0), glm::dvec3(10), true);
+    camera.projection = base::Projection::Orthographic;
+    base::view_all(camera, glm::dvec3(0), glm::dvec3(10), true);
     const auto sketch = [&](const char* overshoot, const char* wobble) {
         return draw(scene::box({0, 0, 0}, glm::dvec3(10)), {.style = "sketch",
                                                             .settings = {{"overshoot", overshoot},
@@ -222,7 +222,7 @@ TEST_P(StyleTest, StrokesOvershootAndStrayFromTheEdge) {
                                                             .size = {256, 256},
                                                             .camera = &camera});
     };
-    const auto breadth = [](const gl::Image& image) {
+    const auto breadth = [](const base::Image& image) {
         int lo = image.width, hi = 0;
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
@@ -232,7 +232,7 @@ TEST_P(StyleTest, StrokesOvershootAndStrayFromTheEdge) {
                 }
         return hi - lo;
     };
-    const gl::Image plain = sketch("0", "0"), beyond = sketch("30", "0");
+    const base::Image plain = sketch("0", "0"), beyond = sketch("30", "0");
     // 30 pixels of a 512th are 15 here, on each side; the last third is faint.
     EXPECT_GT(breadth(beyond), breadth(plain) + 16);
     EXPECT_LE(breadth(beyond), breadth(plain) + 30);
@@ -248,7 +248,7 @@ TEST_P(StyleTest, ParametersAtTheirLimits) {
             for (const float limit : {p.min, p.max}) {
                 const npr::Value value =
                     p.kind == npr::ParameterKind::Number ? npr::Value(limit) : npr::Value(static_cast<int>(limit));
-                const gl::Image image = draw(
+                const base::Image image = draw(
                     scene::widget(),
                     {.style = info.name, .settings = {{std::string(p.name), npr::text(p, value)}}, .size = {32, 32}});
                 // Not a number would show as a hole.
@@ -259,14 +259,14 @@ TEST_P(StyleTest, ParametersAtTheirLimits) {
 }
 
 TEST_P(StyleTest, EyeInsideTheModelAndTinyPictures) {
-    gl::Camera inside;
+    base::Camera inside;
     inside.target = {5, 5, 5};
     inside.distance = 1e-3;
     scene::Studio studio(gl());
     for (const npr::StyleInfo& info : npr::styles()) {
         const auto style = info.make(gl());
         for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(1, 40), glm::ivec2(40, 1), glm::ivec2(3, 3)}) {
-            const gl::Image image =
+            const base::Image image =
                 studio.draw_with(*style, scene::box({0, 0, 0}, glm::dvec3(10)),
                                  {.style = info.name, .size = size, .samples = 4, .camera = &inside});
             EXPECT_EQ(image.rgba.size(), static_cast<std::size_t>(4 * size.x * size.y));

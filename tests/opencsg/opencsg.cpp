@@ -95,7 +95,7 @@ struct Range {
     double nearest, farthest;
 };
 
-Range depth_range(const gl::View& view, const csg::Box& box) {
+Range depth_range(const base::View& view, const csg::Box& box) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (int i = 0; i < 8; ++i) {
         const glm::dvec4 corner((i & 1) != 0 ? box.hi.x : box.lo.x, (i & 2) != 0 ? box.hi.y : box.lo.y,
@@ -125,7 +125,7 @@ class Engine final : public OpenCsg {
     }
 
     void load(const csg::solid::Geometry& geometry, const std::vector<std::vector<goldfeather::Product>>& parts,
-              const gl::View& view, Algorithm algorithm) override {
+              const base::View& view, Algorithm algorithm) override {
         context_.make_current();
         forget();
         view_.emplace(view);
@@ -227,7 +227,7 @@ class Engine final : public OpenCsg {
             const csg::solid::PlacedLeaf& leaf = geometry.leaves[l.leaf];
             literals.push_back(std::make_unique<Literal>(l.complement ? OpenCSG::Subtraction : OpenCSG::Intersection,
                                                          leaf.solid->convex ? 1U : 8U, first_list_ + l.leaf));
-            const gl::View::Rectangle r = view_->screen_box(leaf.box.lo, leaf.box.hi);
+            const base::View::Rectangle r = view_->screen_box(leaf.box.lo, leaf.box.hi);
             const auto ndc = [](int v, int size) {
                 return 2.0F * static_cast<float>(v) / static_cast<float>(size) - 1;
             };
@@ -252,7 +252,7 @@ class Engine final : public OpenCsg {
     }
 
     Context context_;
-    std::optional<gl::View> view_;
+    std::optional<base::View> view_;
     Range range_{1, 2};
     glm::dmat4 eye_from_local_{1.0};
     GLuint first_list_ = 0;

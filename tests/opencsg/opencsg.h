@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/solid/placed.h"
-#include "gl/camera.h"
 #include "goldfeather/products.h"
 
 namespace opencsg {
@@ -31,7 +31,7 @@ class OpenCsg {
     /// Loads the leaves as display lists, positions taken from the middle of the scene. Both must outlive the drawing.
     /// A leaf that is not convex is given the convexity 8.
     virtual void load(const csg::solid::Geometry& geometry, const std::vector<std::vector<goldfeather::Product>>& parts,
-                      const gl::View& view, Algorithm algorithm) = 0;
+                      const base::View& view, Algorithm algorithm) = 0;
     /// Draws a frame: OpenCSG's depth of every product, then the leaves shaded where they have that depth; waits.
     virtual void draw() = 0;
     /// The frame drawn last.

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "gl/image.h"
+#include "base/image.h"
 #include "tests/pictures/silhouette.h"
 #include "tests/support/suite.h"
 
@@ -80,7 +80,7 @@ Result draw(const std::string& program, const Case& c, const WorkingCopy& copy, 
         return result;
     }
     try {
-        result.overlap = overlap(gl::read_png(c.expected), gl::read_png(picture));
+        result.overlap = overlap(base::read_png(c.expected), base::read_png(picture));
     } catch (const std::exception& error) {
         result.problem = error.what();
     }

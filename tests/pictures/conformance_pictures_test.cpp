@@ -13,8 +13,8 @@
 namespace {
 
 /// Grey, with a white rectangle from (x, y) on.
-gl::Image rectangle(int x, int y, int width, int height) {
-    gl::Image image{20, 10, std::vector<std::uint8_t>(20 * 10 * 4, 128)};
+base::Image rectangle(int x, int y, int width, int height) {
+    base::Image image{20, 10, std::vector<std::uint8_t>(20 * 10 * 4, 128)};
     for (int j = y; j < y + height; ++j) {
         for (int i = x; i < x + width; ++i) {
             std::fill_n(image.rgba.begin() + 4 * (j * 20 + i), 4, std::uint8_t{255});

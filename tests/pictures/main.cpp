@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <numeric>
 
-#include "gl/file.h"
-#include "gl/image.h"
+#include "base/file.h"
+#include "base/image.h"
 #include "tests/pictures/conformance_pictures.h"
 #include "tests/pictures/silhouette.h"
 #include "tests/support/suite.h"
@@ -35,9 +35,9 @@ std::string html(const std::vector<Case>& cases, const std::vector<Result>& resu
                             results[i].problem.empty() ? fmt::format("{:.4f}", results[i].overlap) : results[i].problem,
                             name);
         if (results[i].problem.empty()) {
-            gl::write_file(folder / (name + ".difference.png"),
-                           gl::encode_png(pictures::difference(gl::read_png(cases[i].expected),
-                                                               gl::read_png(folder / (name + ".png")))));
+            base::write_file(folder / (name + ".difference.png"),
+                             base::encode_png(pictures::difference(base::read_png(cases[i].expected),
+                                                                   base::read_png(folder / (name + ".png")))));
             text += fmt::format("<td><img src=\"{0}.png\"><td><img src=\"{0}.difference.png\">", name);
         }
         text += "\n";
@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
         fmt::print("{} {:.4f} {:6.2f} s  {}  {}\n", results[i].good() ? "ok  " : "FAIL", results[i].overlap,
                    results[i].seconds, cases[i].name, results[i].problem);
     }
-    gl::write_file(folder / "index.html", html(cases, results, folder));
+    base::write_file(folder / "index.html", html(cases, results, folder));
     fmt::print("{} of {} silhouettes overlap by 0.99 or more; {}\n", good, cases.size(),
                (folder / "index.html").string());
     return 0;

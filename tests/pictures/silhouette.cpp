@@ -7,7 +7,7 @@
 
 namespace pictures {
 
-Background background(const gl::Image& image) {
+Background background(const base::Image& image) {
     std::map<std::array<int, 3>, int> counts;
     const auto count = [&](int x, int y) {
         const std::uint8_t* p = image.pixel(x, y);
@@ -26,7 +26,7 @@ Background background(const gl::Image& image) {
     return {most->first[0], most->first[1], most->first[2]};
 }
 
-std::vector<bool> silhouette(const gl::Image& image, const Background& background) {
+std::vector<bool> silhouette(const base::Image& image, const Background& background) {
     constexpr int kTolerance = 3;
     std::vector<bool> result;
     result.reserve(image.rgba.size() / 4);
@@ -38,7 +38,7 @@ std::vector<bool> silhouette(const gl::Image& image, const Background& backgroun
     return result;
 }
 
-double overlap(const gl::Image& expected, const gl::Image& drawn) {
+double overlap(const base::Image& expected, const base::Image& drawn) {
     if (expected.width != drawn.width || expected.height != drawn.height) {
         return 0;
     }
@@ -52,8 +52,8 @@ double overlap(const gl::Image& expected, const gl::Image& drawn) {
     return any == 0 ? 1 : static_cast<double>(both) / static_cast<double>(any);
 }
 
-gl::Image difference(const gl::Image& expected, const gl::Image& drawn) {
-    gl::Image result{expected.width, expected.height, std::vector<std::uint8_t>(expected.rgba.size(), 0)};
+base::Image difference(const base::Image& expected, const base::Image& drawn) {
+    base::Image result{expected.width, expected.height, std::vector<std::uint8_t>(expected.rgba.size(), 0)};
     const Background behind = background(expected);
     const std::vector<bool> a = silhouette(expected, behind), b = silhouette(drawn, behind);
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {

@@ -322,16 +322,16 @@ Model make_model(std::mt19937_64& random, const Options& options) {
     return Maker(random, options).make();
 }
 
-gl::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm::dvec3& hi) {
+base::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm::dvec3& hi) {
     const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-    gl::Camera camera;
+    base::Camera camera;
     if (pick(3) == 0)
-        camera.projection = gl::Projection::Orthographic;
+        camera.projection = base::Projection::Orthographic;
     if (pick(4) == 0)
         camera.rotation = {90.0 * pick(4), 0, 90.0 * pick(4)};
     else
         camera.rotation = {pick(3600) / 10.0, pick(4) == 0 ? pick(360) : 0, pick(3600) / 10.0};
-    gl::view_all(camera, lo, hi, true);
+    base::view_all(camera, lo, hi, true);
     if (!(lo.x <= hi.x))
         return camera;
     const double size = glm::length(hi - lo);
@@ -391,10 +391,10 @@ std::string scad_text(const Model& model) {
     return text;
 }
 
-std::string camera_text(const gl::Camera& camera) {
+std::string camera_text(const base::Camera& camera) {
     return fmt::format("// $vpt = {}; $vpr = {}; $vpd = {}; $vpf = {}; {}\n", vector_text(camera.target),
                        vector_text(camera.rotation), camera.distance, camera.fov,
-                       camera.projection == gl::Projection::Orthographic ? "orthographic" : "perspective");
+                       camera.projection == base::Projection::Orthographic ? "orthographic" : "perspective");
 }
 
 }  // namespace random_tree

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/tree/tree.h"
-#include "gl/camera.h"
 
 namespace random_tree {
 
@@ -34,7 +34,7 @@ struct Options {
 [[nodiscard]] Model make_model(std::mt19937_64& random, const Options& options = {});
 
 /// A view of the box: of both projections, sometimes with the eye inside it.
-[[nodiscard]] gl::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm::dvec3& hi);
+[[nodiscard]] base::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm::dvec3& hi);
 
 [[nodiscard]] csg::Tree make_tree(const Model& model);
 
@@ -45,6 +45,6 @@ struct Options {
 [[nodiscard]] std::string scad_text(const Model& model);
 
 /// The camera as OpenSCAD's special variables ($vpt, $vpr, $vpd, $vpf) and projection, in a comment.
-[[nodiscard]] std::string camera_text(const gl::Camera& camera);
+[[nodiscard]] std::string camera_text(const base::Camera& camera);
 
 }  // namespace random_tree

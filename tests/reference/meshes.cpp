@@ -1,7 +1,7 @@
 #include "tests/reference/meshes.h"
 
 #include "csg/scad/scad.h"
-#include "goldfeather/lists_cpu.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 
 namespace meshes {
 
@@ -23,11 +23,11 @@ PictureErrors picture_errors(const csg::Scene& scene, const csg::solid::Geometry
     PictureErrors errors;
     constexpr glm::dvec3 turns[6] = {{55, 0, 25}, {0, 0, 0}, {90, 0, 0}, {71, 13, 140}, {152, 0, 77}, {33, 40, 251}};
     for (int i = 0; i < 6; ++i) {
-        gl::Camera camera;
+        base::Camera camera;
         camera.rotation = turns[i];
-        camera.projection = i % 2 == 0 ? gl::Projection::Perspective : gl::Projection::Orthographic;
-        gl::view_all(camera, box.lo, box.hi, true);
-        const gl::View view(camera, {size, size}, box.lo, box.hi);
+        camera.projection = i % 2 == 0 ? base::Projection::Perspective : base::Projection::Orthographic;
+        base::view_all(camera, box.lo, box.hi, true);
+        const base::View view(camera, {size, size}, box.lo, box.hi);
         const goldfeather::ListsModel lists(solid.scene, solid.geometry);
         goldfeather::CpuLayers layers;
         goldfeather::ListsStats stats;

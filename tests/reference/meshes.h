@@ -4,9 +4,9 @@
 #include <string>
 
 #include "tests/random/random_tree.h"
-#include "ui/pipeline/errors.h"
-#include "ui/pipeline/mesh.h"
-#include "ui/pipeline/solid_scene.h"
+#include "ui/pipeline/comparison/errors.h"
+#include "ui/pipeline/comparison/solid_scene.h"
+#include "ui/pipeline/mesh/mesh.h"
 
 namespace meshes {
 

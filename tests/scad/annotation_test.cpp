@@ -1,8 +1,8 @@
 // What comments say about parameters. The expected texts are what OpenSCAD 2021.01 prints.
 #include <gtest/gtest.h>
 
-#include "csg/scad/annotations.h"
-#include "csg/scad/ast_text.h"
+#include "csg/scad/syntax/annotations.h"
+#include "csg/scad/text/ast_text.h"
 #include "tests/scad/parsing.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // Lazy bodies, built all at once.
 #pragma once
 
-#include "csg/scad/parser.h"
+#include "csg/scad/syntax/parser.h"
 
 namespace test {
 

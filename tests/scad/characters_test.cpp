@@ -1,12 +1,12 @@
 // Runs of bytes, found sixteen at a time or one by one.
-#include "csg/scad/characters.h"
+#include "csg/scad/source/characters.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "csg/scad/token.h"
+#include "csg/scad/syntax/token.h"
 
 namespace {
 

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <sstream>
 
-#include "csg/scad/csg_text.h"
+#include "base/camera.h"
 #include "csg/scad/scad.h"
-#include "gl/camera.h"
+#include "csg/scad/text/csg_text.h"
 #include "tests/support/suite.h"
 #include "tests/support/temporary_folder.h"
-#include "ui/pipeline/camera.h"
 #include "ui/pipeline/measures.h"
+#include "ui/pipeline/picture/camera.h"
 
 namespace conformance {
 
@@ -78,7 +78,7 @@ Request request_for(const Case& c) {
             }
             if (numbers.size() == 6) {
                 request.view = ui::scad_view(
-                    gl::camera_between({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}));
+                    base::camera_between({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}));
             }
             if (numbers.size() == 7) {
                 request.view.translation = {numbers[0], numbers[1], numbers[2]};

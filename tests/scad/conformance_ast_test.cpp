@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "csg/scad/ast_text.h"
+#include "csg/scad/text/ast_text.h"
 #include "tests/scad/parsing.h"
 #include "tests/support/suite.h"
 

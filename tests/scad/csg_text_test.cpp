@@ -1,5 +1,5 @@
 // The .csg text: numbers as streams print them, and text in pieces; random numbers.
-#include "csg/scad/csg_text.h"
+#include "csg/scad/text/csg_text.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <limits>
 #include <random>
 
-#include "csg/scad/number_text.h"
-#include "csg/scad/seeded_random.h"
+#include "csg/scad/builtin/seeded_random.h"
+#include "csg/scad/value/number_text.h"
 #include "tests/scad/evaluate_text.h"
 
 namespace {

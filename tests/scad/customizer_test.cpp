@@ -1,9 +1,9 @@
 // Parameters of the main file, and what of a parameter set fits them.
-#include "csg/scad/customizer.h"
+#include "csg/scad/customizer/customizer.h"
 
 #include <gtest/gtest.h>
 
-#include "csg/scad/parser.h"
+#include "csg/scad/syntax/parser.h"
 
 namespace {
 

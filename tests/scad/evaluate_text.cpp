@@ -1,6 +1,6 @@
 #include "tests/scad/evaluate_text.h"
 
-#include "csg/scad/csg_text.h"
+#include "csg/scad/text/csg_text.h"
 
 namespace test {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "csg/scad/ast_text.h"
+#include "csg/scad/text/ast_text.h"
 #include "tests/scad/parsing.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // include and use.
 #include <gtest/gtest.h>
 
-#include "csg/scad/parser_files.h"
+#include "csg/scad/syntax/parser_files.h"
 #include "tests/scad/parsing.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "csg/scad/ast_text.h"
+#include "csg/scad/text/ast_text.h"
 #include "tests/scad/build_bodies.h"
 #include "tests/scad/parsing.h"
 

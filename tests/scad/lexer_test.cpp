@@ -1,4 +1,4 @@
-#include "csg/scad/lexer.h"
+#include "csg/scad/syntax/lexer.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "csg/scad/ast_text.h"
-#include "csg/scad/expression_text.h"
+#include "csg/scad/text/ast_text.h"
+#include "csg/scad/text/expression_text.h"
 
 namespace test {
 

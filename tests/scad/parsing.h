@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "csg/scad/parser.h"
+#include "csg/scad/syntax/parser.h"
 
 namespace test {
 

@@ -1,5 +1,5 @@
 // Paths as texts, held against std::filesystem's.
-#include "csg/scad/paths.h"
+#include "csg/scad/source/paths.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

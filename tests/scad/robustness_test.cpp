@@ -11,8 +11,8 @@
 #include <span>
 #include <string_view>
 
-#include "csg/scad/ast_text.h"
-#include "csg/scad/expression_text.h"
+#include "csg/scad/text/ast_text.h"
+#include "csg/scad/text/expression_text.h"
 #include "tests/scad/build_bodies.h"
 #include "tests/scad/parsing.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "csg/scad/source.h"
+#include "csg/scad/source/source.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

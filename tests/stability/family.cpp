@@ -45,7 +45,7 @@ Maker::Id Maker::turn(double degrees, const glm::dvec3& axis, Id child) {
 }
 
 Case Maker::seen(Id root, const glm::dvec3& eye, const glm::dvec3& centre, double fov) {
-    gl::Camera camera = gl::camera_between(eye, centre);
+    base::Camera camera = base::camera_between(eye, centre);
     camera.fov = fov;
     return {builder_.finish(root), camera};
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/tree/tree.h"
-#include "gl/camera.h"
 
 namespace stability {
 
@@ -14,7 +14,7 @@ namespace stability {
 /// the same camera).
 struct Case {
     csg::Tree tree;
-    gl::Camera camera;
+    base::Camera camera;
 };
 
 struct Family {

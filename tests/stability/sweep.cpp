@@ -26,7 +26,7 @@ double now_ms() {
 
 /// The truth of a picture, cast once for all engines.
 struct Truth {
-    Truth(const Subject& subject, const gl::View& v) : view(v), diagonal(subject.geometry.box.diagonal()) {
+    Truth(const Subject& subject, const base::View& v) : view(v), diagonal(subject.geometry.box.diagonal()) {
         const truth::RayCaster caster(subject.scene, subject.geometry, view);
         const int step = subject.scene.leaves.size() > kMostLeavesOfAllRays ? kStepOfRays : 1;
         for (int i = 0; i < view.size().x * view.size().y; i += step) {
@@ -40,7 +40,7 @@ struct Truth {
         glm::ivec2 pixel;
         truth::Ray ray;
     };
-    gl::View view;
+    base::View view;
     double diagonal;
     std::vector<PixelRay> rays;
     std::size_t pixels = 0, undecided = 0;
@@ -177,8 +177,8 @@ void Sweep::measure(const Family& family, double level, std::vector<Measure>& me
         return;
     }
     for (const bool orthographic : {false, true}) {
-        shown.camera.projection = orthographic ? gl::Projection::Orthographic : gl::Projection::Perspective;
-        const gl::View view = subject.view(shown.camera, glm::ivec2(options_.size));
+        shown.camera.projection = orthographic ? base::Projection::Orthographic : base::Projection::Perspective;
+        const base::View view = subject.view(shown.camera, glm::ivec2(options_.size));
         const Truth truth(subject, view);
         const auto add = [&](const std::string& engine, const Errors& errors) {
             measures.push_back({family.name, engine, level, orthographic, truth.pixels, truth.undecided, errors});

@@ -8,10 +8,10 @@
 #include <fstream>
 
 #include "csg/scad/scad.h"
-#include "goldfeather/lists_cpu.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "tests/support/temporary_folder.h"
-#include "ui/pipeline/camera.h"
 #include "ui/pipeline/model.h"
+#include "ui/pipeline/picture/camera.h"
 
 namespace {
 
@@ -47,8 +47,8 @@ std::string products_text(const ui::Model& model) {
 
 /// Layer by layer, a letter for each pixel's leaf: capital where it is a cut.
 std::string layers_text(const ui::Model& model, const csg::scad::ViewSettings& settings) {
-    gl::Camera camera = ui::choose_camera({}, settings, model.box);
-    const gl::View view(camera, {48, 24}, model.geometry.box.lo, model.geometry.box.hi);
+    base::Camera camera = ui::choose_camera({}, settings, model.box);
+    const base::View view(camera, {48, 24}, model.geometry.box.lo, model.geometry.box.hi);
     const auto stack = goldfeather::peel_to_host(model.scene, model.geometry, view, 0, 1);
     std::string text;
     for (int layer = 0; layer < stack.layers; ++layer) {

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "gl/file.h"
+#include "base/file.h"
 
 namespace test_support {
 
@@ -13,7 +13,7 @@ inline void write_output(const std::string& path, const std::string& text) {
     if (path == "-") {
         std::cout << text << '\n';
     } else if (!path.empty()) {
-        gl::write_file(path, text);
+        base::write_file(path, text);
     }
 }
 

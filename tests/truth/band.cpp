@@ -47,7 +47,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> bends(const csg::solid::Pla
 
 }  // namespace
 
-Band::Band(const csg::solid::Geometry& geometry, const gl::View& view)
+Band::Band(const csg::solid::Geometry& geometry, const base::View& view)
     : geometry_(geometry), view_(view), local_centre_(geometry.box.empty() ? glm::dvec3(0.0) : geometry.box.centre()) {
     // Rows x, y, w of the clip matrix, x and y in pixels.
     const double scale = view.size().y / (2 * view.half_height());
@@ -144,7 +144,7 @@ double Band::edge_distance(int x, int y) const {
 }
 
 double Band::depth_error(std::uint32_t plane, int x, int y, double t) const {
-    const gl::View::PlaneDepth& p = planes_[plane];
+    const base::View::PlaneDepth& p = planes_[plane];
     if (p.edge_on)
         return std::numeric_limits<double>::infinity();
     const glm::dvec2 s = sample(x, y);

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/solid/placed.h"
-#include "gl/camera.h"
 
 namespace truth {
 
@@ -24,7 +24,7 @@ namespace truth {
 /// tolerance / |n·d|.
 class Band {
   public:
-    Band(const csg::solid::Geometry& geometry, const gl::View& view);
+    Band(const csg::solid::Geometry& geometry, const base::View& view);
 
     /// Is the sample of the pixel too near to an edge?
     [[nodiscard]] bool near_edge(int x, int y) const;
@@ -51,11 +51,11 @@ class Band {
     [[nodiscard]] glm::dvec2 sample(int x, int y) const;
 
     const csg::solid::Geometry& geometry_;
-    gl::View view_;
+    base::View view_;
     glm::dmat4 to_pixels_;  ///< Local (world minus the centre of the scene's box) to homogeneous pixels.
     glm::dvec3 local_centre_;
     std::vector<Edge> edges_;
-    std::vector<gl::View::PlaneDepth> planes_;
+    std::vector<base::View::PlaneDepth> planes_;
 };
 
 }  // namespace truth

@@ -16,7 +16,7 @@ bool before(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 /// On which side of the directed edge p→q the ray passes: computed in one direction of the edge for both.
-bool left_of(const gl::View::Ray& ray, const glm::dvec3& p, const glm::dvec3& q) {
+bool left_of(const base::View::Ray& ray, const glm::dvec3& p, const glm::dvec3& q) {
     const bool forward = before(p, q);
     const glm::dvec3 from = (forward ? p : q) - ray.origin, to = (forward ? q : p) - ray.origin;
     return (glm::dot(ray.direction, glm::cross(from, to)) >= 0) == forward;
@@ -28,7 +28,7 @@ struct Hit {
     bool into;
 };
 
-std::optional<Hit> hit(const gl::View::Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+std::optional<Hit> hit(const base::View::Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const bool ab = left_of(ray, a, b), bc = left_of(ray, b, c), ca = left_of(ray, c, a);
     if (ab != bc || bc != ca)
         return {};
@@ -77,7 +77,7 @@ std::vector<Due> attribute(const csg::Scene& scene, const csg::Part& part, Value
 
 }  // namespace
 
-RayCaster::RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geometry, const gl::View& view,
+RayCaster::RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geometry, const base::View& view,
                      std::vector<char> part_enabled)
     : scene_(scene), geometry_(geometry), view_(view), band_(geometry, view), part_enabled_(std::move(part_enabled)) {
     part_enabled_.resize(scene.parts.size(), 1);
@@ -114,7 +114,7 @@ RayCaster::RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geomet
 }
 
 void RayCaster::find_crossings(int x, int y, std::vector<Crossing>& crossings) const {
-    const gl::View::Ray ray = view_.ray(x, y);
+    const base::View::Ray ray = view_.ray(x, y);
     for (const Triangle& t : triangles_) {
         if (x < t.box.x0 || x >= t.box.x1 || y < t.box.y0 || y >= t.box.y1)
             continue;

@@ -3,16 +3,16 @@
 
 #include <vector>
 
+#include "base/camera.h"
 #include "csg/solid/placed.h"
 #include "csg/tree/scene.h"
-#include "gl/camera.h"
 #include "tests/truth/band.h"
 
 namespace truth {
 
 /// One surface of the result.
 struct Surface {
-    double distance = 0;     ///< Along the axis of view, as in gl::View.
+    double distance = 0;     ///< Along the axis of view, as in base::View.
     double depth = 0;        ///< The same as reversed depth.
     double depth_error = 0;  ///< Bound of an engine's error.
     /// The leaves that may be named: the smallest of S, and what remains the smallest where pruning by boxes has left
@@ -41,7 +41,7 @@ class RayCaster {
   public:
     /// All three must outlive the caster. `part_enabled`: 0 for parts that are left out
     /// (empty: none).
-    RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geometry, const gl::View& view,
+    RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geometry, const base::View& view,
               std::vector<char> part_enabled = {});
 
     [[nodiscard]] Ray cast(int x, int y) const;
@@ -52,7 +52,7 @@ class RayCaster {
         glm::dvec3 a, b, c;
         csg::LeafId leaf;
         std::uint32_t plane;
-        gl::View::Rectangle box;
+        base::View::Rectangle box;
     };
     /// A place where the ray meets a leaf.
     struct Crossing {
@@ -74,7 +74,7 @@ class RayCaster {
 
     const csg::Scene& scene_;
     const csg::solid::Geometry& geometry_;
-    gl::View view_;
+    base::View view_;
     Band band_;
     std::vector<char> part_enabled_;
     std::vector<Triangle> triangles_;

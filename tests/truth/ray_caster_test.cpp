@@ -17,7 +17,7 @@ struct Subject {
         csg::solid::SolidCache cache;
         geometry = csg::solid::place(tree, scene, cache);
     }
-    [[nodiscard]] gl::View view(const gl::Camera& camera) const {
+    [[nodiscard]] base::View view(const base::Camera& camera) const {
         return {camera, {32, 32}, geometry.box.lo, geometry.box.hi};
     }
     csg::Tree tree;
@@ -26,11 +26,11 @@ struct Subject {
 };
 
 /// From above, orthographic; the pixels' samples are a quarter of a unit apart, and off the grid.
-gl::Camera above() {
-    gl::Camera camera;
+base::Camera above() {
+    base::Camera camera;
     camera.rotation = {0, 0, 0};
     camera.target = {0.03, 0.05, 0};
-    camera.projection = gl::Projection::Orthographic;
+    camera.projection = base::Projection::Orthographic;
     camera.fov = 90;
     camera.distance = 4;
     return camera;
@@ -40,7 +40,7 @@ TEST(RayCaster, FindsDistancesLeavesAndCuts) {
     // A slab, with a recess from above that is filled half.
     const Model recessed = combine(Operation::Difference, {box({-3, -3, 0}, {6, 6, 2}), box({-1, -1, 1}, {2, 2, 1})});
     const Subject subject(combine(Operation::Union, {recessed, box({-1, -1, 1}, {2, 2, 0.5})}));
-    const gl::View view = subject.view(above());
+    const base::View view = subject.view(above());
     const truth::RayCaster caster(subject.scene, subject.geometry, view);
     const truth::Ray middle = caster.cast(16, 16), side = caster.cast(8, 16), past = caster.cast(1, 1);
     ASSERT_TRUE(middle.decided && side.decided && past.decided);
@@ -57,7 +57,7 @@ TEST(RayCaster, FindsDistancesLeavesAndCuts) {
 
 TEST(RayCaster, ACutIsReversed) {
     const Subject subject(combine(Operation::Difference, {box({-3, -3, 0}, {6, 6, 2}), box({-1, -1, 1}, {2, 2, 4})}));
-    const gl::View view = subject.view(above());
+    const base::View view = subject.view(above());
     const truth::Ray ray = truth::RayCaster(subject.scene, subject.geometry, view).cast(16, 16);
     ASSERT_EQ(ray.surfaces.size(), 2U);
     EXPECT_NEAR(ray.surfaces[0].distance, 3, 1e-12);
@@ -68,9 +68,9 @@ TEST(RayCaster, ACutIsReversed) {
 TEST(RayCaster, TheDiagonalOfAFaceIsHitOnce) {
     // Samples lie exactly on the diagonals of both faces.
     const Subject subject(box({-3, -3, 0}, {6, 6, 2}));
-    gl::Camera camera = above();
+    base::Camera camera = above();
     camera.target = {0, 0, 0};
-    const gl::View view = subject.view(camera);
+    const base::View view = subject.view(camera);
     const truth::RayCaster caster(subject.scene, subject.geometry, view);
     for (int i = 6; i < 26; ++i)
         for (const int x : {i, 31 - i}) {
@@ -83,9 +83,9 @@ TEST(RayCaster, TheDiagonalOfAFaceIsHitOnce) {
 TEST(RayCaster, SamplesOnABorderAreInTheBand) {
     // The border x = 3.125 is on a column of samples, x = -3.12 is not.
     const Subject subject(box({-3.12, -3, 0}, {6.245, 6, 2}));
-    gl::Camera camera = above();
+    base::Camera camera = above();
     camera.target = {0, 0, 0};
-    const gl::View view = subject.view(camera);
+    const base::View view = subject.view(camera);
     const truth::RayCaster caster(subject.scene, subject.geometry, view);
     for (int y = 6; y < 26; ++y)
         for (int x = 0; x < 32; ++x)

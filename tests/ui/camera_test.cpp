@@ -1,4 +1,4 @@
-#include "ui/pipeline/camera.h"
+#include "ui/pipeline/picture/camera.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@ namespace {
 const csg::Box kBox{{0, 0, 0}, {10, 20, 30}};
 
 TEST(ChooseCamera, WithoutAnyEverythingIsInView) {
-    const gl::Camera camera = choose_camera({}, {}, kBox);
+    const base::Camera camera = choose_camera({}, {}, kBox);
     EXPECT_EQ(camera.target, kBox.centre());
-    EXPECT_EQ(camera.rotation, gl::Camera{}.rotation);
+    EXPECT_EQ(camera.rotation, base::Camera{}.rotation);
     EXPECT_GT(camera.distance, kBox.diagonal());
 }
 
@@ -20,7 +20,7 @@ TEST(ChooseCamera, TheFilesVariablesCount) {
     file.rotation = {10, 20, 30};
     file.distance = 77;
     file.fov = 30;
-    const gl::Camera camera = choose_camera({}, file, kBox);
+    const base::Camera camera = choose_camera({}, file, kBox);
     EXPECT_EQ(camera.target, glm::dvec3(1, 2, 3));
     EXPECT_EQ(camera.rotation, glm::dvec3(10, 20, 30));
     EXPECT_EQ(camera.distance, 77);
@@ -31,20 +31,20 @@ TEST(ChooseCamera, ImpossibleVariablesAreAsIfNotGiven) {
     csg::scad::ViewSettings file;
     file.distance = -1;
     file.fov = 180;
-    const gl::Camera camera = choose_camera({}, file, kBox);
-    EXPECT_EQ(camera.distance, gl::Camera{}.distance);
-    EXPECT_EQ(camera.fov, gl::Camera{}.fov);
+    const base::Camera camera = choose_camera({}, file, kBox);
+    EXPECT_EQ(camera.distance, base::Camera{}.distance);
+    EXPECT_EQ(camera.fov, base::Camera{}.fov);
 }
 
 TEST(ChooseCamera, TheUsersCameraWinsAndViewAllMovesIt) {
     csg::scad::ViewSettings file;
     file.distance = 77;
-    gl::Camera mine;
+    base::Camera mine;
     mine.target = {5, 5, 5};
     mine.distance = 9;
-    CameraRequest request{mine, gl::Projection::Orthographic, false, false};
+    CameraRequest request{mine, base::Projection::Orthographic, false, false};
     EXPECT_EQ(choose_camera(request, file, kBox).distance, 9);
-    EXPECT_EQ(choose_camera(request, file, kBox).projection, gl::Projection::Orthographic);
+    EXPECT_EQ(choose_camera(request, file, kBox).projection, base::Projection::Orthographic);
     request.view_all = true;
     EXPECT_GT(choose_camera(request, file, kBox).distance, kBox.diagonal());
     EXPECT_EQ(choose_camera(request, file, kBox).target, mine.target);
@@ -53,13 +53,13 @@ TEST(ChooseCamera, TheUsersCameraWinsAndViewAllMovesIt) {
 }
 
 TEST(ChooseCamera, AnEmptyBoxMovesNothing) {
-    gl::Camera mine;
+    base::Camera mine;
     mine.target = {5, 5, 5};
-    EXPECT_EQ(choose_camera({mine, gl::Projection::Perspective, false, true}, {}, {}).target, mine.target);
+    EXPECT_EQ(choose_camera({mine, base::Projection::Perspective, false, true}, {}, {}).target, mine.target);
 }
 
 TEST(ScadView, AnglesBelowZeroAreTurnedUp) {
-    gl::Camera camera;
+    base::Camera camera;
     camera.target = {1, -2, 3};
     camera.rotation = {-30, 20, 0};
     camera.distance = 7;

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "gl/image.h"
+#include "base/image.h"
 #include "tests/support/program_test.h"
 
 namespace {
@@ -31,7 +31,7 @@ TEST_F(Cli, DrawsAPngOfTheSizeAskedFor) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "") << "nothing is said on a pipe";
-    const gl::Image image = gl::read_png(folder_.path("m.png"));
+    const base::Image image = base::read_png(folder_.path("m.png"));
     EXPECT_EQ(image.width, 80);
     EXPECT_EQ(image.height, 60);
     EXPECT_NE(std::vector<int>(image.pixel(40, 30), image.pixel(40, 30) + 3),
@@ -53,7 +53,7 @@ TEST_F(Cli, EglAndOsmesaDrawTheSame) {
     if (egl.status != 0 || folder_.read("s.json").find("llvmpipe") == std::string::npos) {
         GTEST_SKIP() << "EGL is not the software renderer that OSMesa is";
     }
-    EXPECT_EQ(gl::read_png(folder_.path("a.png")).rgba, gl::read_png(folder_.path("b.png")).rgba);
+    EXPECT_EQ(base::read_png(folder_.path("a.png")).rgba, base::read_png(folder_.path("b.png")).rgba);
 }
 
 TEST_F(Cli, EveryStyleDrawsItsOwnPicture) {
@@ -99,9 +99,9 @@ TEST_F(Cli, OptionsOfThePictureChangeIt) {
         ASSERT_EQ(run("m.scad -o b.png --imgsize=48,48 " + options).status, 0) << options;
         EXPECT_NE(folder_.read("a.png"), folder_.read("b.png")) << options;
     }
-    const gl::Image clear = [&] {
+    const base::Image clear = [&] {
         EXPECT_EQ(run("m.scad -o c.png --imgsize=48,48 --transparent-background").status, 0);
-        return gl::read_png(folder_.path("c.png"));
+        return base::read_png(folder_.path("c.png"));
     }();
     EXPECT_EQ(clear.pixel(0, 0)[3], 0);
     EXPECT_EQ(clear.pixel(24, 24)[3], 255);
@@ -115,7 +115,7 @@ TEST_F(Cli, RenderDrawsOutlinesFlat) {
         "--projection=o -o ";
     ASSERT_EQ(run(arguments + "r.png --render").status, 0);
     ASSERT_EQ(run(arguments + "p.png").status, 0);
-    const gl::Image image = gl::read_png(folder_.path("r.png"));
+    const base::Image image = base::read_png(folder_.path("r.png"));
     const auto color = [&](int x, int y) {
         const std::uint8_t* p = image.pixel(x, y);
         return p[0] << 16 | p[1] << 8 | p[2];
@@ -158,8 +158,8 @@ TEST_F(Cli, RenderShowsTheResultAlone) {
     const auto box = nlohmann::json::parse(folder_.read("parts.json"))["bounding_box"];
     EXPECT_EQ(box["max"], nlohmann::json({5.0, 10.0, 10.0}));
     EXPECT_EQ(box["min"], nlohmann::json({0.0, 0.0, 0.0}));
-    const gl::Image a = gl::read_png(folder_.path("parts.png")), b = gl::read_png(folder_.path("alone.png"));
-    const auto covered = [](const gl::Image& image) {
+    const base::Image a = base::read_png(folder_.path("parts.png")), b = base::read_png(folder_.path("alone.png"));
+    const auto covered = [](const base::Image& image) {
         int count = 0;
         for (std::size_t i = 0; i < image.rgba.size(); i += 4)
             count += std::equal(image.rgba.begin() + static_cast<std::ptrdiff_t>(i),
@@ -275,7 +275,7 @@ TEST_F(Cli, SummaryAndDependencies) {
 TEST_F(Cli, AnEmptyModelIsABackground) {
     folder_.write("empty.scad", "");
     ASSERT_EQ(run("empty.scad -o e.png --imgsize 16,16").status, 0);
-    const gl::Image image = gl::read_png(folder_.path("e.png"));
+    const base::Image image = base::read_png(folder_.path("e.png"));
     EXPECT_EQ(std::vector<int>(image.pixel(8, 8), image.pixel(8, 8) + 3), (std::vector<int>{255, 255, 229}));
 }
 

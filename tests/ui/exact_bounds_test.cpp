@@ -1,9 +1,9 @@
-#include "ui/pipeline/exact_bounds.h"
+#include "ui/pipeline/picture/exact_bounds.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/scad/evaluate_text.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/mesh/mesh.h"
 
 namespace ui {
 namespace {

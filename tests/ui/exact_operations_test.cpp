@@ -1,5 +1,5 @@
 // Models that need exact meshes, by way of the interface that csg/solid asks through.
-#include "ui/pipeline/exact_operations.h"
+#include "ui/pipeline/mesh/exact_operations.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Lines of flat models: which pixels they cover.
-#include "ui/pipeline/flat_lines.h"
+#include "ui/pipeline/picture/flat_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +13,15 @@ constexpr int kWidth = 16, kHeight = 8;
 
 /// '#' where there is a line; a unit is a pixel, and the picture's lower left corner is at the origin.
 std::string drawn(const std::vector<Loop>& loops) {
-    gl::Camera camera;
+    base::Camera camera;
     camera.target = {kWidth / 2.0, kHeight / 2.0, 0};
     camera.rotation = {0, 0, 0};
-    camera.projection = gl::Projection::Orthographic;
+    camera.projection = base::Projection::Orthographic;
     // The distance at which the picture is kHeight units high.
     camera.distance = 100;
-    const double high = 2 * gl::View(camera, {kWidth, kHeight}, {0, 0, 0}, {16, 8, 0}).half_height();
+    const double high = 2 * base::View(camera, {kWidth, kHeight}, {0, 0, 0}, {16, 8, 0}).half_height();
     camera.distance *= kHeight / high;
-    gl::Image image{kWidth, kHeight, std::vector<std::uint8_t>(std::size_t{4} * kWidth * kHeight, 0)};
+    base::Image image{kWidth, kHeight, std::vector<std::uint8_t>(std::size_t{4} * kWidth * kHeight, 0)};
     ui::draw_flat_lines(image, {loops}, camera, {1, 0, 0});
     std::string text;
     for (int y = 0; y < kHeight; ++y) {

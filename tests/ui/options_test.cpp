@@ -28,7 +28,7 @@ TEST(Options, DefaultsAreOpenscads) {
     EXPECT_EQ(o.scheme, "Cornfield");
     EXPECT_FALSE(o.camera);
     EXPECT_TRUE(o.preview);
-    EXPECT_EQ(o.projection, gl::Projection::Perspective);
+    EXPECT_EQ(o.projection, base::Projection::Perspective);
 }
 
 TEST(Options, OutputsAreReadBySuffixInAnyOrder) {
@@ -86,7 +86,7 @@ TEST(Options, SevenNumbersAreAGimbalCamera) {
     EXPECT_EQ(o.camera->target, glm::dvec3(-1, 2, 3.5));
     EXPECT_EQ(o.camera->rotation, glm::dvec3(40, 50, 60));
     EXPECT_EQ(o.camera->distance, 70);
-    EXPECT_EQ(o.camera->projection, gl::Projection::Orthographic);
+    EXPECT_EQ(o.camera->projection, base::Projection::Orthographic);
 }
 
 TEST(Options, SixNumbersAreEyeAndCentre) {

@@ -1,5 +1,5 @@
 // Pictures that are asked to stop: they end soon, and leave nothing behind.
-#include "gl/stop.h"
+#include "base/stop.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "tests/support/gl_test.h"
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/picture/renderer.h"
 
 namespace ui {
 namespace {
@@ -94,7 +94,7 @@ TEST_P(StopTest, EndsSoonAndTheNextPictureIsRight) {
         Renderer drawing = renderer(way), fresh = renderer(way);
         // Of one size, so that what a stopped picture leaves would be seen beside the far model.
         const PictureRequest near = request_of(way, way.size), far = request_of(way, way.size, 70);
-        const gl::Image expected = fresh.render(*model, far);
+        const base::Image expected = fresh.render(*model, far);
         (void)drawing.render(*model, far);  // Programs are compiled, and the model is held.
         const auto begun = Clock::now();
         (void)drawing.render(*model, near);
@@ -105,7 +105,7 @@ TEST_P(StopTest, EndsSoonAndTheNextPictureIsRight) {
             const Alarm alarm(whole * (i / 6.0));
             try {
                 (void)drawing.render(*model, near, alarm.token());
-            } catch (const gl::Stopped&) {
+            } catch (const base::Stopped&) {
                 longest = std::max(longest, Seconds(Clock::now() - alarm.rang()).count());
                 ++stopped;
             }
@@ -126,8 +126,8 @@ TEST_P(StopTest, NothingIsBegunAfterIt) {
     stop.request_stop();
     for (const Way& way : ways()) {
         Renderer drawing = renderer(way);
-        EXPECT_THROW((void)drawing.render(*model, request_of(way, 64), stop.get_token()), gl::Stopped) << way.style;
-        const gl::Image after = drawing.render(*model, request_of(way, 64));
+        EXPECT_THROW((void)drawing.render(*model, request_of(way, 64), stop.get_token()), base::Stopped) << way.style;
+        const base::Image after = drawing.render(*model, request_of(way, 64));
         EXPECT_EQ(after.rgba, renderer(way).render(*model, request_of(way, 64)).rgba) << way.style;
         // A token that is never asked for draws in pieces, and the same.
         std::stop_source never;

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "gl/file.h"
+#include "base/file.h"
 #include "tests/support/program_test.h"
 
 namespace {
@@ -30,11 +30,11 @@ TEST_F(Writing, ASignalLeavesNoTemporaryFile) {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGXCPU}) {
         const pid_t child = fork();
         if (child == 0) {
-            gl::remove_temporary_names_at_signals();
-            gl::FileWriter kept(folder_.path("kept.stl"));
+            base::remove_temporary_names_at_signals();
+            base::FileWriter kept(folder_.path("kept.stl"));
             kept.write("all");
             kept.finish();
-            gl::FileWriter writer(folder_.path("x.stl"));
+            base::FileWriter writer(folder_.path("x.stl"));
             writer.write("half");
             raise(signal);
             _exit(0);

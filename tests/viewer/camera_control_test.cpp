@@ -9,8 +9,8 @@ namespace {
 constexpr glm::ivec2 kSize{640, 480};
 
 /// Pixel of a world point, y down.
-glm::dvec2 pixel_of(const gl::Camera& camera, const glm::dvec3& point) {
-    const gl::View view(camera, kSize, glm::dvec3(-50), glm::dvec3(50));
+glm::dvec2 pixel_of(const base::Camera& camera, const glm::dvec3& point) {
+    const base::View view(camera, kSize, glm::dvec3(-50), glm::dvec3(50));
     const glm::dvec4 clip = view.clip_from_world() * glm::dvec4(point, 1.0);
     const glm::dvec2 unit = 0.5 * (glm::dvec2(clip) / clip.w + 1.0);
     return {unit.x * kSize.x, (1 - unit.y) * kSize.y};
@@ -21,14 +21,14 @@ void expect_near(const glm::dvec2& a, const glm::dvec2& b) {
     EXPECT_NEAR(a.y, b.y, 1e-6);
 }
 
-class CameraControl : public testing::TestWithParam<gl::Projection> {
+class CameraControl : public testing::TestWithParam<base::Projection> {
   protected:
     CameraControl() {
         camera.projection = GetParam();
         camera.target = {3, -4, 5};
         camera.rotation = {63, 0, 211};
     }
-    gl::Camera camera;
+    base::Camera camera;
 };
 
 TEST_P(CameraControl, ThePointOfTheTargetPlaneIsUnderTheCursor) {
@@ -90,7 +90,7 @@ TEST_P(CameraControl, OrbitMovesTheNearSideWithTheCursor) {
 
 TEST_P(CameraControl, ProjectionKeepsTheSizeAtTheTarget) {
     const glm::dvec3 point = point_on_target_plane(camera, kSize, {500, 100});
-    const gl::Projection before = camera.projection;
+    const base::Projection before = camera.projection;
     toggle_projection(camera);
     EXPECT_NE(camera.projection, before);
     expect_near(pixel_of(camera, point), {500, 100});
@@ -98,22 +98,22 @@ TEST_P(CameraControl, ProjectionKeepsTheSizeAtTheTarget) {
 
 TEST_P(CameraControl, ThePixelCameraSeesWhatIsUnderTheCursor) {
     const glm::dvec2 cursor{420.5, 99.5};
-    const gl::View::Ray wide = gl::View(camera, kSize, glm::dvec3(-50), glm::dvec3(50)).ray(420, kSize.y - 100);
-    const gl::Camera narrow = pixel_camera(camera, kSize, cursor);
-    const gl::View::Ray ray = gl::View(narrow, {1, 1}, glm::dvec3(-50), glm::dvec3(50)).ray(0, 0);
+    const base::View::Ray wide = base::View(camera, kSize, glm::dvec3(-50), glm::dvec3(50)).ray(420, kSize.y - 100);
+    const base::Camera narrow = pixel_camera(camera, kSize, cursor);
+    const base::View::Ray ray = base::View(narrow, {1, 1}, glm::dvec3(-50), glm::dvec3(50)).ray(0, 0);
     EXPECT_NEAR(glm::length(glm::cross(glm::normalize(wide.direction), glm::normalize(ray.direction))), 0, 1e-9);
     EXPECT_NEAR(glm::length(glm::cross(ray.origin - wide.origin, glm::normalize(wide.direction))), 0, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, CameraControl,
-                         testing::Values(gl::Projection::Perspective, gl::Projection::Orthographic),
+                         testing::Values(base::Projection::Perspective, base::Projection::Orthographic),
                          [](const auto& info) {
-                             return info.param == gl::Projection::Perspective ? "Perspective" : "Orthographic";
+                             return info.param == base::Projection::Perspective ? "Perspective" : "Orthographic";
                          });
 
 TEST(StandardViews, LookAlongTheAxes) {
     const auto direction = [](int i) {
-        gl::Camera camera;
+        base::Camera camera;
         camera.rotation = standard_views()[static_cast<std::size_t>(i)].rotation;
         return glm::transpose(glm::dmat3(camera.eye_from_world())) * glm::dvec3(0, 0, 1);  // Towards the eye.
     };
@@ -126,7 +126,7 @@ TEST(StandardViews, LookAlongTheAxes) {
 }
 
 TEST(Orbit, ACameraUpsideDownTurnsFreely) {
-    gl::Camera camera;
+    base::Camera camera;
     camera.rotation = {200, 0, 0};
     orbit(camera, {0, -10});
     EXPECT_NEAR(camera.rotation.x, 207, 1e-9);

@@ -21,7 +21,7 @@ TEST(FrameLog, WritesALinePerFrame) {
     record.state = "good";
     record.camera.target = {1, 2.5, -3};
     log.write(record);
-    record.camera.projection = gl::Projection::Orthographic;
+    record.camera.projection = base::Projection::Orthographic;
     log.write(record);
 
     std::istringstream lines(folder.read("frames.json"));  // Complete while the log is open.

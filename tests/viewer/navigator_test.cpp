@@ -24,13 +24,13 @@ class NavigatorTest : public testing::Test {
         send(PointerKind::Release, {230, 215}, button);
         EXPECT_FALSE(navigator_.dragging());
     }
-    bool turned() const { return camera_.rotation != gl::Camera{}.rotation; }
-    bool shifted() const { return camera_.target != gl::Camera{}.target; }
+    bool turned() const { return camera_.rotation != base::Camera{}.rotation; }
+    bool shifted() const { return camera_.target != base::Camera{}.target; }
 
     Rectangle picture_{{100, 50}, {800, 600}};
     bool free_ = true;
     Navigator navigator_;
-    gl::Camera camera_;
+    base::Camera camera_;
     double time_ = 0;
 };
 
@@ -52,13 +52,13 @@ TEST_F(NavigatorTest, RightAndMiddleAndShiftShift) {
 TEST_F(NavigatorTest, MovingWithoutAButtonDoesNothing) {
     send(PointerKind::Move, {200, 200});
     send(PointerKind::Move, {300, 250});
-    EXPECT_EQ(camera_, gl::Camera{});
+    EXPECT_EQ(camera_, base::Camera{});
 }
 
 TEST_F(NavigatorTest, ADragBeginsInThePictureOnlyButMayLeaveIt) {
     send(PointerKind::Press, {50, 200}, Button::Left);
     send(PointerKind::Move, {300, 250});
-    EXPECT_EQ(camera_, gl::Camera{});
+    EXPECT_EQ(camera_, base::Camera{});
     send(PointerKind::Release, {300, 250}, Button::Left);
 
     send(PointerKind::Press, {110, 200}, Button::Left);
@@ -70,7 +70,7 @@ TEST_F(NavigatorTest, TheInterfaceOverThePictureTakesTheMouse) {
     free_ = false;
     drag(Button::Left);
     send(PointerKind::Scroll, {200, 200});
-    EXPECT_EQ(camera_, gl::Camera{});
+    EXPECT_EQ(camera_, base::Camera{});
 }
 
 TEST_F(NavigatorTest, ASecondButtonDoesNotEndTheDragOfTheFirst) {
@@ -88,10 +88,10 @@ TEST_F(NavigatorTest, TheWheelComesNearer) {
     event.position = {500, 350};
     event.amount = 1;
     navigator_.handle(event, picture_, true, camera_);
-    EXPECT_LT(camera_.distance, gl::Camera{}.distance);
+    EXPECT_LT(camera_.distance, base::Camera{}.distance);
     event.amount = -1;
     navigator_.handle(event, picture_, true, camera_);
-    EXPECT_NEAR(camera_.distance, gl::Camera{}.distance, 1e-9);
+    EXPECT_NEAR(camera_.distance, base::Camera{}.distance, 1e-9);
 }
 
 TEST_F(NavigatorTest, ADoubleClickIsToldOnceFromThePicturesCorner) {

@@ -89,7 +89,7 @@ TEST_P(PictureViewTest, DrawsTheSameWithAndWithoutAThread) {
 
 TEST_P(PictureViewTest, AllSamplesMakeThePictureOfTheCommandLine) {
     const auto steps = drawn(false, 4);
-    const gl::Image whole = Renderer(*context_).render(*model_, request_);
+    const base::Image whole = Renderer(*context_).render(*model_, request_);
     for (int y = 0; y < whole.height; ++y) {
         const auto row = static_cast<std::size_t>(whole.height - 1 - y) * 96 * 4;
         ASSERT_TRUE(std::equal(whole.pixel(0, y), whole.pixel(0, y) + 96 * 4, &steps[row])) << "row " << y;
@@ -129,7 +129,7 @@ TEST_P(PictureViewTest, ACoarsePictureFillsItsPlace) {
 TEST_P(PictureViewTest, PicksThePointInTheMiddle) {
     for (const bool threaded : {false, true}) {
         PictureView view = make(threaded);
-        gl::Camera camera;
+        base::Camera camera;
         camera.rotation = {0, 0, 0};
         camera.target = {4, 3, 0};
         camera.fov = 0.1;
@@ -149,7 +149,7 @@ TEST_P(PictureViewTest, SavesOrSaysWhyNot) {
         PictureView view = make(threaded);
         view.save(model_, request_, folder.path("saved.png"));
         EXPECT_EQ(wait<SavedPicture>(view).error, "");
-        EXPECT_EQ(gl::read_png(folder.path("saved.png")).width, 96);
+        EXPECT_EQ(base::read_png(folder.path("saved.png")).width, 96);
         view.save(model_, request_, "/nowhere/at/all.png");
         EXPECT_NE(wait<SavedPicture>(view).error.find("/nowhere/at/all.png"), std::string::npos);
     }

@@ -86,7 +86,7 @@ TEST_F(SessionTest, FollowsItsFileAndKeepsTheCamera) {
     ASSERT_TRUE(reach(DocumentState::Good));
     const auto model = session_->document().model();
     session_->camera().rotation = {10, 0, 20};
-    const gl::Camera camera = session_->view().camera;
+    const base::Camera camera = session_->view().camera;
 
     folder_.replace("model.scad", "bad");
     ASSERT_TRUE(reach(DocumentState::Failed));
@@ -138,7 +138,7 @@ TEST_F(SessionTest, AnErrorAtFirstThenTheModelIsBroughtIntoView) {
 
 TEST_F(SessionTest, ACameraThatIsGivenStays) {
     WindowOptions options;
-    options.camera.camera = gl::Camera{};
+    options.camera.camera = base::Camera{};
     options.camera.camera->target = {1, 2, 3};
     open("good", options);
     ASSERT_TRUE(reach(DocumentState::Good));
@@ -160,7 +160,7 @@ TEST_F(SessionTest, CommandsChangeTheView) {
     session_->perform(Action::Right);
     EXPECT_EQ(session_->view().camera.rotation, glm::dvec3(90, 0, 90));
     session_->perform(Action::ToggleProjection);
-    EXPECT_EQ(session_->view().camera.projection, gl::Projection::Orthographic);
+    EXPECT_EQ(session_->view().camera.projection, base::Projection::Orthographic);
     const double distance = session_->view().camera.distance;
     session_->perform(Action::ZoomIn);
     EXPECT_LT(session_->view().camera.distance, distance);

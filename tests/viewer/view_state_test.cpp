@@ -63,7 +63,7 @@ TEST(ViewState, EveryPartOfARequestCounts) {
     };
     EXPECT_TRUE(same_picture(a, a));
     EXPECT_TRUE(differs([](auto& b) { b.camera.rotation.z += 1e-9; }));
-    EXPECT_TRUE(differs([](auto& b) { b.camera.projection = gl::Projection::Orthographic; }));
+    EXPECT_TRUE(differs([](auto& b) { b.camera.projection = base::Projection::Orthographic; }));
     EXPECT_TRUE(differs([](auto& b) { b.size.y += 1; }));
     EXPECT_TRUE(differs([](auto& b) { b.style = "edges"; }));
     EXPECT_TRUE(differs([](auto& b) { b.settings.emplace_back("a", "b"); }));

@@ -106,7 +106,7 @@ class Window : public testing::Test {
     /// How many pixels of the screen are so.
     template <typename Wanted>
     std::size_t count(Wanted&& wanted) const {
-        const gl::Image image = display_->screenshot();
+        const base::Image image = display_->screenshot();
         std::size_t found = 0;
         for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
             found += wanted(&image.rgba[i]) ? 1 : 0;
@@ -355,7 +355,7 @@ TEST_F(Window, SavesThePicture) {
     for (int i = 0; i < 600 && !std::filesystem::exists(path); ++i) {
         std::this_thread::sleep_for(100ms);
     }
-    const gl::Image image = gl::read_png(path);  // Complete as soon as it is there.
+    const base::Image image = base::read_png(path);  // Complete as soon as it is there.
     const Json frame = frames().back();
     EXPECT_EQ(image.width, frame.at("width"));
     EXPECT_EQ(image.height, frame.at("height"));

@@ -141,12 +141,12 @@ void XDisplay::robot(const std::string& commands) const {
     }
 }
 
-gl::Image XDisplay::screenshot() const {
+base::Image XDisplay::screenshot() const {
     const std::string path = folder_ + "/screenshot.png";
     if (std::system(("import -display " + name_ + " -window root -depth 8 '" + path + "'").c_str()) != 0) {
         throw std::runtime_error("no screenshot");
     }
-    return gl::read_png(path);
+    return base::read_png(path);
 }
 
 }  // namespace ui

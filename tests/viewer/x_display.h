@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/image.h"
+#include "base/image.h"
 
 namespace ui {
 
@@ -44,7 +44,7 @@ class XDisplay {
     [[nodiscard]] const std::string& name() const { return name_; }  ///< ":7"
     /// Runs xdotool, such as "key s".
     void robot(const std::string& commands) const;
-    [[nodiscard]] gl::Image screenshot() const;
+    [[nodiscard]] base::Image screenshot() const;
 
   private:
     std::string folder_;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/stop.h"
-#include "csg/scad/csg_text.h"
+#include "csg/scad/text/csg_text.h"
 #include "ui/command_line/compare_drawer.h"
 #include "ui/command_line/compare_input.h"
 #include "ui/command_line/compare_openscad.h"
@@ -18,8 +18,8 @@
 #include "ui/command_line/compare_views.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/time_limit.h"
-#include "ui/pipeline/errors.h"
-#include "ui/pipeline/layer_volume.h"
+#include "ui/pipeline/comparison/errors.h"
+#include "ui/pipeline/comparison/layer_volume.h"
 
 namespace ui {
 
@@ -41,7 +41,7 @@ MeshLayers first_layers(MeshLayers layers, int most) {
 /// The volume by a picture of all layers: by the view where least may lie between the samples.
 class PictureVolume {
   public:
-    void look(const goldfeather::HostLayers& stack, const gl::View& view) {
+    void look(const goldfeather::HostLayers& stack, const base::View& view) {
         const LayerVolume seen = layer_volume(stack, view);
         if (!known_ || seen.uncertainty < known_->uncertainty) {
             known_ = seen;
@@ -81,8 +81,9 @@ int compare_with_mesh(const CompareOptions& o) {
     Drawer drawer(solid, o.engine);
     for (int i = 0; i < o.views; ++i) {
         base::end_if_asked(o.stop);
-        const gl::Camera camera = o.camera ? *o.camera : spread_camera(i, o.views, facts.box.empty() ? box : facts.box);
-        const gl::View view(camera, {o.size, o.size}, box.lo, box.hi);
+        const base::Camera camera =
+            o.camera ? *o.camera : spread_camera(i, o.views, facts.box.empty() ? box : facts.box);
+        const base::View view(camera, {o.size, o.size}, box.lo, box.hi);
         const auto stack = drawer.layers(view);
         const MeshLayers truth = first_layers(mesh_layers(mesh, view), drawer.most_layers());
         const Comparison comparison = compare_layers(stack, solid.geometry, mesh, truth, view, box.diagonal());
@@ -98,14 +99,15 @@ int compare_with_mesh(const CompareOptions& o) {
         }
     }
     if (!volume.known() && drawer.most_layers() == peel::kAllLayers) {
-        const gl::View view(spread_camera(1, 2, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo, box.hi);
+        const base::View view(spread_camera(1, 2, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo,
+                              box.hi);
         volume.look(drawer.layers(view), view);
     }
     const double worst = std::max({outside.coverage(), outside.layers(), outside.order(), outside.normals()});
     bool good = worst <= o.tolerance && volume.agrees(facts.volume, o.tolerance);
     Json openscad;
     if (o.against == "openscad") {
-        const gl::Camera camera = o.camera ? *o.camera : spread_camera(0, 1, facts.box);
+        const base::Camera camera = o.camera ? *o.camera : spread_camera(0, 1, facts.box);
         openscad = compare_with_openscad(OpenscadProcess(o.input), csg::scad::csg_text(*evaluate(o, true).tree),
                                          *loaded.model, facts, camera, o.size);
         good = good && openscad["volume"]["agrees"].get<bool>() && openscad["tree_agrees"].get<bool>();
@@ -130,7 +132,7 @@ int compare_with_mesh(const CompareOptions& o) {
         const fs::path folder = o.report;
         for (std::size_t i = 0; i < views.size(); ++i) {
             write_output((folder / fmt::format("difference_{}.png", i + 1)).string(),
-                         gl::encode_png(views[i].difference));
+                         base::encode_png(views[i].difference));
         }
         write_output((folder / "report.json").string(), text_of(json));
         write_output(

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "goldfeather/lists_cpu.h"
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "goldfeather/products.h"
 #include "ui/pipeline/model.h"
 
@@ -41,7 +41,7 @@ Drawer::Drawer(const SolidScene& solid, goldfeather::EngineKind engine) : solid_
     model_.emplace(context_->functions(), solid.scene, solid.geometry, std::move(products), engine);
 }
 
-goldfeather::HostLayers Drawer::layers(const gl::View& view) {
+goldfeather::HostLayers Drawer::layers(const base::View& view) {
     if (!model_) {
         return goldfeather::peel_to_host(solid_.scene, solid_.geometry, view);
     }

@@ -7,7 +7,7 @@
 #include "gl/context.h"
 #include "goldfeather/choice.h"
 #include "peel/peeler.h"
-#include "ui/pipeline/solid_scene.h"
+#include "ui/pipeline/comparison/solid_scene.h"
 
 namespace ui {
 
@@ -19,7 +19,7 @@ class Drawer {
     Drawer(const SolidScene& solid, goldfeather::EngineKind engine);
 
     /// The first most_layers() layers. Throws ModelError, with the reason, where the engine cannot draw them.
-    [[nodiscard]] goldfeather::HostLayers layers(const gl::View& view);
+    [[nodiscard]] goldfeather::HostLayers layers(const base::View& view);
 
     /// How many layers the engine finds; peel::kAllLayers: all.
     [[nodiscard]] int most_layers() const { return engine_ == goldfeather::EngineKind::Scs ? 1 : peel::kAllLayers; }

@@ -11,7 +11,7 @@
 #include "ui/command_line/openscad_process.h"
 #include "ui/command_line/usage_error.h"
 #include "ui/pipeline/measures.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/mesh/mesh.h"
 
 namespace ui {
 

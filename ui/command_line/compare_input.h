@@ -5,7 +5,7 @@
 
 #include "csg/scad/scad.h"
 #include "ui/command_line/compare_options.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/mesh/mesh.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {

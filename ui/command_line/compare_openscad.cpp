@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/pipeline/mesh.h"
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/mesh/mesh.h"
+#include "ui/pipeline/picture/renderer.h"
 
 namespace ui {
 
@@ -25,8 +25,8 @@ double rounding_of_openscad(const csg::reference::MeshFacts& facts) {
 }
 
 /// Which pixels are not background (the colour of the first pixel, a corner).
-std::size_t pixels_that_differ_in_coverage(const gl::Image& a, const gl::Image& b) {
-    const auto covered = [](const gl::Image& image, std::size_t i) {
+std::size_t pixels_that_differ_in_coverage(const base::Image& a, const base::Image& b) {
+    const auto covered = [](const base::Image& image, std::size_t i) {
         int most = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             most = std::max(most, std::abs(int{image.rgba[4 * i + c]} - int{image.rgba[c]}));
@@ -49,7 +49,7 @@ std::string without_last_lines(std::string text) {
 
 nlohmann::ordered_json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree,
                                              const Model& model, const csg::reference::MeshFacts& theirs,
-                                             const gl::Camera& camera, int size) {
+                                             const base::Camera& camera, int size) {
     const csg::reference::MeshFacts ours = make_mesh(model).facts;
     const double off = std::abs(ours.volume - theirs.volume);
     nlohmann::ordered_json json = {{"tree_agrees", without_last_lines(tree) == without_last_lines(openscad.tree())},
@@ -64,7 +64,7 @@ nlohmann::ordered_json compare_with_openscad(const OpenscadProcess& openscad, co
         request.camera = camera;
         request.size = {picture->width, picture->height};
         request.samples = 1;
-        const gl::Image drawn = Renderer().render(model, request);
+        const base::Image drawn = Renderer().render(model, request);
         json["picture"]["coverage_error"] = static_cast<double>(pixels_that_differ_in_coverage(drawn, *picture)) /
                                             static_cast<double>(drawn.rgba.size() / 4);
     }

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "ui/command_line/openscad_process.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/mesh/mesh.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {
@@ -17,6 +17,6 @@ namespace ui {
 /// display, is null where there is none, and else the share of pixels that only one of the two covers.
 [[nodiscard]] nlohmann::ordered_json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree,
                                                            const Model& model, const csg::reference::MeshFacts& theirs,
-                                                           const gl::Camera& camera, int size);
+                                                           const base::Camera& camera, int size);
 
 }  // namespace ui

@@ -57,7 +57,7 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
             throw UsageError("compare: --camera is one view; --views has its own");
         }
         o.camera = read_camera(camera);
-        o.camera->projection = projection == "o" ? gl::Projection::Orthographic : gl::Projection::Perspective;
+        o.camera->projection = projection == "o" ? base::Projection::Orthographic : base::Projection::Perspective;
     }
     return o;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "goldfeather/choice.h"
 
 namespace ui {
@@ -15,9 +15,9 @@ struct CompareOptions {
     std::string input;             ///< Empty: help was asked for, and printed.
     std::string against = "cgal";  ///< Or "openscad", or a file.
     goldfeather::EngineKind engine = goldfeather::EngineKind::ListsCpu;
-    std::string report;                ///< Folder; empty: none.
-    std::string reference;             ///< A picture; empty: meshes are compared.
-    std::optional<gl::Camera> camera;  ///< The only view; absent: `views` of them.
+    std::string report;                  ///< Folder; empty: none.
+    std::string reference;               ///< A picture; empty: meshes are compared.
+    std::optional<base::Camera> camera;  ///< The only view; absent: `views` of them.
     double tolerance = 0, reference_threshold = 0.01;
     int views = 1, size = 256;
     double time_limit = 0;   ///< Seconds; 0: none.

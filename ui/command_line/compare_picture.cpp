@@ -6,25 +6,25 @@
 
 #include <fmt/format.h>
 
-#include "gl/image.h"
+#include "base/image.h"
 #include "ui/command_line/compare_input.h"
 #include "ui/command_line/compare_views.h"
 #include "ui/command_line/files.h"
-#include "ui/pipeline/camera.h"
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/picture/camera.h"
+#include "ui/pipeline/picture/renderer.h"
 
 namespace ui {
 
 int compare_with_picture(const CompareOptions& o) {
-    const gl::Image reference = gl::read_png(o.reference);
+    const base::Image reference = base::read_png(o.reference);
     const ComparedModel loaded = load(o);
     Renderer renderer(o.engine);
     PictureRequest request;
     request.camera = choose_camera({}, loaded.view, loaded.model->box);
     request.size = {reference.width, reference.height};
-    const gl::Image drawn = renderer.render(*loaded.model, request, o.stop);
+    const base::Image drawn = renderer.render(*loaded.model, request, o.stop);
     std::size_t differ = 0;
-    gl::Image difference = blank_image(request.size);
+    base::Image difference = blank_image(request.size);
     for (std::size_t i = 0; i < drawn.rgba.size(); i += 4) {
         int most = 0;
         for (std::size_t c = 0; c < 4; ++c) {
@@ -43,7 +43,7 @@ int compare_with_picture(const CompareOptions& o) {
     write_output("-", text_of(json));
     if (!o.report.empty()) {
         std::filesystem::create_directories(o.report);
-        write_output((std::filesystem::path(o.report) / "difference_1.png").string(), gl::encode_png(difference));
+        write_output((std::filesystem::path(o.report) / "difference_1.png").string(), base::encode_png(difference));
         write_output((std::filesystem::path(o.report) / "report.json").string(), text_of(json));
         write_output((std::filesystem::path(o.report) / "report.html").string(),
                      report_page(fmt::format("{} against {}", o.input, o.reference), "Picture to picture.",

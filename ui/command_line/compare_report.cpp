@@ -31,9 +31,9 @@ std::string html(const std::string& text) {
     return out;
 }
 
-std::string picture(const gl::Image& image, const char* alt) {
+std::string picture(const base::Image& image, const char* alt) {
     return fmt::format("<img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", alt, image.width,
-                       image.height, base64(gl::encode_png(image)));
+                       image.height, base64(base::encode_png(image)));
 }
 
 /// With three digits, where it is no whole number.

@@ -6,14 +6,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gl/image.h"
+#include "base/image.h"
 
 namespace ui {
 
 /// One view: what was drawn, what should have been, and where they differ.
 struct ComparedView {
     std::string title;
-    gl::Image drawn, expected, difference;
+    base::Image drawn, expected, difference;
     nlohmann::ordered_json all, outside;  ///< Errors of all pixels, and without the band.
 };
 

@@ -7,7 +7,7 @@ namespace ui {
 
 namespace {
 
-void set(gl::Image& image, int x, int y, const glm::dvec3& color) {
+void set(base::Image& image, int x, int y, const glm::dvec3& color) {
     const std::size_t at = 4 * (static_cast<std::size_t>(image.height - 1 - y) * static_cast<std::size_t>(image.width) +
                                 static_cast<std::size_t>(x));
     for (int c = 0; c < 3; ++c) {
@@ -17,7 +17,7 @@ void set(gl::Image& image, int x, int y, const glm::dvec3& color) {
 }
 
 /// The same plain light for both sides, so that what differs is the geometry.
-glm::dvec3 shade(const glm::dvec3& normal, const gl::View& view) {
+glm::dvec3 shade(const glm::dvec3& normal, const base::View& view) {
     const double light = std::abs((glm::dmat3(view.eye_from_world()) * normal).z);
     return glm::dvec3(0.95, 0.8, 0.35) * (0.3 + 0.7 * light);
 }
@@ -34,24 +34,24 @@ glm::dvec3 heat(const Comparison& comparison, std::size_t pixel) {
 
 }  // namespace
 
-gl::Camera spread_camera(int view, int views, const csg::Box& box) {
-    gl::Camera camera;
+base::Camera spread_camera(int view, int views, const csg::Box& box) {
+    base::Camera camera;
     if (view > 0) {
         const double z = 1 - 2 * (view + 0.5) / views;
         camera.rotation = {std::acos(z) * 57.29577951308232, 0, std::fmod(view * 137.50776405003785, 360.0)};
     }
-    camera.projection = view % 2 == 0 ? gl::Projection::Perspective : gl::Projection::Orthographic;
-    gl::view_all(camera, box.lo, box.hi, true);
+    camera.projection = view % 2 == 0 ? base::Projection::Perspective : base::Projection::Orthographic;
+    base::view_all(camera, box.lo, box.hi, true);
     return camera;
 }
 
-gl::Image blank_image(glm::ivec2 size) {
-    gl::Image image{size.x, size.y, {}};
+base::Image blank_image(glm::ivec2 size) {
+    base::Image image{size.x, size.y, {}};
     image.rgba.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4, 255);
     return image;
 }
 
-ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& mesh, const gl::View& view,
+ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& mesh, const base::View& view,
                            const goldfeather::HostLayers& stack, const MeshLayers& truth,
                            const Comparison& comparison) {
     ComparedView result{{},

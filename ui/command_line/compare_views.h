@@ -3,20 +3,20 @@
 
 #include "goldfeather/layer_stack.h"
 #include "ui/command_line/compare_report.h"
-#include "ui/pipeline/errors.h"
-#include "ui/pipeline/solid_scene.h"
+#include "ui/pipeline/comparison/errors.h"
+#include "ui/pipeline/comparison/solid_scene.h"
 
 namespace ui {
 
 /// Views evenly spread (on a spiral), perspective and orthographic in turn; the first is OpenSCAD's default.
-[[nodiscard]] gl::Camera spread_camera(int view, int views, const csg::Box& box);
+[[nodiscard]] base::Camera spread_camera(int view, int views, const csg::Box& box);
 
 /// White.
-[[nodiscard]] gl::Image blank_image(glm::ivec2 size);
+[[nodiscard]] base::Image blank_image(glm::ivec2 size);
 
 /// Both solids in the same plain light, and a map of their differences; the title is left to the caller.
 [[nodiscard]] ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& mesh,
-                                         const gl::View& view, const goldfeather::HostLayers& stack,
+                                         const base::View& view, const goldfeather::HostLayers& stack,
                                          const MeshLayers& truth, const Comparison& comparison);
 
 }  // namespace ui

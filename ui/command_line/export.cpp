@@ -4,8 +4,8 @@
 
 #include "base/stop.h"
 #include "ui/command_line/files.h"
-#include "ui/pipeline/mesh_cache.h"
-#include "ui/pipeline/outline.h"
+#include "ui/pipeline/mesh/mesh_cache.h"
+#include "ui/pipeline/mesh/outline.h"
 #include "ui/pipeline/plain_text.h"
 
 namespace ui {

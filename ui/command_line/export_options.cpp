@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "csg/scad/color_names.h"
+#include "csg/scad/builtin/color_names.h"
 #include "ui/command_line/options.h"
 #include "ui/pipeline/suggestion.h"
 

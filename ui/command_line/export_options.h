@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "csg/solid/outline_files.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/mesh/mesh.h"
 
 namespace ui {
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "csg/scad/source.h"
+#include "csg/scad/source/source.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/standard_streams.h"
 

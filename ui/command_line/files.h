@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gl/file.h"
+#include "base/file.h"
 
 namespace ui {
 
@@ -27,8 +27,8 @@ class OutputFile {
     void finish();
 
   private:
-    std::optional<gl::FileWriter> file_;  ///< Nothing: standard output.
-    std::string waiting_;                 ///< For standard output: pieces may be small.
+    std::optional<base::FileWriter> file_;  ///< Nothing: standard output.
+    std::string waiting_;                   ///< For standard output: pieces may be small.
 };
 
 /// Writes the file whole or not at all, or to standard output for "-". Throws std::runtime_error with the reason.

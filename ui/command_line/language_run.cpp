@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "csg/scad/ast_text.h"
-#include "csg/scad/csg_text.h"
-#include "csg/scad/value.h"
+#include "csg/scad/text/ast_text.h"
+#include "csg/scad/text/csg_text.h"
+#include "csg/scad/value/value.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/memory_limit.h"
 #include "ui/command_line/parameters.h"
 #include "ui/command_line/standard_streams.h"
-#include "ui/pipeline/camera.h"
+#include "ui/pipeline/picture/camera.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "csg/scad/parser.h"
 #include "csg/scad/scad.h"
+#include "csg/scad/syntax/parser.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/time_limit.h"

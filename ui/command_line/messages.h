@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "csg/scad/diagnostics.h"
+#include "csg/scad/source/diagnostics.h"
 #include "csg/tree/out_of_memory.h"
 
 namespace ui {

@@ -78,7 +78,7 @@ std::string OpenscadProcess::tree() const {
     return read(path);
 }
 
-std::optional<gl::Image> OpenscadProcess::picture(const gl::Camera& camera, int size) const {
+std::optional<base::Image> OpenscadProcess::picture(const base::Camera& camera, int size) const {
     const fs::path path = folder_ / "picture.png";
     std::vector<std::string> command{
         "openscad",
@@ -87,14 +87,14 @@ std::optional<gl::Image> OpenscadProcess::picture(const gl::Camera& camera, int 
         "-o",
         path.string(),
         fmt::format("--imgsize={0},{0}", size),
-        fmt::format("--projection={}", camera.projection == gl::Projection::Orthographic ? "o" : "p"),
+        fmt::format("--projection={}", camera.projection == base::Projection::Orthographic ? "o" : "p"),
         fmt::format("--camera={},{},{},{},{},{},{}", camera.target.x, camera.target.y, camera.target.z,
                     camera.rotation.x, camera.rotation.y, camera.rotation.z, camera.distance),
         input_};
     if (std::getenv("DISPLAY") == nullptr) {
         command.insert(command.begin(), {"xvfb-run", "-a"});
     }
-    return run(std::move(command)) ? std::optional(gl::read_png(path)) : std::nullopt;
+    return run(std::move(command)) ? std::optional(base::read_png(path)) : std::nullopt;
 }
 
 }  // namespace ui

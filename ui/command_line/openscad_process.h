@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "gl/camera.h"
-#include "gl/image.h"
-#include "ui/pipeline/mesh.h"
+#include "base/camera.h"
+#include "base/image.h"
+#include "ui/pipeline/mesh/mesh.h"
 
 namespace ui {
 
@@ -24,7 +24,7 @@ class OpenscadProcess {
     [[nodiscard]] std::string tree() const;  ///< Text of the .csg file.
 
     /// Its rendered picture; none where it can make none, as without a display (xvfb-run is asked for one).
-    [[nodiscard]] std::optional<gl::Image> picture(const gl::Camera& camera, int size) const;
+    [[nodiscard]] std::optional<base::Image> picture(const base::Camera& camera, int size) const;
 
   private:
     std::string input_;

@@ -35,19 +35,19 @@ int read_integer(std::string_view option, std::string_view text, int lowest, int
     return value;
 }
 
-gl::Camera read_camera(std::string_view text) {
+base::Camera read_camera(std::string_view text) {
     const auto n = read_numbers("--camera", text, {6, 7},
                                 "6 numbers eye_x,y,z,center_x,y,z or 7 numbers translate_x,y,z,rot_x,y,z,distance");
     if (n.size() == 6) {
         if (n[0] == n[3] && n[1] == n[4] && n[2] == n[5]) {
             throw UsageError(fmt::format("--camera {}: the eye and the centre are the same point", text));
         }
-        return gl::camera_between({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+        return base::camera_between({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
     }
     if (n[6] <= 0) {
         throw UsageError(fmt::format("--camera {}: the distance must be above 0", text));
     }
-    gl::Camera camera;
+    base::Camera camera;
     camera.target = {n[0], n[1], n[2]};
     camera.rotation = {n[3], n[4], n[5]};
     camera.distance = n[6];

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "ui/command_line/usage_error.h"
 #include "ui/pipeline/suggestion.h"
 
@@ -22,7 +22,7 @@ namespace ui {
                                                std::initializer_list<std::size_t> counts, std::string_view meaning);
 [[nodiscard]] int read_integer(std::string_view option, std::string_view text, int lowest, int highest);
 /// As OpenSCAD's --camera takes it: six numbers or seven.
-[[nodiscard]] gl::Camera read_camera(std::string_view text);
+[[nodiscard]] base::Camera read_camera(std::string_view text);
 
 /// The value of that name.
 template <typename Value>

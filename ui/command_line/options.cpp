@@ -145,12 +145,12 @@ void interpret(Options& o, const RawOptions& raw) {
         }
         o.size = {static_cast<int>(n[0]), static_cast<int>(n[1])};
     }
-    o.projection = read_name<gl::Projection>("--projection", raw.projection,
-                                             {{"p", gl::Projection::Perspective},
-                                              {"o", gl::Projection::Orthographic},
-                                              {"perspective", gl::Projection::Perspective},
-                                              {"ortho", gl::Projection::Orthographic},
-                                              {"orthographic", gl::Projection::Orthographic}});
+    o.projection = read_name<base::Projection>("--projection", raw.projection,
+                                               {{"p", base::Projection::Perspective},
+                                                {"o", base::Projection::Orthographic},
+                                                {"perspective", base::Projection::Perspective},
+                                                {"ortho", base::Projection::Orthographic},
+                                                {"orthographic", base::Projection::Orthographic}});
     if (!raw.camera.empty()) {
         o.camera = read_camera(raw.camera);
         o.camera->projection = o.projection;

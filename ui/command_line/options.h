@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "gl/context.h"
 #include "goldfeather/choice.h"
 #include "ui/command_line/export_options.h"
@@ -23,10 +23,10 @@ struct Options {
     std::vector<std::string> definitions;  ///< name=expression
     std::string parameter_file;            ///< Parameter sets; empty: none.
     std::string parameter_set;             ///< The one to take.
-    std::optional<gl::Camera> camera;      ///< Absent: the file's $vp… variables, or everything in view.
+    std::optional<base::Camera> camera;    ///< Absent: the file's $vp… variables, or everything in view.
     bool view_all = false;
     bool autocenter = false;
-    gl::Projection projection = gl::Projection::Perspective;
+    base::Projection projection = base::Projection::Perspective;
     glm::ivec2 size{512, 512};
     std::string scheme = "Cornfield";
     std::string style = "shaded";

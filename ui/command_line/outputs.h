@@ -4,7 +4,7 @@
 #include <string>
 
 #include "csg/solid/outline_files.h"
-#include "ui/pipeline/mesh.h"
+#include "ui/pipeline/mesh/mesh.h"
 
 namespace ui {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "csg/scad/customizer.h"
+#include "csg/scad/customizer/customizer.h"
 
 namespace ui {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/scad/ast.h"
+#include "csg/scad/syntax/ast.h"
 
 namespace ui {
 

@@ -16,13 +16,13 @@
 #include "ui/command_line/standard_streams.h"
 #include "ui/command_line/summary.h"
 #include "ui/command_line/time_limit.h"
-#include "ui/pipeline/camera.h"
-#include "ui/pipeline/exact_bounds.h"
-#include "ui/pipeline/flat_lines.h"
 #include "ui/pipeline/measures.h"
-#include "ui/pipeline/outline.h"
+#include "ui/pipeline/mesh/outline.h"
+#include "ui/pipeline/picture/camera.h"
+#include "ui/pipeline/picture/exact_bounds.h"
+#include "ui/pipeline/picture/flat_lines.h"
+#include "ui/pipeline/picture/renderer.h"
 #include "ui/pipeline/plain_text.h"
-#include "ui/pipeline/renderer.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
 
@@ -143,7 +143,7 @@ class Run {
         camera_ = choose_camera(request, language_.evaluation().view, box_);
     }
 
-    [[nodiscard]] PictureRequest picture_request(const gl::Camera& camera) const {
+    [[nodiscard]] PictureRequest picture_request(const base::Camera& camera) const {
         PictureRequest request = picture_of(options_);
         request.camera = camera;
         request.size = options_.size;
@@ -174,7 +174,7 @@ class Run {
         const bool lines =
             extent_of(*model_) == Extent::Flat && model_->flat && request.style == "shaded" && request.samples == 1;
         request.flat_lines = !lines;
-        gl::Image image = renderer.render(*model_, request, limit_.token());
+        base::Image image = renderer.render(*model_, request, limit_.token());
         if (lines) {
             draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), camera_,
                             npr::find_color_scheme(request.scheme)->edge_2d);
@@ -183,7 +183,7 @@ class Run {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }
         (void)watch.lap();
-        const std::string png = gl::encode_png(image, limit_.token());
+        const std::string png = base::encode_png(image, limit_.token());
         picture_json_ = to_json(renderer.statistics());
         picture_json_["ms"]["context"] = context_ms;
         picture_json_["ms"]["encode"] = watch.lap();
@@ -258,7 +258,7 @@ class Run {
     std::shared_ptr<const Model> model_;
     Geometry geometry_;  ///< Once it was needed.
     csg::Box box_;       ///< Of what is shown.
-    gl::Camera camera_;
+    base::Camera camera_;
     Json picture_json_;
 };
 

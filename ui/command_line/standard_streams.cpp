@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "gl/write_all.h"
+#include "base/write_all.h"
 
 namespace ui {
 
@@ -27,13 +27,13 @@ void hold_standard_streams() {
 
 void say(std::string_view text) {
     static constinit std::atomic<int> patience = 2000;  // Milliseconds; a reader that has let that pass is not there.
-    if (!gl::write_all(STDERR_FILENO, text, patience) && errno == EAGAIN) {
+    if (!base::write_all(STDERR_FILENO, text, patience) && errno == EAGAIN) {
         patience = 0;
     }
 }
 
 void write_standard_output(std::string_view bytes) {
-    if (!gl::write_all(STDOUT_FILENO, bytes)) {
+    if (!base::write_all(STDOUT_FILENO, bytes)) {
         throw std::runtime_error(std::string("cannot write to standard output: ") + std::strerror(errno));
     }
 }

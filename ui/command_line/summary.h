@@ -5,15 +5,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/camera.h"
 #include "csg/solid/placed.h"
 #include "csg/tree/box.h"
-#include "gl/camera.h"
 #include "ui/command_line/summary_parts.h"
 
 namespace ui {
 
 struct SummaryFigures {
-    gl::Camera camera;
+    base::Camera camera;
     csg::Box box;                                    ///< Encloses the model; empty where it is.
     std::optional<nlohmann::ordered_json> geometry;  ///< to_json of the mesh or of the outline.
     csg::solid::SolidCache::Size cache;

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "gl/temporary_names.h"
-#include "gl/write_all.h"
+#include "base/temporary_names.h"
+#include "base/write_all.h"
 
 namespace ui {
 
@@ -43,7 +43,7 @@ Seconds spent_before() {
 void write_at_once(const std::string& text) {
     pollfd error{STDERR_FILENO, POLLOUT, 0};
     if (poll(&error, 1, 0) == 1 && (error.revents & POLLOUT) != 0) {
-        [[maybe_unused]] const bool written = gl::write_all(STDERR_FILENO, text, 0);
+        [[maybe_unused]] const bool written = base::write_all(STDERR_FILENO, text, 0);
     }
 }
 
@@ -74,7 +74,7 @@ void TimeLimit::watch(const std::stop_token& done, Clock::time_point deadline) {
     stop_.request_stop();
     if (wait_until(Clock::now() + std::chrono::duration_cast<Clock::duration>(grace()))) {
         tell();
-        gl::remove_temporary_names();
+        base::remove_temporary_names();
         _exit(1);
     }
 }

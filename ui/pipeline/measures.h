@@ -1,9 +1,9 @@
-// What a program asks of fonts and drawings (csg/scad/measures.h), answered by csg/solid.
+// What a program asks of fonts and drawings (csg/scad/builtin/measures.h), answered by csg/solid.
 #pragma once
 
 #include <memory>
 
-#include "csg/scad/measures.h"
+#include "csg/scad/builtin/measures.h"
 
 namespace ui {
 

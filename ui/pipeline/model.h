@@ -11,7 +11,7 @@
 #include "csg/tree/scene.h"
 #include "goldfeather/choice.h"
 #include "goldfeather/products.h"
-#include "ui/pipeline/exact_operations.h"
+#include "ui/pipeline/mesh/exact_operations.h"
 
 namespace ui {
 
@@ -65,7 +65,7 @@ class ModelBuilder {
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree,
                                                      const std::stop_token& stop = {});
 
-    /// A flat model (ui/pipeline/outline.h) as one region of the plane; its warnings and failures are those of the
+    /// A flat model (ui/pipeline/mesh/outline.h) as one region of the plane; its warnings and failures are those of the
     /// model. Throws ModelError where nothing is left of it, or its objects cannot be put together, base::Stopped
     /// where `stop` asked for it.
     [[nodiscard]] std::shared_ptr<const csg::solid::Outline> outline(const Model& model,

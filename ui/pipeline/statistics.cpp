@@ -2,7 +2,7 @@
 
 namespace ui {
 
-nlohmann::ordered_json to_json(const gl::Camera& camera) {
+nlohmann::ordered_json to_json(const base::Camera& camera) {
     const auto array = [](const glm::dvec3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
     return {{"translation", array(camera.target)},
             {"rotation", array(camera.rotation)},

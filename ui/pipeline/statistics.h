@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "goldfeather/choice.h"
 #include "goldfeather/walk_stats.h"
 #include "ui/pipeline/model.h"
@@ -23,7 +23,7 @@ struct PictureStatistics {
 };
 
 /// OpenSCAD's four numbers: {"translation": …, "rotation": …, "distance": …, "fov": …}.
-[[nodiscard]] nlohmann::ordered_json to_json(const gl::Camera& camera);
+[[nodiscard]] nlohmann::ordered_json to_json(const base::Camera& camera);
 
 /// Counts and stages of a model: {"leaves": …, "products": …, "ms": {"place": …, "normalize": …}}.
 [[nodiscard]] nlohmann::ordered_json to_json(const ModelStatistics& statistics);

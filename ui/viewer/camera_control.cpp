@@ -16,24 +16,24 @@ double wrapped(double degrees) {
     return turned < 0 ? turned + 360.0 : turned;
 }
 
-double half_fov_tangent(const gl::Camera& camera) {
+double half_fov_tangent(const base::Camera& camera) {
     return std::tan(camera.fov / 360.0 * glm::pi<double>());
 }
 
 /// Axes of the picture in world coordinates: right, up, towards the eye.
-std::array<glm::dvec3, 3> axes(const gl::Camera& camera) {
+std::array<glm::dvec3, 3> axes(const base::Camera& camera) {
     const glm::dmat3 world_from_eye = glm::transpose(glm::dmat3(camera.eye_from_world()));
     return {world_from_eye[0], world_from_eye[1], world_from_eye[2]};
 }
 
 /// World units per pixel in the plane through the target.
-double pixel_size(const gl::Camera& camera, int picture_height) {
+double pixel_size(const base::Camera& camera, int picture_height) {
     return 2 * camera.distance * half_fov_tangent(camera) / std::max(picture_height, 1);
 }
 
 }  // namespace
 
-void orbit(gl::Camera& camera, glm::dvec2 drag) {
+void orbit(base::Camera& camera, glm::dvec2 drag) {
     const double tilt = camera.rotation.x;
     const double turned = tilt - kDegreesPerPixel * drag.y;
     const bool upright = tilt >= 0 && tilt <= 180;  // Cameras of files may hang upside down: those turn freely.
@@ -41,28 +41,28 @@ void orbit(gl::Camera& camera, glm::dvec2 drag) {
     camera.rotation.z = wrapped(camera.rotation.z - kDegreesPerPixel * drag.x);
 }
 
-void pan(gl::Camera& camera, glm::dvec2 drag, int picture_height) {
+void pan(base::Camera& camera, glm::dvec2 drag, int picture_height) {
     const auto [right, up, back] = axes(camera);
     camera.target += pixel_size(camera, picture_height) * (up * drag.y - right * drag.x);
 }
 
-void zoom(gl::Camera& camera, double factor, const glm::dvec3& fixed) {
+void zoom(base::Camera& camera, double factor, const glm::dvec3& fixed) {
     const double distance = std::clamp(camera.distance * factor, kNearest, kFarthest);
     camera.target = fixed + distance / camera.distance * (camera.target - fixed);
     camera.distance = distance;
 }
 
-glm::dvec3 point_on_target_plane(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cursor) {
+glm::dvec3 point_on_target_plane(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor) {
     const auto [right, up, back] = axes(camera);
     const glm::dvec2 from_middle = cursor - 0.5 * glm::dvec2(size);
     return camera.target + pixel_size(camera, size.y) * (right * from_middle.x - up * from_middle.y);
 }
 
-gl::Camera pixel_camera(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cursor) {
+base::Camera pixel_camera(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor) {
     const glm::dvec3 point = point_on_target_plane(camera, size, cursor);
-    gl::Camera narrow = camera;
-    if (camera.projection == gl::Projection::Perspective) {
-        narrow = gl::camera_between(camera.eye(), point);
+    base::Camera narrow = camera;
+    if (camera.projection == base::Projection::Perspective) {
+        narrow = base::camera_between(camera.eye(), point);
         narrow.fov = camera.fov;
     }
     narrow.target = point;
@@ -70,9 +70,9 @@ gl::Camera pixel_camera(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cu
     return narrow;
 }
 
-void toggle_projection(gl::Camera& camera) {
-    camera.projection =
-        camera.projection == gl::Projection::Perspective ? gl::Projection::Orthographic : gl::Projection::Perspective;
+void toggle_projection(base::Camera& camera) {
+    camera.projection = camera.projection == base::Projection::Perspective ? base::Projection::Orthographic
+                                                                           : base::Projection::Perspective;
 }
 
 std::span<const StandardView> standard_views() {

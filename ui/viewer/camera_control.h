@@ -4,33 +4,33 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 
 namespace ui {
 
 /// Turntable about the world's z axis, 0.7 degrees per pixel as in OpenSCAD. A camera that has +z up keeps it up.
-void orbit(gl::Camera& camera, glm::dvec2 drag);
+void orbit(base::Camera& camera, glm::dvec2 drag);
 
 /// Shifts the camera so that the plane through its target, parallel to the picture, follows the cursor.
-void pan(gl::Camera& camera, glm::dvec2 drag, int picture_height);
+void pan(base::Camera& camera, glm::dvec2 drag, int picture_height);
 
 /// Scales the camera about `fixed` (world coordinates), which keeps its place in the picture in both projections.
 /// `factor` below 1 comes nearer. The distance stays within limits that double precision serves well.
-void zoom(gl::Camera& camera, double factor, const glm::dvec3& fixed);
+void zoom(base::Camera& camera, double factor, const glm::dvec3& fixed);
 
 /// Where the line of sight through the cursor meets the plane through the target, parallel to the picture.
-[[nodiscard]] glm::dvec3 point_on_target_plane(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cursor);
+[[nodiscard]] glm::dvec3 point_on_target_plane(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor);
 
 /// A camera whose picture of one pixel sees just what lies under the cursor: the same eye, or for orthographic cameras
 /// the same direction, looking at the point on the target plane.
-[[nodiscard]] gl::Camera pixel_camera(const gl::Camera& camera, glm::ivec2 size, glm::dvec2 cursor);
+[[nodiscard]] base::Camera pixel_camera(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor);
 
 /// The other projection; things at the target keep their size, since both use the distance and the field of view.
-void toggle_projection(gl::Camera& camera);
+void toggle_projection(base::Camera& camera);
 
 struct StandardView {
     const char* name;
-    glm::dvec3 rotation;  ///< As gl::Camera::rotation.
+    glm::dvec3 rotation;  ///< As base::Camera::rotation.
     int key;              ///< The digit that selects it with Ctrl, as in OpenSCAD.
 };
 

@@ -141,7 +141,7 @@ void camera_section(const ViewState& view, const Fonts& fonts, Commands& command
     button_grid(
         kEntries.size(), 3, [](std::size_t i) { return std::string(kEntries[i].label); }, chosen,
         [&](std::size_t i) { commands.emplace_back(kEntries[i].action); });
-    const bool orthographic = view.camera.projection == gl::Projection::Orthographic;
+    const bool orthographic = view.camera.projection == base::Projection::Orthographic;
     button_grid(
         2, 2, [](std::size_t i) { return std::string(i == 0 ? "Perspective" : "Orthographic"); },
         [&](std::size_t i) { return orthographic == (i == 1); },

@@ -16,7 +16,7 @@ namespace {
 /// The record on one line, without newline.
 std::string to_json(const FrameRecord& record) {
     nlohmann::ordered_json camera = ui::to_json(record.camera);
-    camera["projection"] = record.camera.projection == gl::Projection::Orthographic ? "orthographic" : "perspective";
+    camera["projection"] = record.camera.projection == base::Projection::Orthographic ? "orthographic" : "perspective";
     const nlohmann::ordered_json json = {{"time", record.time},
                                          {"ms", record.ms},
                                          {"picture_ms", record.picture_ms},

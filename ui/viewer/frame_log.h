@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 
 namespace ui {
 
@@ -23,7 +23,7 @@ struct FrameRecord {
     std::string engine;  ///< That drew the picture; empty before the first.
     std::string state;   ///< Of the document: "evaluating", "good", "failed" or "gone".
     bool evaluating = false;
-    gl::Camera camera;
+    base::Camera camera;
 };
 
 class FrameLog {

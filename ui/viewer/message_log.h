@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/scad/diagnostics.h"
+#include "csg/scad/source/diagnostics.h"
 
 namespace ui {
 

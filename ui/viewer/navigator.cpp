@@ -29,7 +29,7 @@ void Navigator::press(const PointerEvent& event, const Rectangle& picture) {
     last_ = event.position;
 }
 
-void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool free, gl::Camera& camera) {
+void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool free, base::Camera& camera) {
     const int height = static_cast<int>(picture.size.y);
     switch (event.kind) {
         case PointerKind::Press:

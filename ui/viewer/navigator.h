@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "gl/camera.h"
+#include "base/camera.h"
 #include "ui/viewer/input.h"
 #include "ui/viewer/layout.h"
 
@@ -13,7 +13,7 @@ class Navigator {
   public:
     /// Applies the event to the camera of the picture that lies in `picture`. `free`: no part of the interface lies
     /// over the picture there. A drag that began in the picture goes on outside of it.
-    void handle(const PointerEvent& event, const Rectangle& picture, bool free, gl::Camera& camera);
+    void handle(const PointerEvent& event, const Rectangle& picture, bool free, base::Camera& camera);
 
     /// A drag goes on.
     [[nodiscard]] bool dragging() const { return button_ != Button::None; }

@@ -26,7 +26,7 @@ float banner(const Rectangle& place, float top, const ImVec4& color, const std::
 }
 
 /// The directions of x, y and z in the lower left corner of the picture.
-void axes(const Rectangle& place, const gl::Camera& camera, const Fonts& fonts, float scale) {
+void axes(const Rectangle& place, const base::Camera& camera, const Fonts& fonts, float scale) {
     struct Axis {
         glm::dvec3 direction;  ///< In eye coordinates.
         const char* name;

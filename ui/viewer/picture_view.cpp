@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
+#include "base/file.h"
+#include "base/stop.h"
 #include "gl/error.h"
-#include "gl/file.h"
-#include "gl/stop.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -53,7 +53,7 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
         try {
             renderer.draw_sample(*model, request, step.sample, stop);
             if (threaded || !renderer.drawn_with_opengl()) {
-                gl::Image image = renderer.image();
+                base::Image image = renderer.image();
                 std::scoped_lock lock(mutex_);
                 image_ = std::move(image);
             } else {
@@ -62,7 +62,7 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
                 gl_.Finish();
                 drawn_ = true;
             }
-        } catch (const gl::Stopped&) {
+        } catch (const base::Stopped&) {
             done.stopped = true;
         } catch (const std::exception& error) {
             done.error = error.what();
@@ -77,7 +77,7 @@ void PictureView::save(std::shared_ptr<const Model> model, PictureRequest reques
     run([model = std::move(model), request = std::move(request), path = std::move(path)](Renderer& renderer) {
         SavedPicture done{path, request.size, {}};
         try {
-            gl::write_file(path, gl::encode_png(renderer.render(*model, request)));
+            base::write_file(path, base::encode_png(renderer.render(*model, request)));
         } catch (const std::exception& error) {
             done.error = error.what();
         }
@@ -85,7 +85,7 @@ void PictureView::save(std::shared_ptr<const Model> model, PictureRequest reques
     });
 }
 
-void PictureView::pick(std::shared_ptr<const Model> model, const gl::Camera& camera) {
+void PictureView::pick(std::shared_ptr<const Model> model, const base::Camera& camera) {
     run([model = std::move(model), camera](Renderer& renderer) {
         PickedPoint picked;
         try {
@@ -98,7 +98,7 @@ void PictureView::pick(std::shared_ptr<const Model> model, const gl::Camera& cam
 }
 
 std::vector<PictureResult> PictureView::take() {
-    std::optional<gl::Image> image;
+    std::optional<base::Image> image;
     std::vector<PictureResult> results;
     {
         std::scoped_lock lock(mutex_);
@@ -118,7 +118,7 @@ void PictureView::resize(glm::ivec2 size) {
     }
 }
 
-void PictureView::upload(const gl::Image& image) {
+void PictureView::upload(const base::Image& image) {
     resize({image.width, image.height});
     gl_.TextureSubImage2D(texture_.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
                           image.rgba.data());

@@ -59,7 +59,7 @@ class PictureView {
     /// Writes a picture of its own. The picture that is shown must be begun anew afterwards.
     void save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path);
     /// See Renderer::pick.
-    void pick(std::shared_ptr<const Model> model, const gl::Camera& camera);
+    void pick(std::shared_ptr<const Model> model, const base::Camera& camera);
 
     /// What has been done since the last call.
     [[nodiscard]] std::vector<PictureResult> take();
@@ -71,7 +71,7 @@ class PictureView {
   private:
     void run(std::function<PictureResult(Renderer&)> task);
     void resize(glm::ivec2 size);
-    void upload(const gl::Image& image);
+    void upload(const base::Image& image);
 
     const gl::Functions& gl_;
     std::function<void()> wake_;
@@ -81,7 +81,7 @@ class PictureView {
     bool drawn_ = false;
     std::mutex mutex_;
     std::vector<PictureResult> results_;
-    std::optional<gl::Image> image_;  ///< Drawn by the thread, not in the texture yet.
+    std::optional<base::Image> image_;  ///< Drawn by the thread, not in the texture yet.
     std::optional<Renderer> renderer_;
     std::stop_source drawing_;              ///< Of the step asked for last.
     std::unique_ptr<RenderThread> thread_;  ///< Last: its tasks use the above.

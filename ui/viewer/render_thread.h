@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/picture/renderer.h"
 
 namespace ui {
 

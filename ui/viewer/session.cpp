@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "ui/pipeline/camera.h"
+#include "ui/pipeline/picture/camera.h"
 
 namespace ui {
 
@@ -14,7 +14,7 @@ constexpr double kTurn = 15;  // Degrees per key press.
 constexpr double kZoom = 1.25;
 
 /// Turns by whole key presses, with orbit()'s rules.
-void turn(gl::Camera& camera, double about_x, double about_z) {
+void turn(base::Camera& camera, double about_x, double about_z) {
     constexpr double kPixelsPerDegree = 1 / 0.7;
     orbit(camera, {-about_z * kPixelsPerDegree, -about_x * kPixelsPerDegree});
 }
@@ -72,7 +72,7 @@ void Session::place_camera() {
 
 void Session::look_at(const glm::dvec3& point) {
     const glm::dvec3 back = glm::normalize(view_.camera.eye() - view_.camera.target);
-    if (view_.camera.projection == gl::Projection::Perspective) {
+    if (view_.camera.projection == base::Projection::Perspective) {
         const double distance = glm::dot(view_.camera.eye() - point, back);
         view_.camera.distance = std::max(distance, 1e-6);
     }
@@ -104,7 +104,7 @@ bool Session::perform(const Command& command) {
 }
 
 bool Session::act(Action action) {
-    gl::Camera& camera = view_.camera;
+    base::Camera& camera = view_.camera;
     switch (action) {
         case Action::Reload:
             evaluate();
@@ -114,11 +114,11 @@ bool Session::act(Action action) {
             break;
         case Action::ViewAll:
             if (document_.model()) {
-                gl::view_all(camera, document_.model()->box.lo, document_.model()->box.hi, true);
+                base::view_all(camera, document_.model()->box.lo, document_.model()->box.hi, true);
             }
             break;
         case Action::ResetView:
-            camera = gl::Camera{};
+            camera = base::Camera{};
             break;
         case Action::LookAtOrigin:
             camera.target = glm::dvec3(0);

@@ -35,7 +35,7 @@ class Session {
 
     [[nodiscard]] const Document& document() const { return document_; }
     [[nodiscard]] const ViewState& view() const { return view_; }
-    [[nodiscard]] gl::Camera& camera() { return view_.camera; }
+    [[nodiscard]] base::Camera& camera() { return view_.camera; }
     [[nodiscard]] const Shown& shown() const { return shown_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
     /// The most layers that were seen of the model, from wherever it was looked at; at least 1.

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "npr/style.h"
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/picture/renderer.h"
 
 namespace ui {
 
 /// A window always has a background. Style and scheme are indices into npr::styles() and npr::color_schemes().
 struct ViewState {
-    gl::Camera camera;
+    base::Camera camera;
     std::size_t style = 0;
     std::vector<npr::Parameters> parameters;  ///< By style: each keeps its own while another is shown.
     std::size_t scheme = 0;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "ui/pipeline/camera.h"
-#include "ui/pipeline/renderer.h"
+#include "ui/pipeline/picture/camera.h"
+#include "ui/pipeline/picture/renderer.h"
 #include "ui/viewer/revision.h"
 
 namespace ui {

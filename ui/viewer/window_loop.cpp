@@ -158,7 +158,7 @@ void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
     const auto clicked = navigator_.take_double_click();
     const auto& model = session_.document().model();
     if (clicked && model && !model->empty()) {
-        const gl::Camera narrow = pixel_camera(session_.camera(), glm::ivec2(picture.size), *clicked);
+        const base::Camera narrow = pixel_camera(session_.camera(), glm::ivec2(picture.size), *clicked);
         picture_.pick(model, narrow);
     }
 }

@@ -1,0 +1,165 @@
+#include "base/image.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "base/stop.h"
+
+namespace base {
+namespace {
+
+bool opaque(const Image& image) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        if (image.rgba[i] != 255)
+            return false;
+    return true;
+}
+
+/// What libpng writes, and why it stopped. No exception may pass through its code.
+struct Written {
+    std::string bytes, problem;
+    bool out_of_memory = false;
+};
+
+[[noreturn]] void note_problem(png_structp png, png_const_charp text) {
+    static_cast<Written*>(png_get_error_ptr(png))->problem = text;
+    png_longjmp(png, 1);
+}
+
+void append(png_structp png, png_bytep data, std::size_t size) {
+    auto& written = *static_cast<Written*>(png_get_io_ptr(png));
+    try {
+        written.bytes.append(reinterpret_cast<const char*>(data), size);
+    } catch (const std::bad_alloc&) {
+        written.out_of_memory = true;
+    }
+    if (written.out_of_memory)
+        png_error(png, "out of memory");
+}
+
+enum class Outcome { Done, Stopped, Failed };
+
+/// Nothing here has a destructor that an error of libpng could jump over. `row`: room for one without alpha.
+Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alpha, std::uint8_t* row,
+                   const std::stop_token& stop) {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return Outcome::Failed;
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    for (int y = 0; y < image.height; ++y) {
+        if (stop.stop_requested())
+            return Outcome::Stopped;
+        const std::uint8_t* pixels = image.pixel(0, y);
+        if (!alpha) {
+            for (int x = 0; x < image.width; ++x)
+                std::copy_n(pixels + 4 * x, 3, row + 3 * x);
+            pixels = row;
+        }
+        png_write_row(png, pixels);
+    }
+    png_write_end(png, info);
+    return Outcome::Done;
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+constexpr std::int64_t kMostPixels = 1 << 28;
+
+/// Sets the size; the rows will be RGBA of 8 bits.
+bool read_header(png_structp png, png_infop info, Image& image) {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return false;
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // Texts of any size that they claim.
+    png_read_info(png, info);
+    png_set_expand(png);
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    image.width = static_cast<int>(png_get_image_width(png, info));
+    image.height = static_cast<int>(png_get_image_height(png, info));
+    return true;
+}
+
+bool read_rows(png_structp png, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return false;
+    png_read_image(png, rows);
+    return true;
+}
+
+}  // namespace
+
+std::string encode_png(const Image& image, const std::stop_token& stop) {
+    Written written;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &written, note_problem, nullptr);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    if (info == nullptr) {
+        png_destroy_write_struct(&png, nullptr);
+        throw std::bad_alloc();
+    }
+    png_set_write_fn(png, &written, append, nullptr);
+    const bool alpha = !opaque(image);
+    std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
+    const Outcome outcome = write_rows(png, info, image, alpha, row.data(), stop);
+    png_destroy_write_struct(&png, &info);
+    if (written.out_of_memory)
+        throw std::bad_alloc();
+    if (outcome == Outcome::Failed)
+        throw std::runtime_error("PNG: " + written.problem);
+    if (outcome == Outcome::Stopped)
+        throw Stopped();
+    return std::move(written.bytes);
+}
+
+Image read_png(const std::filesystem::path& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (file == nullptr)
+        throw std::runtime_error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+    Written failure;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, note_problem, ignore_warning);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    if (info == nullptr) {
+        png_destroy_read_struct(&png, nullptr, nullptr);
+        throw std::bad_alloc();
+    }
+    png_init_io(png, file.get());
+    Image image;
+    std::vector<png_bytep> rows;
+    bool good = read_header(png, info, image);
+    if (good && std::int64_t{image.width} * image.height > kMostPixels) {
+        failure.problem = fmt::format("{} × {} pixels are more than can be read", image.width, image.height);
+        good = false;
+    }
+    if (good) {
+        try {
+            image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+            for (int y = 0; y < image.height; ++y)
+                rows.push_back(const_cast<png_bytep>(image.pixel(0, y)));
+        } catch (const std::bad_alloc&) {
+            png_destroy_read_struct(&png, &info, nullptr);
+            throw;
+        }
+    }
+    const bool read = good && read_rows(png, rows.data());
+    png_destroy_read_struct(&png, &info, nullptr);
+    if (!read)
+        throw std::runtime_error(fmt::format("{}: {}", path.string(), failure.problem));
+    return image;
+}
+
+}  // namespace base

@@ -1,0 +1,34 @@
+// The names of files that are being written, which are not to outlive the program.
+#pragma once
+
+#include <string>
+
+namespace base {
+
+/// A name that is removed when a signal ends the program, from its construction to release(); see
+/// remove_temporary_names_at_signals(). Construct it before the file is there.
+class TemporaryName {
+  public:
+    explicit TemporaryName(std::string name);
+    ~TemporaryName() { release(); }
+    TemporaryName(const TemporaryName&) = delete;
+    TemporaryName& operator=(const TemporaryName&) = delete;
+
+    /// The file is gone, or has its final name.
+    void release();
+
+    struct Entry;
+
+  private:
+    Entry* entry_;
+};
+
+/// Removes all files of temporary names, for a program that ends without its destructors. From any thread, or a signal
+/// handler.
+void remove_temporary_names();
+
+/// From now on SIGTERM, SIGINT, SIGHUP and the like, where they would have ended the program, first remove all
+/// temporary names. To be called once, in main().
+void remove_temporary_names_at_signals();
+
+}  // namespace base

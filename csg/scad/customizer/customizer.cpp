@@ -1,0 +1,208 @@
+#include "csg/scad/customizer/customizer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "csg/scad/syntax/annotations.h"
+#include "csg/scad/text/expression_writer.h"
+#include "csg/scad/value/value.h"
+
+namespace csg::scad {
+
+namespace {
+
+using Kind = CommentValue::Kind;
+constexpr std::size_t kMostNumbers = 4;  // Of a list.
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
+
+std::optional<double> number_in(std::string_view text) {
+    text = trimmed(text);
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number) ? std::optional(number)
+                                                                                             : std::nullopt;
+}
+
+/// "[1, 2]".
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+    text = trimmed(text);
+    if (text.size() < 2 || text.front() != '[' || text.back() != ']') {
+        return std::nullopt;
+    }
+    text = text.substr(1, text.size() - 2);
+    std::vector<double> numbers;
+    for (;;) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const auto number = number_in(text.substr(0, comma));
+        if (!number || numbers.size() == kMostNumbers) {
+            return std::nullopt;
+        }
+        numbers.push_back(*number);
+        if (comma == text.size()) {
+            return numbers;
+        }
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::optional<double> number_of(const Program& program, ExprId id) {
+    const Expr& e = program[id];
+    if (e.kind == ExprKind::Number) {
+        return e.number;
+    }
+    const bool negative = e.kind == ExprKind::Unary && e.op == Operator::Negate;
+    return negative && program[e.operand(0)].kind == ExprKind::Number ? std::optional(-program[e.operand(0)].number)
+                                                                      : std::nullopt;
+}
+
+std::optional<CustomizerParameter::Initial> initial_of(const Program& program, ExprId id) {
+    const Expr& e = program[id];
+    if (e.kind == ExprKind::Boolean) {
+        return e.number != 0;
+    }
+    if (e.kind == ExprKind::String) {
+        return program.symbols.text(e.name);
+    }
+    if (const auto number = number_of(program, id)) {
+        return *number;
+    }
+    if (e.kind != ExprKind::Vector || e.list.count == 0 || e.list.count > kMostNumbers) {
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (const ExprId element : program.elements_of(e)) {
+        const auto number = number_of(program, element);
+        if (!number) {
+            return std::nullopt;
+        }
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+CustomizerParameter::Option option_of(const CommentValue& item) {
+    const bool labelled = item.kind == Kind::List && item.items.size() == 2;
+    const CommentValue& value = labelled ? item.items[0] : item;
+    const auto text_of = [](const CommentValue& v) { return v.kind == Kind::Number ? number_text(v.number) : v.text; };
+    CustomizerParameter::Option option{text_of(labelled ? item.items[1] : item), value.text};
+    if (value.kind == Kind::Number) {
+        option.value = value.number;
+    }
+    return option;
+}
+
+/// What the comment behind a number, or a list of numbers, says about the least, the most and the step.
+bool take_range(CustomizerParameter& p, const CommentValue& form) {
+    if (form.kind == Kind::Range) {
+        p.minimum = form.items.front().number;
+        p.maximum = form.items.back().number;
+        p.step = form.items.size() == 3 ? form.items[1].number : 1;
+        return true;
+    }
+    if (form.kind == Kind::List && form.items.size() == 1 && form.items[0].kind == Kind::Number) {
+        p.minimum = 0;
+        p.maximum = form.items[0].number;
+        p.step = 1;
+        return true;
+    }
+    if (form.kind == Kind::Number) {
+        p.step = form.number;
+        return true;
+    }
+    return false;
+}
+
+void take_form(CustomizerParameter& p, const CommentValue& form) {
+    const bool number = std::holds_alternative<double>(p.initial);
+    if (number || std::holds_alternative<std::vector<double>>(p.initial)) {
+        if (take_range(p, form)) {
+            return;
+        }
+        p.step = number && form.kind != Kind::List ? std::optional(1.0) : std::nullopt;
+    }
+    const bool text = std::holds_alternative<std::string>(p.initial);
+    if (form.kind == Kind::List && (number || text)) {
+        std::transform(form.items.begin(), form.items.end(), std::back_inserter(p.options), option_of);
+    } else if (text && form.kind == Kind::Number && form.number >= 0 && form.number < 1e9) {
+        p.longest = static_cast<std::size_t>(form.number);
+    }
+}
+
+/// The value of an option as an expression.
+std::string expression_of(const std::variant<double, std::string>& value) {
+    const auto* const number = std::get_if<double>(&value);
+    return number != nullptr ? fmt::format("{}", *number) : quoted(std::get<std::string>(value));
+}
+
+double clamped(const CustomizerParameter& p, double number) {
+    number = p.maximum ? std::min(number, *p.maximum) : number;
+    return p.minimum ? std::max(number, *p.minimum) : number;
+}
+
+}  // namespace
+
+std::vector<CustomizerParameter> customizer_parameters(const Program& program) {
+    std::vector<CustomizerParameter> result;
+    const BlockId block = program.units[0].block;
+    if (block == kNone) {
+        return result;
+    }
+    const auto assignments = program.assignments_of(program.blocks[block]);
+    const auto comments = annotations(program);
+    for (std::size_t i = 0; i < assignments.size(); ++i) {
+        if (!comments[i] || comments[i]->group == "Hidden") {
+            continue;
+        }
+        if (auto initial = initial_of(program, assignments[i].value)) {
+            CustomizerParameter& p = result.emplace_back();
+            p.name = program.symbols.text(assignments[i].name);
+            p.caption = comments[i]->description;
+            p.group = comments[i]->group.value_or("Parameters");
+            p.initial = std::move(*initial);
+            take_form(p, comments[i]->form);
+        }
+    }
+    return result;
+}
+
+std::optional<std::string> fitted_expression(const CustomizerParameter& p, std::string_view text) {
+    if (!p.options.empty()) {
+        const auto number = number_in(text);
+        for (const auto& option : p.options) {
+            const auto* const value = std::get_if<double>(&option.value);
+            if (value != nullptr ? number == *value : std::get<std::string>(option.value) == text) {
+                return expression_of(option.value);
+            }
+        }
+        return std::nullopt;
+    }
+    if (std::holds_alternative<bool>(p.initial)) {
+        return text == "true" || text == "false" ? std::optional(std::string(text)) : std::nullopt;
+    }
+    if (std::holds_alternative<std::string>(p.initial)) {
+        return quoted(text);
+    }
+    if (std::holds_alternative<double>(p.initial)) {
+        const auto number = number_in(text);
+        return number ? std::optional(fmt::format("{}", clamped(p, *number))) : std::nullopt;
+    }
+    const auto numbers = numbers_in(text);
+    if (!numbers || numbers->size() != std::get<std::vector<double>>(p.initial).size()) {
+        return std::nullopt;
+    }
+    std::string list;
+    for (const double number : *numbers) {
+        list += fmt::format("{}{}", list.empty() ? "[" : ", ", clamped(p, number));
+    }
+    return list + ']';
+}
+
+}  // namespace csg::scad

@@ -1,0 +1,74 @@
+#include "csg/scad/syntax/parser.h"
+
+#include "csg/scad/syntax/parser_impl.h"
+
+namespace csg::scad {
+
+Parser::Parser(Files& files, UnitId unit, bool lazy)
+    : files_(&files), program_(files.program()), unit_(unit), lazy_(lazy) {
+    tokens_.emplace(files, program_.units[unit].file, unit);
+}
+
+namespace {
+
+/// The unit's block, or kNone and a message.
+BlockId parse_unit(Files& files, UnitId unit, std::span<const std::string> definitions, bool lazy) {
+    try {
+        return Parser(files, unit, lazy).unit(definitions);
+    } catch (SyntaxError& error) {
+        report(files.sink(), {Severity::Error, error.where, std::move(error.text), true});
+        return kNone;
+    }
+}
+
+/// Nothing moves when lazy bodies are built.
+void reserve_for_lazy(Program& program) {
+    const NodeCounts& most = program.lazy.most;
+    const auto keep_room = [](auto& array, std::size_t more) { array.reserve(more == 0 ? 0 : array.size() + more); };
+    keep_room(program.expressions, most.expressions);
+    keep_room(program.elements, most.elements);
+    keep_room(program.arguments, most.arguments);
+    keep_room(program.assignments, most.assignments);
+    keep_room(program.functions, most.functions);
+    keep_room(program.modules, most.modules);
+    keep_room(program.instantiations, most.instantiations);
+    keep_room(program.blocks, most.blocks);
+}
+
+}  // namespace
+
+Parsed parse(const ParseRequest& request) {
+    Parsed parsed;
+    Program& program = parsed.program;
+    const MessageSink sink = [&](const Message& message) { parsed.messages.push_back(message); };
+    Files files(request, program, sink);
+    program.units[0].block = parse_unit(files, 0, request.definitions, request.lazy);
+    parsed.ok = program.units[0].block != kNone;
+    for (UnitId unit = 1; parsed.ok && unit < program.units.size(); ++unit) {  // Units bring in more units.
+        program.units[unit].block = parse_unit(files, unit, {}, request.lazy);
+    }
+    for (Unit& unit : program.units) {
+        for (Use& use : unit.uses) {
+            use.unit = use.unit != kNone && program.units[use.unit].block == kNone ? kNone : use.unit;
+        }
+    }
+    reserve_for_lazy(program);
+    return parsed;
+}
+
+void build_function_body(Program& program, std::uint32_t function) {
+    const FunctionDefinition f = program.functions[function];
+    if (f.lazy != kNone && f.body == kNone) {
+        program.functions[function].body = Parser(program).function_body(program.lazy.bodies[f.lazy]);
+    }
+}
+
+void build_module_body(Program& program, std::uint32_t module) {
+    const ModuleDefinition m = program.modules[module];
+    if (m.lazy != kNone && m.body == kNone) {
+        const BlockId body = Parser(program).module_body(program.lazy.bodies[m.lazy]);
+        program.modules[module].body = body;
+    }
+}
+
+}  // namespace csg::scad

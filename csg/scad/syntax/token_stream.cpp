@@ -1,0 +1,119 @@
+#include "csg/scad/syntax/token_stream.h"
+
+#include <fmt/format.h>
+
+namespace csg::scad {
+
+namespace {
+
+bool is_last(const Token& token) {
+    return token.kind == TokenKind::End || token.kind == TokenKind::Error;
+}
+
+const MessageSink kSilence;
+
+}  // namespace
+
+TokenStream::TokenStream(Files& files, std::uint32_t root, UnitId unit) : files_(&files), unit_(unit) {
+    Program& program = files.program();
+    lexers_.emplace_back(program.sources[root].text(), root, program.symbols, files.sink());
+    read(tokens_[0]);
+    read(tokens_[1]);
+}
+
+TokenStream::TokenStream(Program& program, const LazyBody& body) {
+    const std::string_view text = std::string_view(program.sources[body.file].text()).substr(0, body.end);
+    lexers_.emplace_back(text, body.file, program.symbols, kSilence,
+                         Lexer::Place{body.begin, body.line, body.begin - (body.column - 1)});
+    read(tokens_[0]);
+    read(tokens_[1]);
+}
+
+bool TokenStream::can_skip() const {
+    // A lexer of another time that the same file is included has not come as far as this token, or is at its end.
+    const Lexer& lexer = lexers_.back();
+    return !is_last(current()) && lexer.file() == current().where.file && lexer.place().at > current().at;
+}
+
+void TokenStream::skip(std::size_t end) {
+    const SourceRange& where = current().where;
+    Lexer& lexer = lexers_.back();
+    lexer.go_on({current().at, where.line, current().at - (where.column - 1)}, end);
+    const Lexer::Place& place = lexer.place();
+    const auto column = static_cast<std::uint32_t>(place.at - place.line_start);
+    Token sign;
+    sign.at = static_cast<std::uint32_t>(end) - 1;
+    sign.where = {lexer.file(), place.line, column, place.line, column + 1};
+    tokens_[at_ % kKept] = sign;
+    ++at_;
+    read(tokens_[at_ % kKept]);
+    read_next();
+}
+
+const Token& TokenStream::take() {
+    const Token& taken = current();
+    ++at_;
+    read_next();
+    return taken;
+}
+
+/// The one after the current one; the last one is followed by itself.
+void TokenStream::read_next() {
+    Token& after = tokens_[(at_ + 1) % kKept];
+    if (is_last(current())) {
+        after = current();
+    } else {
+        read(after);
+    }
+}
+
+void TokenStream::read(Token& token) {
+    for (;;) {
+        token = lexers_.back().take();
+        if (token.kind == TokenKind::End && lexers_.size() > 1) {
+            lexers_.pop_back();
+            open_.pop_back();
+        } else if (token.kind == TokenKind::Include) {
+            if (Token failed; !enter(token, failed)) {
+                token = failed;
+                return;
+            }
+        } else {
+            if (token.kind == TokenKind::Use) {
+                files_->use(files_->program().symbols.text(token.name), token.where.file, unit_, token.where);
+            }
+            return;
+        }
+    }
+}
+
+/// False where a limit is passed. A file that is not found is passed over.
+bool TokenStream::enter(const Token& include, Token& failed) {
+    Program& program = files_->program();
+    const auto file = files_->include(program.symbols.text(include.name), include.where.file, open_, include.where);
+    if (!file) {
+        return true;
+    }
+    if (open_.size() >= kMaxIncludeDepth) {
+        failed = too_much(include, fmt::format("included files nest deeper than {} levels", kMaxIncludeDepth));
+        return false;
+    }
+    if (!files_->account(*file)) {
+        failed = too_much(include, fmt::format("included files are more than {}, or larger than {} MiB in all",
+                                               kMaxInclusions, kMaxSourceBytes >> 20));
+        return false;
+    }
+    lexers_.emplace_back(program.sources[*file].text(), *file, program.symbols, files_->sink());
+    open_.push_back(*file);
+    return true;
+}
+
+Token TokenStream::too_much(const Token& include, std::string text) {
+    Token failed;
+    failed.kind = TokenKind::Error;
+    failed.name = files_->program().symbols.intern(text);
+    failed.where = include.where;
+    return failed;
+}
+
+}  // namespace csg::scad

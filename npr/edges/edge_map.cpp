@@ -1,0 +1,147 @@
+#include "npr/edges/edge_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "base/stop.h"
+
+namespace npr {
+namespace {
+
+constexpr int kEdgeLayers = 16, kEdgeTile = 4;  // As in npr/edges/edge_point.glsl.
+
+constexpr std::size_t candidate_bytes(std::uint32_t room) {
+    return 8 * (static_cast<std::size_t>(room) + 1);
+}
+
+std::uint32_t read_count(const gl::Functions& gl, const gl::Buffer& list) {
+    std::uint32_t count = 0;
+    gl.GetNamedBufferSubData(list.id(), 0, sizeof count, &count);
+    return count;
+}
+
+}  // namespace
+
+gl::Texture make_edge_tiles(const gl::Functions& gl, glm::ivec2 size) {
+    return gl::Texture::make_2d(gl, GL_R32UI, (size + kEdgeTile - 1) / kEdgeTile);
+}
+
+EdgeMap::EdgeMap(const gl::Functions& gl)
+    : gl_(gl),
+      find_links_(gl, {"npr/edges/edge_links.comp"}),
+      find_candidates_(gl, {"npr/edges/edge_candidates.comp"}),
+      find_edges_(gl, {"npr/edges/edge_map.comp"}),
+      links_(gl),
+      candidates_(gl) {
+    candidates_.reserve(candidate_bytes(room_), GL_DYNAMIC_COPY);
+}
+
+void EdgeMap::resize(glm::ivec2 size, int layers) {
+    const int slices = 2 * std::min(layers, kEdgeLayers);
+    if (!marks_ || marks_.size() != size) {
+        marks_ = gl::Texture::make_2d(gl_, GL_R32UI, size);
+        tiles_ = make_edge_tiles(gl_, size);
+        const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+        links_.reserve(4 * (1 + 2 * pixels), GL_DYNAMIC_COPY);
+    }
+    if (!points_ || points_.size() != size || points_.layers() < slices)
+        points_ = gl::Texture::make_2d_array(gl_, GL_R32UI, size, slices);
+}
+
+std::uint32_t EdgeMap::list_links(const Frame& frame) {
+    const std::uint32_t zero = 0;
+    gl_.NamedBufferSubData(links_.id(), 0, sizeof zero, &zero);
+    links_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    find_links_.use(frame);
+    gl_.DispatchCompute(groups(static_cast<std::uint32_t>(frame.layers.size.x)),
+                        static_cast<GLuint>(frame.layers.size.y), 1);
+    gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    return read_count(gl_, links_);
+}
+
+std::uint32_t EdgeMap::list_candidates(const Frame& frame, std::uint32_t links) {
+    const std::array<std::uint32_t, 2> head{0, room_};
+    gl_.NamedBufferSubData(candidates_.id(), 0, sizeof head, head.data());
+    candidates_.bind(GL_SHADER_STORAGE_BUFFER, 3);
+    gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32UI);
+    find_candidates_.use(frame);
+    gl_.DispatchCompute(groups(links), 1, 1);
+    gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    return read_count(gl_, candidates_);
+}
+
+void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
+    resize(frame.layers.size, frame.layers.layers);
+    jitter_ = glm::vec2(frame.view.jitter());
+    for (const FrameProgram* search : {&find_links_, &find_candidates_}) {
+        search->program().set("part_edges", settings.parts);
+        search->program().set("visible_only", settings.visible_only);
+    }
+    find_candidates_.program().set("crease_cosine", std::cos(glm::radians(settings.crease_degrees)));
+    base::end_if_asked(frame.stop);
+    link_count_ = list_links(frame);
+    base::end_if_asked(frame.stop);
+    std::uint32_t count = link_count_ > 0 ? list_candidates(frame, link_count_) : 0;
+    if (count > room_) {
+        room_ = count + count / 4;
+        candidates_.reserve(candidate_bytes(room_), GL_DYNAMIC_COPY);
+        count = list_candidates(frame, link_count_);
+    }
+    const std::uint32_t zero = 0;
+    gl_.ClearTexImage(marks_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    gl_.ClearTexImage(tiles_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    if (count > 0) {
+        find_edges_.program().set("crease_angle", glm::radians(settings.crease_degrees));
+        find_edges_.program().set("part_edges", settings.parts);
+        gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
+        gl_.BindImageTexture(1, marks_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+        gl_.BindImageTexture(2, tiles_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+        find_edges_.use(frame);
+        gl_.DispatchCompute(groups(count), 1, 1);
+        gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+    bind();
+}
+
+std::vector<HostEdge> EdgeMap::read_back() const {
+    const glm::ivec2 size = marks_.size();
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    const auto read = [&](const gl::Texture& texture, std::size_t count) {
+        std::vector<std::uint32_t> texels(count);
+        gl_.GetTextureImage(texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(4 * count),
+                            texels.data());
+        return texels;
+    };
+    const std::vector<std::uint32_t> marks = read(marks_, pixels);
+    const std::vector<std::uint32_t> points = read(points_, pixels * static_cast<std::size_t>(points_.layers()));
+    std::vector<HostEdge> edges;
+    for (int slice = 0; slice < points_.layers(); ++slice)
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const int axis = slice % 2, layer = slice / 2;
+            if ((marks[i] >> (layer + kEdgeLayers * axis) & 1U) == 0)
+                continue;
+            // As npr/edges/edge_point.glsl packs them.
+            const std::uint32_t bits = points[pixels * static_cast<std::size_t>(slice) + i];
+            const float along = static_cast<float>(bits >> 10 & 1023U) / 1023.0F;
+            const float angle = (static_cast<float>(bits & 1023U) + 0.5F) * (glm::pi<float>() / 1024.0F);
+            const glm::vec2 lower(static_cast<float>(i % static_cast<std::size_t>(size.x)),
+                                  static_cast<float>(i / static_cast<std::size_t>(size.x)));
+            edges.push_back({lower + 0.5F + jitter_ + (axis == 0 ? glm::vec2(along, 0) : glm::vec2(0, along)),
+                             {std::cos(angle), std::sin(angle)},
+                             layer,
+                             bits >> 30 == 2});
+        }
+    return edges;
+}
+
+void EdgeMap::bind() const {
+    links_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    marks_.bind(2);
+    tiles_.bind(3);
+    points_.bind(4);
+}
+
+}  // namespace npr

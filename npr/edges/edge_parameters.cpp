@@ -1,0 +1,15 @@
+#include "npr/edges/edge_parameters.h"
+
+namespace npr {
+
+Parameter line_width(float initial) {
+    return Parameter::number("width", "Width of lines", initial, 0.25F, 4);
+}
+Parameter crease_angle() {
+    return Parameter::number("crease", "Angle of creases", 33, 0, 180);
+}
+Parameter part_edges() {
+    return Parameter::toggle("parts", "Edges between parts and colors", true);
+}
+
+}  // namespace npr

@@ -1,0 +1,102 @@
+// Lines along the edges of a bound edge map (npr/edges/edge_map.h).
+#include "npr/edges/edge_point.glsl"
+#include "npr/edges/line_ink.glsl"
+
+layout(binding = 2) uniform usampler2D edge_marks;
+layout(binding = 3) uniform usampler2D edge_tiles;
+layout(binding = 4) uniform usampler2DArray edge_points;
+
+// The layers with edges so near that lines of that width may cover `at`, and some more.
+uint layers_near(vec2 at, float width) {
+    ivec4 tiles = links_near(at, width) / kEdgeTile;
+    uvec4 four = textureGather(edge_tiles, vec2(tiles.xy + 1) / vec2(textureSize(edge_tiles, 0)));
+    uint marks = four.x | four.y | four.z | four.w;
+    if (any(greaterThan(tiles.zw - tiles.xy, ivec2(1))))  // wide lines only
+        for (int y = tiles.y; y <= tiles.w; ++y)
+            for (int x = tiles.x; x <= tiles.z; ++x)
+                marks |= texelFetch(edge_tiles, ivec2(x, y), 0).x;
+    return (marks | marks >> kEdgeLayers) & 0xffffu;
+}
+
+void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, float width, bool hard) {
+    EdgePoint e = unpack_edge(bits);
+    vec2 from_point = at - vec2(lower) - e.at * along;
+    float coverage = hard ? step(0.5, e.strength) * hard_piece(from_point, e.across, width)
+                          : e.strength * piece(from_point, e.across, width);
+    if (e.kind == kProfileEdge)
+        edge.profile = max(edge.profile, coverage);
+    else
+        edge.inner = max(edge.inner, coverage);
+}
+
+// Lines of one layer, `width` pixels wide, about its edges; smooth ones, or `hard` ones.
+Edge edge_at(vec2 at, int layer, float width, bool hard) {
+    ivec4 links = links_near(at, width);
+    uint right = edge_mark(layer, 0), up = edge_mark(layer, 1);
+    Edge edge = no_edge();
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x) {
+            ivec2 p = ivec2(x, y);
+            uint marks = texelFetch(edge_marks, p, 0).x;
+            if ((marks & right) != 0u)
+                add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 0)), 0).x, at, p, vec2(1.0, 0.0),
+                          width, hard);
+            if ((marks & up) != 0u)
+                add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 1)), 0).x, at, p, vec2(0.0, 1.0),
+                          width, hard);
+        }
+    return edge;
+}
+
+Edge edge_at(vec2 at, int layer, float width) {
+    return edge_at(at, layer, width, false);
+}
+
+// Lines of all layers in one search: the ink of each, by the strengths of its edges. `hidden_width` is that of all
+// layers but the first, and not above `width`.
+void all_edges_at(vec2 at, float width, float hidden_width, float profile_strength, float inner_strength,
+                  out float ink[kEdgeLayers]) {
+    for (int i = 0; i < kEdgeLayers; ++i)
+        ink[i] = 0.0;
+    ivec4 links = links_near(at, width);
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x) {
+            uint marks = texelFetch(edge_marks, ivec2(x, y), 0).x;
+            while (marks != 0u) {
+                int bit = findLSB(marks);
+                marks &= marks - 1u;
+                int axis = bit / kEdgeLayers, layer = bit % kEdgeLayers;
+                uint bits = texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x;
+                EdgePoint e = unpack_edge(bits);
+                vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);
+                float coverage = e.strength * piece(from_point, e.across, layer == 0 ? width : hidden_width);
+                ink[layer] = max(ink[layer], (e.kind == kProfileEdge ? profile_strength : inner_strength) * coverage);
+            }
+        }
+}
+
+#ifdef OVERSHOOT
+layout(binding = 5) uniform usampler2DArray overshoot_points;
+layout(binding = 6) uniform usampler2D overshoot_tiles;
+
+// Visible edges drawn on beyond their ends (npr/edges/overshoot.h).
+Edge overshoot_at(vec2 at, float width) {
+    Edge edge = no_edge();
+    ivec4 links = links_near(at, width);
+    ivec4 tiles = links / kEdgeTile;
+    uint any = 0u;
+    for (int y = tiles.y; y <= tiles.w; ++y)
+        for (int x = tiles.x; x <= tiles.z; ++x)
+            any |= texelFetch(overshoot_tiles, ivec2(x, y), 0).x;
+    if (any == 0u)
+        return edge;
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x)
+            for (int axis = 0; axis < 2; ++axis) {
+                uint bits = texelFetch(overshoot_points, ivec3(x, y, axis), 0).x;
+                if (bits != 0u)
+                    add_piece(edge, bits, at, ivec2(x, y), vec2(1 - axis, axis), width, false);
+            }
+    return edge;
+}
+#endif

@@ -1,0 +1,50 @@
+#include "npr/painter/cpu_accumulate.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "npr/srgb.h"
+
+namespace npr {
+
+void CpuAccumulator::paint_sample(const Paint& paint, const peel::SurfaceRows& rows, const Picture& picture,
+                                  std::size_t sample, const PeelToMemory& peel) {
+    if (sample == 0) {
+        size_ = picture.size;
+        sum_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), glm::vec4(0));
+    }
+    samples_ = static_cast<int>(sample) + 1;
+    const base::View view(picture.camera, picture.size, picture.lo, picture.hi,
+                          sample_offsets(picture.samples)[sample]);
+    paint({view, peel(view), rows, picture.parameters, picture.scheme, picture.transparent_background, sum_,
+           picture.stop});
+}
+
+base::Image CpuAccumulator::image() const {
+    const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
+    base::Image image{size_.x, size_.y, std::vector<std::uint8_t>(4 * width * height)};
+    const SrgbTables& srgb = SrgbTables::get();
+    base::for_each_index(size_.y, [&] {
+        return [&](int y) {
+            // The sum's rows go up, the image's down.
+            const glm::vec4* from = &sum_[static_cast<std::size_t>(y) * width];
+            std::uint8_t* to = &image.rgba[4 * (height - 1 - static_cast<std::size_t>(y)) * width];
+            for (std::size_t x = 0; x < width; ++x, to += 4) {
+                if (x > 0 && from[x] == from[x - 1]) {
+                    std::copy_n(to - 4, 4, to);
+                    continue;
+                }
+                const glm::vec4 c = from[x] / static_cast<float>(samples_);
+                if (c.a > 0) {
+                    to[0] = srgb.byte(c.r / c.a);
+                    to[1] = srgb.byte(c.g / c.a);
+                    to[2] = srgb.byte(c.b / c.a);
+                    to[3] = static_cast<std::uint8_t>(std::min(c.a, 1.0F) * 255 + 0.5F);
+                }
+            }
+        };
+    });
+    return image;
+}
+
+}  // namespace npr

@@ -1,0 +1,33 @@
+// Antialiasing without OpenGL: npr/accumulate.h for styles that paint.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/image.h"
+#include "npr/accumulate.h"
+#include "npr/painter/cpu_frame.h"
+
+namespace npr {
+
+/// The layers as seen from a view, which must stand until the next call; called once per sample.
+using PeelToMemory = std::function<const peel::CpuLayers&(const base::View& view)>;
+
+/// Paints pictures sample by sample and keeps their sum.
+class CpuAccumulator {
+  public:
+    /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is the
+    /// mean of those painted so far. `rows`: of the model that `peel` peels.
+    void paint_sample(const Paint& paint, const peel::SurfaceRows& rows, const Picture& picture, std::size_t sample,
+                      const PeelToMemory& peel);
+
+    /// The picture painted last: sRGB with straight alpha.
+    [[nodiscard]] base::Image image() const;
+
+  private:
+    glm::ivec2 size_{0};
+    int samples_ = 1;  ///< In the sum.
+    std::vector<glm::vec4> sum_;
+};
+
+}  // namespace npr

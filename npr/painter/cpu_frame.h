@@ -1,0 +1,33 @@
+// Frames drawn without OpenGL.
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <span>
+#include <stop_token>
+
+#include "base/camera.h"
+#include "npr/color_scheme.h"
+#include "npr/parameter.h"
+#include "peel/cpu_layers.h"
+
+namespace npr {
+
+/// One sample per pixel of a picture, to be painted by a style: what Frame (npr/style.h) is for layers in main memory.
+struct CpuFrame {
+    const base::View& view;  ///< That `layers` was peeled from, its jitter included.
+    const peel::CpuLayers& layers;
+    const peel::SurfaceRows& rows;
+    const Parameters& parameters;  ///< Of the style that paints.
+    const ColorScheme& scheme;
+    bool transparent_background = false;
+    /// By pixel, rows from bottom to top: linear light, premultiplied alpha. The sample is added to what is there.
+    std::span<glm::vec4> sum;
+    std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the sum is undefined then.
+};
+
+/// Paints a frame on all cores: what the style of the same name draws with OpenGL, up to rounding. The bytes depend
+/// neither on the machine nor on the number of threads, nor on the frames painted before.
+using Paint = std::function<void(const CpuFrame& frame)>;
+
+}  // namespace npr

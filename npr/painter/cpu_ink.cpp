@@ -1,0 +1,49 @@
+#include "npr/painter/cpu_ink.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace npr {
+
+static_assert(Tiles::kSide == 32, "a row's pixels are the bits of a word");
+
+void TileInk::draw(int tile, shader::Frame& rules) {
+    box_ = tiles_.bounds(tile);
+    near_.fill(0);
+    drawn_ = 0;
+    tiles_.for_each_about(tile, [&](int other) {
+        for (const CpuEdge& edge : edges_[static_cast<std::size_t>(other)]) {
+            spread(edge, rules);
+        }
+    });
+}
+
+void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {
+    // A pixel looks as far as this for links: the other way round as in links_near of npr/edges/lines.glsl.
+    const int reach = static_cast<int>(0.5F * lines_.width + 0.5F);
+    const glm::ivec2 lo = glm::max(edge.lower - reach, box_.lo), hi = glm::min(edge.lower + reach + 2, box_.hi);
+    if (lo.x >= hi.x || lo.y >= hi.y) {
+        return;
+    }
+    if ((drawn_ >> edge.layer & 1U) == 0) {
+        drawn_ |= 1U << edge.layer;
+        std::fill_n(ink_.begin() + static_cast<std::ptrdiff_t>(at(edge.layer, {0, 0})), kPixels, 0.0F);
+    }
+    const float width = edge.layer == 0 ? lines_.width : lines_.hidden_width;
+    const float strength = edge.profile ? lines_.profile_strength : lines_.inner_strength;
+    for (int y = lo.y; y < hi.y; ++y) {
+        float* row = &ink_[at(edge.layer, {0, y - box_.lo.y})];
+        for (int x = lo.x; x < hi.x; ++x) {
+            const glm::vec2 from_point = glm::vec2(x, y) - edge.at;
+            const float coverage = lines_.hard ? rules.hard_piece(from_point, edge.across, width)
+                                               : rules.piece(from_point, edge.across, width);
+            if (coverage > 0) {
+                const int in_tile = x - box_.lo.x;
+                row[in_tile] = std::max(row[in_tile], strength * coverage);
+                near_[static_cast<std::size_t>(y - box_.lo.y)] |= 1U << in_tile;
+            }
+        }
+    }
+}
+
+}  // namespace npr

@@ -1,0 +1,59 @@
+// Lines along edges, tile by tile.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "npr/painter/cpu_edges.h"
+#include "npr/painter/cpu_tiles.h"
+#include "npr/shader_frame.h"
+
+namespace npr {
+
+struct LineSettings {
+    float width = 1;         ///< Pixels, of the first layer's lines.
+    float hidden_width = 1;  ///< Of the others'.
+    float profile_strength = 1, inner_strength = 1;
+    bool hard = false;  ///< Without smoothing.
+};
+
+/// How much ink the lines of each layer leave in the pixels of one tile: what npr/edges/lines.glsl gathers pixel by
+/// pixel is spread here from edge to edge.
+class TileInk {
+  public:
+    static constexpr int kLayers = 16;  ///< As in npr/edges/edge_point.glsl.
+
+    /// `edges` must outlive the object.
+    TileInk(const CpuFrame& frame, const CpuEdges& edges, const LineSettings& lines)
+        : tiles_(frame.layers), edges_(edges), lines_(lines), ink_(kLayers * kPixels) {}
+
+    /// Draws the lines of a tile, and forgets those of the tile before. `rules`: any of the frame.
+    void draw(int tile, shader::Frame& rules);
+
+    /// May there be ink in the pixel? It must be in the tile.
+    [[nodiscard]] bool near(glm::ivec2 pixel) const {
+        return (near_[static_cast<std::size_t>(pixel.y - box_.lo.y)] >> (pixel.x - box_.lo.x) & 1U) != 0;
+    }
+    [[nodiscard]] float ink(int layer, glm::ivec2 pixel) const {
+        return (drawn_ >> layer & 1U) != 0 ? ink_[at(layer, pixel - box_.lo)] : 0.0F;
+    }
+
+  private:
+    static constexpr std::size_t kPixels = static_cast<std::size_t>(Tiles::kSide) * Tiles::kSide;
+    static std::size_t at(int layer, glm::ivec2 in_tile) {
+        return static_cast<std::size_t>(layer) * kPixels +
+               static_cast<std::size_t>(in_tile.y * Tiles::kSide + in_tile.x);
+    }
+    void spread(const CpuEdge& edge, shader::Frame& rules);
+
+    Tiles tiles_;
+    const CpuEdges& edges_;
+    LineSettings lines_;
+    TileBounds box_;
+    std::vector<float> ink_;
+    std::array<std::uint32_t, Tiles::kSide> near_{};  ///< By row, a bit for each pixel.
+    std::uint32_t drawn_ = 0;                         ///< A bit for each layer that has lines in the tile.
+};
+
+}  // namespace npr

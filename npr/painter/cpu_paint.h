@@ -1,0 +1,57 @@
+// Pixels from shared shader files to a frame, tile by tile.
+#pragma once
+
+#include "base/parallel.h"
+#include "npr/painter/cpu_ink.h"
+#include "npr/shader_frame.h"
+
+namespace npr {
+
+/// A Frame with the ink of lines: what npr/edges/lines.glsl is to shaders.
+struct LinedFrame : shader::Frame {
+    LinedFrame(const CpuFrame& frame, const CpuEdges& edges, const LineSettings& lines)
+        : Frame(frame), ink(frame, edges, lines) {}
+
+    TileInk ink;
+    glm::ivec2 at{0};  ///< The pixel to be painted.
+
+    void begin(int tile) { ink.draw(tile, *this); }
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        const glm::ivec2 left(p.x - 1, p.y);
+        return !ink.near(p) && !ink.near(left) && same_surfaces(p, left);
+    }
+
+    [[nodiscard]] bool line_near(int layer) const { return layer < kEdgeLayers && ink.near(at); }
+    [[nodiscard]] float line_ink(int layer) const { return ink.ink(layer, at); }
+};
+
+/// Adds every pixel of the frame, or throws base::Stopped. `make()` gives each thread its painter:
+///   begin(tile)         before the tile's pixels
+///   pixel(p)            the colour
+///   as_left(p)          whether it is sure to be that of the pixel on the left, of the same tile
+template <typename Make>
+void paint_tiles(const CpuFrame& frame, const Make& make) {
+    const Tiles tiles(frame.layers);
+    base::for_each_index(
+        tiles.count(),
+        [&] {
+            return [&tiles, &frame, painter = make()](int tile) mutable {
+                const TileBounds box = tiles.bounds(tile);
+                painter.begin(tile);
+                for (int y = box.lo.y; y < box.hi.y; ++y) {
+                    glm::vec4* row =
+                        &frame.sum[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.layers.size.x)];
+                    glm::vec4 color(0);
+                    for (int x = box.lo.x; x < box.hi.x; ++x) {
+                        if (x == box.lo.x || !painter.as_left({x, y})) {
+                            color = painter.pixel({x, y});
+                        }
+                        row[x] += color;
+                    }
+                }
+            };
+        },
+        0, frame.stop);
+}
+
+}  // namespace npr

@@ -1,0 +1,11 @@
+// Sketches without OpenGL.
+#pragma once
+
+#include "npr/painter/cpu_frame.h"
+
+namespace npr {
+
+/// Keeps the noise of the picture, and memory, from frame to frame.
+[[nodiscard]] Paint make_sketch_paint();
+
+}  // namespace npr

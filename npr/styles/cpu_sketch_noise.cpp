@@ -1,0 +1,69 @@
+#include "npr/styles/cpu_sketch_noise.h"
+
+#include <array>
+
+#include "base/parallel.h"
+#include "npr/shader_frame.h"
+
+namespace npr {
+namespace {
+
+using namespace glm;  // As shader files do.
+
+struct NoisePixels : shader::Frame, SketchSettings {
+    NoisePixels(const CpuFrame& frame, const SketchSettings& settings) : Frame(frame), SketchSettings(settings) {}
+
+#include "npr/styles/noise.glsl"
+
+    /// Cells are many pixels wide: the gradients of the one met last in each lattice are kept.
+    float perlin_noise(vec3 p, uint s) {
+        Lattice& lattice = lattices[s % 8U];
+        const vec3 f = p - lattice.low;
+        if (lattice.known && all(greaterThanEqual(f, vec3(0))) && all(lessThan(f, vec3(1)))) {
+            return noise_between(lattice.gradients, f);
+        }
+        lattice.low = floor(p);
+        lattice.gradients = gradients_about(ivec3(lattice.low), s);
+        lattice.known = true;
+        return noise_between(lattice.gradients, p - lattice.low);
+    }
+
+#include "npr/styles/sketch_noise.glsl"
+
+  private:
+    struct Lattice {
+        bool known = false;
+        vec3 low{0};  ///< Corner of the cell.
+        Gradients gradients;
+    };
+    std::array<Lattice, 8> lattices{};  ///< By what npr/styles/sketch_noise.glsl adds to eight times the seed.
+};
+
+}  // namespace
+
+void CpuSketchNoise::draw(const CpuFrame& frame, const SketchSettings& settings) {
+    const ivec2 size = frame.layers.size;
+    const NoiseKey key = noise_key(settings, size, {frame.view.camera(), frame.rows.local_centre, frame.rows.diagonal});
+    if (key_ == key) {
+        return;
+    }
+    key_.reset();
+    const auto width = static_cast<std::size_t>(size.x), pixels = width * static_cast<std::size_t>(size.y);
+    strokes_.resize(pixels);
+    grain_.resize(pixels);
+    base::for_each_index(
+        size.y,
+        [&] {
+            return [&, rules = NoisePixels(frame, settings)](int y) mutable {
+                const std::size_t row = static_cast<std::size_t>(y) * width;
+                for (int x = 0; x < size.x; ++x) {
+                    strokes_[row + static_cast<std::size_t>(x)] = rules.sketch_noise({x, y});
+                    grain_[row + static_cast<std::size_t>(x)] = rules.paper_grain({x, y}, settings.seed);
+                }
+            };
+        },
+        0, frame.stop);
+    key_ = key;
+}
+
+}  // namespace npr

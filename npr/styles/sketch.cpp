@@ -1,0 +1,86 @@
+#include "npr/styles/sketch.h"
+
+#include <optional>
+
+#include "npr/edges/edge_map.h"
+#include "npr/edges/overshoot.h"
+#include "npr/style_pass.h"
+#include "npr/styles/cpu_sketch.h"
+#include "npr/styles/sketch_settings.h"
+
+namespace npr {
+namespace {
+
+/// The noise of a picture, kept while it stays the same.
+class Noise {
+  public:
+    explicit Noise(const gl::Functions& gl) : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag"), target_(gl) {}
+
+    void draw(const Frame& frame, const SketchSettings& settings) {
+        const auto& tables = *frame.layers.tables;
+        const NoiseKey key =
+            noise_key(settings, frame.layers.size, {frame.view.camera(), tables.local_centre, tables.diagonal});
+        if (!(texture_ && texture_.size() == key.size))
+            texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
+        if (!(key_ && *key_ == key)) {
+            target_.attach({&texture_});
+            const gl::Program& program = pass_.program();
+            program.set("seed", settings.seed);
+            program.set("unit", settings.unit);
+            program.set("on_model", settings.on_model);
+            program.set("correlated", settings.correlated);
+            pass_.draw(frame, target_);
+            key_ = key;
+        }
+        texture_.bind(7);
+    }
+
+  private:
+    const gl::Functions& gl_;
+    StylePass pass_;
+    gl::Framebuffer target_;
+    gl::Texture texture_;  ///< RGBA32F.
+    std::optional<NoiseKey> key_;
+};
+
+class Sketch : public Style {
+  public:
+    explicit Sketch(const gl::Functions& gl)
+        : edges_(gl), overshoot_(gl), noise_(gl), pass_(gl, "npr/styles/sketch.frag", {{"OVERSHOOT", "1"}}) {}
+
+    void draw(const Frame& frame) override {
+        const SketchSettings s = sketch_settings(frame.parameters, frame.layers.size);
+        noise_.draw(frame, s);
+        edges_.draw(frame, sketch_edges(frame.parameters));
+        overshoot_.draw(frame, edges_, s.overshoot);
+        const gl::Program& program = pass_.program();
+        program.set("unit", s.unit);
+        program.set("seed", s.seed);
+        program.set("width", s.width);
+        program.set("wobble", s.wobble);
+        program.set("strokes", s.strokes);
+        program.set("medium", s.medium);
+        program.set("hatch", s.hatch);
+        program.set("wash", s.wash);
+        program.set("hidden", s.hidden);
+        program.set("ink_color", s.ink_color);
+        program.set("paper_color", s.paper_color);
+        pass_.draw(frame);
+    }
+
+  private:
+    EdgeMap edges_;
+    Overshoot overshoot_;
+    Noise noise_;
+    StylePass pass_;
+};
+
+}  // namespace
+
+StyleInfo sketch_style() {
+    return {"sketch", "Sketch", sketch_parameters,
+            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Sketch>(gl); },
+            make_sketch_paint};
+}
+
+}  // namespace npr

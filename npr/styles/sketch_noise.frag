@@ -1,0 +1,20 @@
+#include "npr/frame.glsl"
+#include "npr/styles/noise.glsl"
+
+uniform uint seed;
+uniform float unit;       // pixels in a 512th of the picture's height
+uniform bool on_model;    // anchored to the model, else to the picture
+uniform bool correlated;  // Perlin noise, else every pixel has its own (chalk)
+out vec4 result;
+
+// Smooth, about -1 to 1, mean 0; features about 1 apart.
+float perlin_noise(vec3 p, uint s) {
+    vec3 low = floor(p);
+    return noise_between(gradients_about(ivec3(low), s), p - low);
+}
+
+#include "npr/styles/sketch_noise.glsl"
+
+void main() {
+    result = sketch_noise(ivec2(gl_FragCoord.xy));
+}

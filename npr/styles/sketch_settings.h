@@ -1,0 +1,57 @@
+// What both painters of sketches make of the style's parameters.
+#pragma once
+
+#include <optional>
+
+#include "base/camera.h"
+#include "npr/edges/edge_parameters.h"
+
+namespace npr {
+
+[[nodiscard]] std::span<const Parameter> sketch_parameters();
+
+/// Under the names of the shaders' uniforms. Lengths in pixels.
+struct SketchSettings {
+    glm::uint seed{};
+    float unit{};   ///< A 512th of the picture's height: drawings of all sizes look the same, …
+    float width{};  ///< … though with finer lines the larger they are.
+    float wobble{};
+    int strokes{};
+    float overshoot{};
+    int medium{};  ///< 0: pencil, 1: ink, 2: chalk.
+    float hatch{};
+    float wash{};
+    float hidden{};
+    bool on_model{};
+    bool correlated{};
+    glm::vec3 ink_color{};
+    glm::vec3 paper_color{};
+};
+
+[[nodiscard]] SketchSettings sketch_settings(const Parameters& parameters, glm::ivec2 size);
+[[nodiscard]] EdgeSettings sketch_edges(const Parameters& parameters);
+
+/// The widest stroke.
+[[nodiscard]] constexpr float widest_stroke(const SketchSettings& settings) {
+    return 2 * settings.width;
+}
+
+/// What the noise of a picture depends on: not on the sample's jitter.
+struct NoiseKey {
+    /// What counts only where the noise is anchored to the model.
+    struct Anchor {
+        base::Camera camera;
+        glm::dvec3 centre{0};  ///< Of the model, in the world.
+        double diagonal = 0;   ///< Of the model.
+        bool operator==(const Anchor&) const = default;
+    };
+    glm::ivec2 size{0};
+    glm::uint seed = 0;
+    bool correlated = true;
+    std::optional<Anchor> anchor;
+    bool operator==(const NoiseKey&) const = default;
+};
+
+[[nodiscard]] NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, const NoiseKey::Anchor& anchor);
+
+}  // namespace npr

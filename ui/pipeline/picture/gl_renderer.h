@@ -1,0 +1,55 @@
+// Draws models with OpenGL: from a Model to a picture, in one context.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/camera.h"
+#include "base/image.h"
+#include "gl/context.h"
+#include "npr/accumulate.h"
+#include "npr/color_scheme.h"
+#include "npr/style.h"
+#include "peel/peeler.h"
+#include "ui/pipeline/model.h"
+#include "ui/pipeline/picture/picture_request.h"
+#include "ui/pipeline/statistics.h"
+
+namespace ui {
+
+/// Holds one model on the GPU and the programs of all styles. Its context must be current whenever it is used, and
+/// outlive it. Throws gl::Error where OpenGL cannot give what a picture needs, and ModelError where the engine asked
+/// for cannot draw the model.
+class GlRenderer {
+  public:
+    /// See goldfeather::EngineOptions.
+    GlRenderer(const gl::Context& context, std::size_t memory_budget, double minimal_fraction);
+
+    /// See Renderer. `engine`: the same for all samples of a picture.
+    void draw_sample(const Model& model, const PictureRequest& request, const goldfeather::EngineChoice& engine,
+                     int sample, const std::stop_token& stop = {});
+    void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
+    [[nodiscard]] base::Image image() { return accumulator_.image(); }
+    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera,
+                                                 const goldfeather::EngineChoice& engine);
+    [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
+
+  private:
+    [[nodiscard]] bool holds(const Model& model, goldfeather::EngineKind engine) const;
+    void hold(const Model& model, goldfeather::EngineKind engine);
+    npr::Style& style(const npr::StyleInfo& info);
+
+    const gl::Functions& gl_;
+    peel::Peeler peeler_;
+    npr::Accumulator accumulator_;
+    std::map<std::string, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
+    std::unique_ptr<peel::PeelModel> model_;
+    std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
+    PictureStatistics statistics_;
+};
+
+}  // namespace ui

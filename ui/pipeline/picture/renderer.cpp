@@ -1,0 +1,75 @@
+#include "ui/pipeline/picture/renderer.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "ui/pipeline/stopwatch.h"
+
+namespace ui {
+
+Renderer::Renderer(const gl::Context& context, const goldfeather::EngineOptions& engine, Painter painter)
+    : wanted_(engine), painter_(painter), context_(&context), cpu_(engine.minimal_fraction) {}
+
+Renderer::Renderer(const goldfeather::EngineOptions& engine, Painter painter)
+    : wanted_(engine), painter_(painter), cpu_(engine.minimal_fraction) {}
+
+GlRenderer& Renderer::with_opengl() {
+    if (context_ == nullptr) {
+        own_context_ = gl::create_context(gl::ContextKind::Auto);
+        context_ = own_context_.get();
+    }
+    if (!gl_) {
+        gl_ = std::make_unique<GlRenderer>(*context_, wanted_.memory_budget, wanted_.minimal_fraction);
+    }
+    return *gl_;
+}
+
+bool Renderer::choose_cpu(const Model& model, std::optional<goldfeather::EngineKind> engine, int layers) {
+    const bool software = context_ == nullptr || context_->software();
+    choice_ = goldfeather::choose_engine(engine ? engine : wanted_.kind, engine_conditions(model, software, layers));
+    const bool possible = choice_.engine == goldfeather::EngineKind::ListsCpu;
+    if (painter_ == Painter::Cpu && !possible) {
+        throw std::runtime_error(fmt::format("the engine {} needs OpenGL", goldfeather::name(choice_.engine)));
+    }
+    return possible && painter_ != Painter::OpenGl && software;
+}
+
+void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop) {
+    if (sample == 0) {
+        on_cpu_ = choose_cpu(model, request.engine, CheckedRequest(request, model.flat).layers(model, request));
+    }
+    if (on_cpu_) {
+        cpu_.draw_sample(model, request, sample, stop);
+        statistics_ = cpu_.statistics();
+        statistics_.engine = choice_;
+    } else {
+        with_opengl().draw_sample(model, request, choice_, sample, stop);
+        statistics_ = gl_->statistics();
+        statistics_.opengl = true;
+    }
+}
+
+base::Image Renderer::image() {
+    return on_cpu_ ? cpu_.image() : gl_->image();
+}
+
+std::optional<glm::dvec3> Renderer::pick(const Model& model, const base::Camera& camera) {
+    const goldfeather::EngineChoice of_picture = choice_;
+    const bool on_cpu = choose_cpu(model, std::nullopt, 1);
+    const goldfeather::EngineChoice choice = std::exchange(choice_, of_picture);
+    return on_cpu ? cpu_.pick(model, camera) : with_opengl().pick(model, camera, choice);
+}
+
+base::Image Renderer::render(const Model& model, const PictureRequest& request, const std::stop_token& stop) {
+    for (std::size_t sample = 0; sample < npr::sample_offsets(request.samples).size(); ++sample) {
+        draw_sample(model, request, static_cast<int>(sample), stop);
+    }
+    Stopwatch watch;
+    base::Image result = image();
+    statistics_.read_ms = watch.lap();
+    return result;
+}
+
+}  // namespace ui

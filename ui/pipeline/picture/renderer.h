@@ -1,0 +1,70 @@
+// Draws models: from a Model to a picture.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/image.h"
+#include "gl/context.h"
+#include "ui/pipeline/picture/cpu_renderer.h"
+#include "ui/pipeline/picture/gl_renderer.h"
+#include "ui/pipeline/picture/picture_request.h"
+#include "ui/pipeline/statistics.h"
+
+namespace ui {
+
+enum class Painter {
+    Auto,    ///< OpenGL where a GPU computes it or the engine needs it, else the CPU.
+    Cpu,     ///< No OpenGL; std::runtime_error where the engine needs it.
+    OpenGl,  ///< OpenGL throughout.
+};
+
+/// Holds one model, ready to be drawn by OpenGL or without it. Throws gl::Error where OpenGL cannot give what a picture
+/// needs, ModelError where the engine asked for cannot draw the model, and base::Stopped some milliseconds after a stop
+/// is asked for; the picture must be begun anew then.
+class Renderer {
+  public:
+    /// With a context, which must be current whenever the renderer is used, and outlive it.
+    explicit Renderer(const gl::Context& context, const goldfeather::EngineOptions& engine = {},
+                      Painter painter = Painter::Auto);
+    /// Without one: made when a picture is the first to need it, and current from then on in the calling thread.
+    explicit Renderer(const goldfeather::EngineOptions& engine = {}, Painter painter = Painter::Auto);
+
+    /// The picture in main memory.
+    [[nodiscard]] base::Image render(const Model& model, const PictureRequest& request,
+                                     const std::stop_token& stop = {});
+
+    /// The same step by step, so that the caller may look after other things in between: draws one of the picture's
+    /// `samples`, the first (0) of a new picture; then `image` gives the mean of those drawn so far …
+    void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
+    [[nodiscard]] base::Image image();
+    /// … or, where OpenGL drew them, `resolve` writes it into `target`.
+    [[nodiscard]] bool drawn_with_opengl() const { return !on_cpu_; }
+    void resolve(GLuint target, glm::ivec2 corner) { gl_->resolve(target, corner); }
+
+    /// The nearest point of the solid (world coordinates) in the middle of the camera's picture of one pixel; none
+    /// where there is nothing.
+    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera);
+
+    /// Of the last picture.
+    [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
+    /// Null where no picture has needed one.
+    [[nodiscard]] const gl::Context* context() const { return context_; }
+
+  private:
+    /// Sets choice_; is the CPU to draw it? `engine`: absent where it is for wanted_ to say. `layers`: 0 for all.
+    bool choose_cpu(const Model& model, std::optional<goldfeather::EngineKind> engine, int layers);
+    GlRenderer& with_opengl();
+
+    goldfeather::EngineOptions wanted_;
+    Painter painter_;
+    std::unique_ptr<gl::Context> own_context_;
+    const gl::Context* context_ = nullptr;
+    goldfeather::EngineChoice choice_;  ///< For the last picture.
+    CpuRenderer cpu_;
+    std::unique_ptr<GlRenderer> gl_;  ///< Made when first used.
+    bool on_cpu_ = false;             ///< Who drew the last picture.
+    PictureStatistics statistics_;
+};
+
+}  // namespace ui
