@@ -38,6 +38,7 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
     for (const auto& leaf : geometry.leaves) {
         leaf_boxes.push_back(leaf.box);
         wound.push_back(leaf.solid->winds() ? 1 : 0);
+        open.push_back(leaf.solid->closed ? 0 : 1);
     }
     for (const auto& part : scene.parts)
         kinds.push_back(part.kind);
@@ -120,7 +121,7 @@ LayerStack Peeler::peel_parts(const base::View& view, PeelModel& model, int max_
     if (!scs && !engine_)
         engine_.emplace(gl_, memory_budget_, minimal_fraction_);
     const auto walk = [&](std::span<const goldfeather::Product> products) {
-        const goldfeather::PartProducts part{products, model.leaf_boxes, model.wound};
+        const goldfeather::PartProducts part{products, model.leaf_boxes, model.wound, model.open};
         if (scs)
             return scs_->peel(view, *model.leaves, part, model.tables, stats, stop);
         return engine_->walk(view, *model.leaves, part, model.tables, max_layers, stats, stop);

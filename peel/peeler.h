@@ -35,7 +35,7 @@ struct PeelModel {
     std::string leaves_fault;                            ///< … or why there are none.
     std::optional<goldfeather::ListsScene> lists_scene;  ///< For `lists`, where there are leaves.
     std::vector<csg::Box> leaf_boxes;
-    std::vector<char> wound;  ///< By LeafId: Solid::winds().
+    std::vector<char> wound, open;  ///< By LeafId: Solid::winds(); not Solid::closed.
     std::vector<std::vector<goldfeather::Product>> products;
     std::vector<csg::PartKind> kinds;
     csg::Box box;  ///< Of all leaves, world coordinates.

@@ -2,29 +2,16 @@
 
 #include <algorithm>
 #include <deque>
-#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "base/stop.h"
+#include "csg/reference/disjoint_sets.h"
 
 namespace csg::reference {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-class UnionFind {
-  public:
-    explicit UnionFind(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0u); }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
 
 class Builder {
   public:
@@ -34,7 +21,7 @@ class Builder {
     CellComplex build(std::vector<PlaneCells> planes, std::span<const LeafId> leaves, std::size_t all_leaves) {
         take_cells(std::move(planes));
         const std::vector<ComplexSide>& sides = complex_.sides;
-        UnionFind regions(2 * complex_.cells.size()), pieces(complex_.cells.size());
+        DisjointSets regions(2 * complex_.cells.size()), pieces(complex_.cells.size());
         for (std::size_t i = 0, j; i < sides.size(); i = j) {
             paced_();
             for (j = i + 1; j < sides.size() && sides[j].lo == sides[i].lo && sides[j].hi == sides[i].hi; ++j)
@@ -65,7 +52,7 @@ class Builder {
         });
     }
 
-    void number_regions(UnionFind& sides) {
+    void number_regions(DisjointSets& sides) {
         std::vector<std::uint32_t> number(2 * complex_.cells.size(), kNone);
         const auto region = [&](std::uint32_t side) {
             std::uint32_t& n = number[sides.find(side)];
@@ -79,16 +66,17 @@ class Builder {
         }
     }
 
-    void find_windings(UnionFind& pieces) {
+    void find_windings(DisjointSets& pieces) {
         std::vector<std::vector<std::uint32_t>> cells_at(complex_.regions);
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
             cells_at[complex_.cells[c].above].push_back(c);
             cells_at[complex_.cells[c].below].push_back(c);
         }
         std::vector<char> known(complex_.regions, 0);
+        std::vector<char> begun(complex_.cells.size(), 0);  // By what stands for the piece.
         std::deque<std::uint32_t> waiting;
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
-            if (pieces.find(c) != c)
+            if (std::exchange(begun[pieces.find(c)], char{1}) != 0)
                 continue;
             const std::uint32_t seed = complex_.cells[c].above;
             for (const Cover& w : space_.windings_above(complex_.cells[c]))

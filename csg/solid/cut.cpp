@@ -1,4 +1,4 @@
-// projection(): the cut of solids by the plane z = 0, and their shadow on it.
+// projection(cut = true): the cut of solids by the plane z = 0.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -92,21 +92,6 @@ Outline cut(std::span<const Piece> pieces) {
     std::vector<std::shared_ptr<const Outline>> outlines;
     for (const Piece& piece : pieces)
         outlines.push_back(cut_piece(piece));
-    return combine(BooleanKind::Union, outlines);
-}
-
-Outline shadow(std::span<const Mesh> meshes) {
-    std::vector<std::shared_ptr<const Outline>> outlines;
-    for (const Mesh& mesh : meshes) {
-        std::vector<Loop> loops;
-        for (const glm::uvec3& t : mesh.triangles) {
-            Loop loop{glm::dvec2(mesh.points[t.x]), glm::dvec2(mesh.points[t.y]), glm::dvec2(mesh.points[t.z])};
-            // Of a closed mesh the triangles that look up cover all.
-            if (area2(loop) > 0)
-                loops.push_back(std::move(loop));
-        }
-        outlines.push_back(std::make_shared<Outline>(clean(loops, FillRule::NonZero)));
-    }
     return combine(BooleanKind::Union, outlines);
 }
 

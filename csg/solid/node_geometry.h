@@ -76,7 +76,7 @@ void check_depth(const BooleanNode& node);
 
 /// The cut of the pieces by z = 0, needing no boolean of meshes: what is inside just above the plane.
 [[nodiscard]] Outline cut(std::span<const Piece> pieces);
-/// The shadow on z = 0 of meshes.
+/// The shadow on z = 0 of meshes: of what is inside of them, by winding number. shadow.cpp.
 [[nodiscard]] Outline shadow(std::span<const Mesh> meshes);
 
 }  // namespace csg::solid

@@ -115,7 +115,7 @@ const Goldfeather::Programs& Goldfeather::programs(bool counters) {
     return counters ? *counting_ : programs_;
 }
 
-void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves) {
+void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves, std::span<const char> open) {
     std::vector<glm::uvec2> ids;
     std::vector<DrawCommand> commands;
     for (const PlannedLeaf& leaf : plan.leaves) {
@@ -123,7 +123,7 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves) {
         if (range.vertex_count == 0)
             continue;
         add_triangles(commands, range.first_vertex, range.vertex_count, static_cast<GLuint>(ids.size()));
-        ids.emplace_back(leaf.leaf, leaf.slot);
+        ids.emplace_back(leaf.slot, open.empty() || open[leaf.leaf] == 0 ? 1U : 0U);
     }
     draw_ids_.upload<glm::uvec2>(ids, GL_STREAM_DRAW);
     leaf_draws_.upload(commands, kPieceVertices);
@@ -169,7 +169,7 @@ LayerStack Goldfeather::walk(const base::View& view, LeafBuffers& leaves, const 
         return stack;
     int most = 0;
 
-    upload(screen, leaves);
+    upload(screen, leaves, part.open);
     view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);

@@ -55,7 +55,7 @@ class Goldfeather {
     /// Gives the most layers that a pixel of the band has.
     int draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats, const std::stop_token& stop);
     [[nodiscard]] int most_layers(std::size_t pixel_count) const;
-    void upload(const ScreenPlan& plan, const LeafBuffers& leaves);
+    void upload(const ScreenPlan& plan, const LeafBuffers& leaves, std::span<const char> open);
 
     const gl::Functions& gl_;
     std::size_t memory_budget_;

@@ -4,6 +4,7 @@
 #include "goldfeather/goldfeather/walk.glsl"
 
 flat in uint slot;
+flat in uint behind; // is the leaf counted from behind?
 flat in uint plane;
 
 uniform bool starting;     // first pass: every surface is ahead
@@ -29,7 +30,7 @@ void main() {
     float depth = surface_depth();
     uint pixel = pixel_index(ivec2(gl_FragCoord.xy));
     if (starting) {
-        if (count_inside)
+        if (count_inside && behind != 0u)
             count_from_behind(slot >> 5, pixel);
     } else {
         float current = pixels[pixel].current;

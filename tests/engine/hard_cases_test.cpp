@@ -167,6 +167,27 @@ TEST_P(HardCases, OpenPolyhedronCountsFromTheEye) {
     peel(combine(Operation::Difference, {at({0.5, 0.5, 0.5}, cube(2, 2, 2)), mesh}), from({7, -6, 9}, {1, 1, 1}));
 }
 
+TEST_P(HardCases, OpenMeshesCountFromTheEyeInsideThemToo) {
+    // Where the eye is in the box of an open mesh, as beside it: what the ray meets first is entered. A closed leaf
+    // about the eye is counted from behind all the same.
+    csg::Polyhedron open;
+    open.points = {{-2, -2, -2}, {2, -2, -2}, {2, 2, -2}, {-2, 2, -2}, {-2, -2, 2}, {2, -2, 2}, {2, 2, 2}, {-2, 2, 2}};
+    open.faces = {{0, 1, 2, 3}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
+    const Model mesh = leaf(std::make_shared<const csg::Polyhedron>(open));
+    const Model around = box({-3, -3, -3}, {6, 6, 6});
+    EXPECT_EQ(along(peel(mesh, from({0.1, 0.2, 0.3}, {0.1, 0.2, -5}, 50))), ">0");
+    for (const auto& [eye, center] : {std::pair(glm::dvec3(0.1, 0.2, 0.3), glm::dvec3(0.1, 0.2, -5)),
+                                      {glm::dvec3(0.1, 0.2, 0.3), glm::dvec3(5, 0.3, 0.1)},
+                                      {glm::dvec3(0.3, 0.1, 1.7), glm::dvec3(0.1, 0.2, 5)},
+                                      {glm::dvec3(0.3, 0.1, 2.5), glm::dvec3(0.1, 0.2, -5)}}) {
+        const base::Camera camera = from(eye, center, 100);
+        peel(mesh, camera, 0.2);
+        peel(combine(Operation::Difference, {around, mesh}), camera, 0.2);
+        peel(combine(Operation::Intersection, {around, mesh}), camera, 0.2);
+        peel(combine(Operation::Difference, {mesh, box({-1, -1, -3}, {2, 2, 6})}), camera, 0.2);
+    }
+}
+
 TEST_P(HardCases, ShellsThatOverlapAreSolidThroughout) {
     // Two cubes in one mesh: inside is a winding number.
     csg::Polyhedron both;

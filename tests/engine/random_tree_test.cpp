@@ -154,7 +154,7 @@ TEST_P(Bands, DoNotShow) {
             continue;
         peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
         const base::View view = subject.view(sample.camera, kSize);
-        const goldfeather::PartProducts part{model.products[0], model.leaf_boxes, model.wound};
+        const goldfeather::PartProducts part{model.products[0], model.leaf_boxes, model.wound, model.open};
         goldfeather::WalkStats stats, split_stats;
         const auto a = goldfeather::read_back(gl(), whole.walk(view, *model.leaves, part, model.tables, 0, stats));
         const auto b =

@@ -20,6 +20,15 @@ class Writing : public test_support::ProgramTest {
         return static_cast<std::size_t>(
             std::distance(fs::directory_iterator(folder_.path("")), fs::directory_iterator()));
     }
+    /// Of the process whose number is in the file, which goes: within some seconds.
+    [[nodiscard]] bool has_ended(const std::string& file) const {
+        const std::string process = "/proc/" + std::to_string(std::stoi(folder_.read(file))) + "/cmdline";
+        folder_.remove(file);
+        for (int i = 0; i < 100 && !test_support::read_file(process).empty(); ++i) {
+            usleep(50'000);
+        }
+        return test_support::read_file(process).empty();
+    }
     [[nodiscard]] static mode_t mode_of(const std::string& path) {
         struct stat there {};
         return stat(path.c_str(), &there) == 0 ? there.st_mode & 07777U : 0;
@@ -62,6 +71,38 @@ TEST_F(Writing, TheProgramRemovesWhatItWasWritingWhenItIsEnded) {
         }
     }
     (void)std::system(("cd '" + folder_.path("") + "' && nohup '" CSGSCOPE_PROGRAM "' m.scad -o x.csg 2>&-").c_str());
+}
+
+TEST_F(Writing, OtherProgramsEndWithThisOneAndLeaveNothing) {
+    // Stand-ins: openscad answers from files and is not done with one of them; an X server that is there at once.
+    ASSERT_EQ(run("m.scad -o mesh.off -o tree.csg").status, 0);
+    for (const char* const made : {"bin", "temporary"}) {
+        fs::create_directory(folder_.path(made));
+    }
+    const auto write_program = [&](const std::string& name, const std::string& text) {
+        fs::permissions(folder_.write("bin/" + name, "#!/bin/sh\n" + text), fs::perms::owner_all);
+    };
+    write_program("Xvfb", "echo $$ >Xvfb.pid; echo 7; exec sleep 60\n");
+    for (const std::string waits_for : {"off", "csg", "png"}) {
+        write_program("openscad", "case \"$*\" in\n*' " + waits_for +
+                                      " '*) echo $$ >openscad.pid; exec sleep 60 ;;\n"
+                                      "*' off '*) cat mesh.off ;;\n*) cat tree.csg ;;\nesac\n");
+        for (const std::string signal : {"TERM", "KILL"}) {
+            const std::string command =
+                "cd '" + folder_.path("") +
+                "' || exit; env -u DISPLAY PATH=\"$PWD/bin:$PATH\" TMPDIR=\"$PWD/temporary\" '" +
+                CSGSCOPE_PROGRAM
+                "' compare m.scad --against openscad --views 1 --imgsize 32 >out.txt 2>err.txt & "
+                "for i in $(seq 600); do [ -s openscad.pid ] && break; sleep 0.05; done; kill -s " +
+                signal + " $!; wait $! 2>err.txt";
+            (void)std::system(command.c_str());
+            const int display = waits_for == "png" ? 1 : 0;
+            ASSERT_EQ(fs::exists(folder_.path("Xvfb.pid")), display == 1) << folder_.read("err.txt");
+            EXPECT_TRUE(has_ended("openscad.pid")) << waits_for << " " << signal;
+            EXPECT_TRUE(display == 0 || has_ended("Xvfb.pid")) << signal;
+            EXPECT_TRUE(fs::is_empty(folder_.path("temporary"))) << waits_for << " " << signal;
+        }
+    }
 }
 
 TEST_F(Writing, ALinkStaysAndItsTargetIsWritten) {

@@ -1,15 +1,19 @@
 #include "ui/command_line/openscad_process.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,83 +22,164 @@ namespace ui {
 
 namespace {
 
-namespace fs = std::filesystem;
+using Command = std::vector<std::string>;
 
-/// Did it run and end with 0? What it prints is dropped.
-bool run(std::vector<std::string> command) {
-    std::vector<char*> arguments;
-    for (std::string& word : command) {
-        arguments.push_back(word.data());
+/// A file descriptor that programs started do not inherit.
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {
+        if (fd < 0) {
+            throw std::system_error(errno, std::generic_category(), "openscad cannot be run");
+        }
     }
-    arguments.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);  // However this process ends.
-        const int nowhere = open("/dev/null", O_WRONLY);
-        dup2(nowhere, STDOUT_FILENO);
-        dup2(nowhere, STDERR_FILENO);
-        execvp(arguments[0], arguments.data());
-        _exit(127);
+    ~Descriptor() { close(fd_); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int get() const { return fd_; }
+
+  private:
+    int fd_;
+};
+
+/// Another program, in a process that ends with this one, however that ends.
+class Child {
+  public:
+    /// Its standard output is `out`; what else it prints is dropped. `at_end`: the signal that ends it.
+    Child(Command command, int out, int at_end) : at_end_(at_end) {
+        std::vector<char*> arguments;
+        for (std::string& word : command) {
+            arguments.push_back(word.data());
+        }
+        arguments.push_back(nullptr);
+        const pid_t parent = getpid();
+        pid_ = fork();
+        if (pid_ == 0) {
+            prctl(PR_SET_PDEATHSIG, at_end);
+            dup2(out, STDOUT_FILENO);
+            dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
+            if (getppid() == parent) {
+                execvp(arguments[0], arguments.data());
+            }
+            _exit(127);
+        }
     }
-    int status = 0;
-    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    ~Child() {
+        if (pid_ > 0) {
+            kill(pid_, at_end_);
+            waitpid(pid_, nullptr, 0);
+        }
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Waits for its end. Was it started, and its exit status 0?
+    [[nodiscard]] bool succeeds() {
+        int status = 0;
+        const pid_t pid = std::exchange(pid_, -1);
+        return pid > 0 && waitpid(pid, &status, 0) == pid && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
+
+  private:
+    pid_t pid_ = -1;
+    int at_end_;
+};
+
+/// A file in memory.
+class MemoryFile {
+  public:
+    MemoryFile() : file_(memfd_create("csgscope", MFD_CLOEXEC)) {}
+    [[nodiscard]] int descriptor() const { return file_.get(); }
+    /// To be opened by this process.
+    [[nodiscard]] std::string path() const { return fmt::format("/proc/self/fd/{}", file_.get()); }
+
+  private:
+    Descriptor file_;
+};
+
+/// Writes to `out`. Did it run and end with 0?
+bool run(Command command, const MemoryFile& out) {
+    return Child(std::move(command), out.descriptor(), SIGKILL).succeeds();
 }
 
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
+/// A display that nobody sees, by Xvfb.
+class VirtualDisplay {
+  public:
+    VirtualDisplay() {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) {
+            return;
+        }
+        const Descriptor from(ends[0]);
+        {
+            const Descriptor to(ends[1]);
+            // At SIGTERM it removes its files.
+            server_.emplace(Command{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp"},
+                            to.get(), SIGTERM);
+        }
+        for (char digit = 0; ::read(from.get(), &digit, 1) == 1 && digit != '\n';) {
+            number_ += digit;
+        }
+    }
+    /// As the variable DISPLAY has it; none where there is no Xvfb.
+    [[nodiscard]] std::optional<std::string> name() const {
+        return number_.empty() ? std::nullopt : std::optional(":" + number_);
+    }
+
+  private:
+    std::optional<Child> server_;
+    std::string number_;
+};
+
+std::string read(const MemoryFile& file) {
+    std::ifstream in(file.path(), std::ios::binary);
     std::ostringstream bytes;
-    bytes << file.rdbuf();
+    bytes << in.rdbuf();
     return bytes.str();
 }
 
 }  // namespace
 
-OpenscadProcess::OpenscadProcess(std::string input) : input_(std::move(input)) {
-    std::string folder = (fs::temp_directory_path() / "csgscope.XXXXXX").string();
-    if (mkdtemp(folder.data()) == nullptr) {
-        throw std::runtime_error(fmt::format("{}: cannot be created", folder));
-    }
-    folder_ = folder;
-}
-
-OpenscadProcess::~OpenscadProcess() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-}
+OpenscadProcess::OpenscadProcess(std::string input) : input_(std::move(input)) {}
 
 csg::reference::Mesh OpenscadProcess::mesh() const {
-    const fs::path path = folder_ / "mesh.off";
-    if (!run({"openscad", "-q", "-o", path.string(), input_})) {
+    const MemoryFile file;
+    if (!run({"openscad", "-q", "-o", "-", "--export-format", "off", input_}, file)) {
         throw std::runtime_error("openscad is not installed, or made no mesh of the model");
     }
-    return csg::reference::decode_mesh(read(path));
+    return csg::reference::decode_mesh(read(file));
 }
 
 std::string OpenscadProcess::tree() const {
-    const fs::path path = folder_ / "tree.csg";
-    if (!run({"openscad", "-q", "-o", path.string(), input_})) {
+    const MemoryFile file;
+    if (!run({"openscad", "-q", "-o", "-", "--export-format", "csg", input_}, file)) {
         throw std::runtime_error("openscad is not installed, or the model has errors there");
     }
-    return read(path);
+    return read(file);
 }
 
 std::optional<base::Image> OpenscadProcess::picture(const base::Camera& camera, int size) const {
-    const fs::path path = folder_ / "picture.png";
-    std::vector<std::string> command{
-        "openscad",
-        "-q",
-        "--render",
-        "-o",
-        path.string(),
-        fmt::format("--imgsize={0},{0}", size),
-        fmt::format("--projection={}", camera.projection == base::Projection::Orthographic ? "o" : "p"),
-        fmt::format("--camera={},{},{},{},{},{},{}", camera.target.x, camera.target.y, camera.target.z,
-                    camera.rotation.x, camera.rotation.y, camera.rotation.z, camera.distance),
-        input_};
+    Command command{"openscad",
+                    "-q",
+                    "--render",
+                    "-o",
+                    "-",
+                    "--export-format",
+                    "png",
+                    fmt::format("--imgsize={0},{0}", size),
+                    fmt::format("--projection={}", camera.projection == base::Projection::Orthographic ? "o" : "p"),
+                    fmt::format("--camera={},{},{},{},{},{},{}", camera.target.x, camera.target.y, camera.target.z,
+                                camera.rotation.x, camera.rotation.y, camera.rotation.z, camera.distance),
+                    input_};
+    std::optional<VirtualDisplay> display;
     if (std::getenv("DISPLAY") == nullptr) {
-        command.insert(command.begin(), {"xvfb-run", "-a"});
+        const std::optional<std::string> name = display.emplace().name();
+        if (!name) {
+            return std::nullopt;
+        }
+        command.insert(command.begin(), {"env", "DISPLAY=" + *name});
     }
-    return run(std::move(command)) ? std::optional(base::read_png(path)) : std::nullopt;
+    const MemoryFile file;
+    return run(std::move(command), file) ? std::optional(base::read_png(file.path())) : std::nullopt;
 }
 
 }  // namespace ui

@@ -1,7 +1,6 @@
 // What the program `openscad` makes of a file, for comparison.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -11,24 +10,21 @@
 
 namespace ui {
 
-/// Runs `openscad`, each time in a process of its own; its files are in a folder that is gone at the end.
+/// Runs `openscad` (2021.01 or newer), each time in a process of its own, which ends with this one. What it makes comes
+/// back through memory: there are no files that could be left, however this process ends.
 class OpenscadProcess {
   public:
     explicit OpenscadProcess(std::string input);
-    OpenscadProcess(const OpenscadProcess&) = delete;
-    OpenscadProcess& operator=(const OpenscadProcess&) = delete;
-    ~OpenscadProcess();
 
     /// Throw std::runtime_error where openscad is not installed or cannot.
     [[nodiscard]] csg::reference::Mesh mesh() const;
     [[nodiscard]] std::string tree() const;  ///< Text of the .csg file.
 
-    /// Its rendered picture; none where it can make none, as without a display (xvfb-run is asked for one).
+    /// Its rendered picture; none where it can make none, as without a display (Xvfb is started then).
     [[nodiscard]] std::optional<base::Image> picture(const base::Camera& camera, int size) const;
 
   private:
     std::string input_;
-    std::filesystem::path folder_;
 };
 
 }  // namespace ui
