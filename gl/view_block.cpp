@@ -1,23 +1,9 @@
 #include "gl/view_block.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 namespace gl {
 
-ViewValues view_values(const base::View& view, const glm::dvec3& local_centre, double diagonal) {
-    ViewValues b;
-    // Doubles become floats once, after the large translations have cancelled.
-    b.clip_from_local = glm::mat4(glm::translate(view.clip_from_world(), local_centre));
-    b.eye_from_world = glm::mat4(view.eye_from_world());
-    b.picture = glm::vec4(glm::dvec4(glm::dvec2(view.size()), view.half_height(), view.near_distance()));
-    b.depth_range = glm::vec4(glm::dvec4(view.near_distance(), view.orthographic() ? view.far_distance() : 0.0,
-                                         view.orthographic() ? 1.0 : 0.0, diagonal));
-    b.local_centre = glm::vec4(glm::dvec4(local_centre, 0.0));
-    return b;
-}
-
 void ViewBlock::update(const base::View& view, const glm::dvec3& local_centre, double diagonal) {
-    const ViewValues values = view_values(view, local_centre, diagonal);
+    const base::ViewValues values = base::view_values(view, local_centre, diagonal);
     buffer_.upload_bytes(&values, sizeof values, GL_STREAM_DRAW);
 }
 

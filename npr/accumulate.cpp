@@ -4,6 +4,7 @@
 #include <array>
 
 #include "npr/style_pass.h"
+#include "peel/shaders.h"
 
 namespace npr {
 namespace {
@@ -66,8 +67,8 @@ void Accumulator::draw(Style& style, const Picture& picture, const PeelView& pee
         (void)draw_sample(style, picture, sample, peel);
 }
 
-peel::LayerStack Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample,
-                                          const PeelView& peel) {
+layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample,
+                                              const PeelView& peel) {
     if (sample == 0) {
         resize(picture.size);
         const std::array<float, 4> zero{};
@@ -76,7 +77,7 @@ peel::LayerStack Accumulator::draw_sample(Style& style, const Picture& picture, 
     samples_ = static_cast<int>(sample) + 1;
     const base::View view(picture.camera, picture.size, picture.lo, picture.hi,
                           sample_offsets(picture.samples)[sample]);
-    peel::LayerStack layers = peel(view);
+    layers::TextureStack layers = peel(view);
     style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_,
                 picture.stop});
     sum_target_.bind();

@@ -35,7 +35,7 @@ struct Picture {
 };
 
 /// The layers as seen from a view; called once per sample.
-using PeelView = std::function<peel::LayerStack(const base::View& view)>;
+using PeelView = std::function<layers::TextureStack(const base::View& view)>;
 
 /// Draws pictures sample by sample and keeps their sum. One per context, reused; `gl` must outlive it.
 class Accumulator {
@@ -46,7 +46,7 @@ class Accumulator {
     void draw(Style& style, const Picture& picture, const PeelView& peel);
     /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is
     /// the mean of those drawn so far. Gives the sample's layers, for whoever can use their textures again.
-    peel::LayerStack draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel);
+    layers::TextureStack draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel);
 
     /// The picture drawn last.
     [[nodiscard]] base::Image image();

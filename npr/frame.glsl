@@ -1,5 +1,5 @@
 #include "gl/view.glsl"
-#include "peel/layer_stack.glsl"
+#include "layers/layer_stack.glsl"
 
 // What every pass of a style knows (npr/frame_program.h). Colors are sRGB with straight alpha.
 uniform int layer_count;

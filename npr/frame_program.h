@@ -13,7 +13,7 @@ namespace npr {
 /// The shader files of this folder.
 [[nodiscard]] std::span<const gl::ShaderFile> shader_files();
 
-/// A program that may include peel/layer_stack.glsl, gl/view.glsl and npr/frame.glsl. Texture units from 2, storage
+/// A program that may include layers/layer_stack.glsl, gl/view.glsl and npr/frame.glsl. Texture units from 2, storage
 /// blocks from 2 and all image units are free for its own use.
 class FrameProgram {
   public:

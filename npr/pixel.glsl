@@ -23,5 +23,5 @@ bool look_alike(uint leaf, uint other) {
 
 // Hides everything behind it.
 bool opaque(uvec2 ids) {
-    return leaf_rows[ids.x >> 1].part.y == kPartSolid && leaf_rows[ids.x >> 1].color.a >= 1.0f;
+    return leaf_rows[leaf_of(ids)].part.y == kPartSolid && leaf_rows[leaf_of(ids)].color.a >= 1.0f;
 }

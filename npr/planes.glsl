@@ -28,7 +28,7 @@ bool meet(vec2 gap, Surface s, vec2 gradient, vec2 other, float cosine) {
     return gap.x * gap.y <= 0.0f || apart <= slack;
 }
 
-// The first layer of a pixel that lies in a plane, seen from one side (plane << 1 | leaving); -1: none.
+// The first layer of a pixel that lies in a plane, seen from one side (`key`: plane_word); -1: none.
 int layer_of(ivec2 p, uint key) {
     for (int j = 0; j < layer_count; ++j) {
         uvec2 ids = surface_ids(p, j);
@@ -62,7 +62,7 @@ Continuation it_ends(ivec2 offset) {
 // In its own plane. `offset`: of the neighbour. Both pixels must be in the picture.
 Continuation straight_on(Surface s, ivec2 pixel, ivec2 offset) {
     Continuation c = it_ends(offset);
-    int layer = layer_of(pixel + offset, s.plane << 1 | uint(s.leaving));
+    int layer = layer_of(pixel + offset, plane_word(s.plane, s.leaving));
     if (layer >= 0) {
         c.found = true;
         c.layer = layer;
@@ -87,7 +87,7 @@ Continuation round_the_bend(Surface s, ivec2 pixel, ivec2 offset) {
         vec2 other = depth_gradient(t.plane);
         vec2 gap = nearer(s, gradient, t, other, offset);
         // A plane that is seen on both sides goes on, and is no continuation of another.
-        if (meet(gap, s, gradient, other, cosine) && layer_of(pixel, t.plane << 1 | uint(t.leaving)) < 0) {
+        if (meet(gap, s, gradient, other, cosine) && layer_of(pixel, plane_word(t.plane, t.leaving)) < 0) {
             float sum = abs(gap.x) + abs(gap.y);
             c.found = true;
             c.layer = j;

@@ -3,10 +3,10 @@
 namespace npr::shader {
 
 Frame::Frame(const CpuFrame& frame)
-    : view(gl::view_values(frame.view, frame.rows.local_centre, frame.rows.diagonal)),
+    : view(base::view_values(frame.view, frame.layers.table->local_centre, frame.layers.table->diagonal)),
       layer_count(frame.layers.layers),
       // In double precision, since the world's origin may be far away.
-      centre_in_eye(dvec3(frame.view.eye_from_world() * dvec4(frame.rows.local_centre, 1.0))),
+      centre_in_eye(dvec3(frame.view.eye_from_world() * dvec4(frame.layers.table->local_centre, 1.0))),
       jitter(frame.view.jitter()),
       background_color(frame.scheme.background),
       background_stop(frame.scheme.background_stop),
@@ -15,12 +15,12 @@ Frame::Frame(const CpuFrame& frame)
       highlight_color(frame.scheme.highlight),
       ghost_color(frame.scheme.ghost),
       transparent_background(frame.transparent_background),
-      leaf_rows(frame.rows.leaves.data()),
-      plane_rows(frame.rows.planes.data()),
+      leaf_rows(frame.layers.table->leaves.data()),
+      plane_rows(frame.layers.table->planes.data()),
       size(frame.layers.size),
       srgb(&SrgbTables::get()) {
     for (int i = 0; i < layer_count; ++i) {
-        const peel::CpuLayer& layer = frame.layers.planes[static_cast<std::size_t>(i)];
+        const layers::HostLayer& layer = frame.layers.planes[static_cast<std::size_t>(i)];
         surfaces.push_back(layer.surface.data());
         depths.push_back(layer.depth.data());
     }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "gl/view_block.h"
+#include "base/view_values.h"
 #include "npr/painter/cpu_frame.h"
 #include "npr/srgb.h"
 
@@ -17,14 +17,14 @@ using namespace glm;  // Shader files say vec3, dot and mix.
 struct Frame {
     explicit Frame(const CpuFrame& frame);
 
-    gl::ViewValues view;
+    base::ViewValues view;
     int layer_count;
     vec3 centre_in_eye;
     vec2 jitter;
     vec3 background_color, background_stop, face_color, cut_color;
     vec4 highlight_color, ghost_color;
     bool transparent_background;
-    const peel::LeafRow* leaf_rows;
+    const layers::LeafRow* leaf_rows;
     const vec4* plane_rows;
     ivec2 size;
     std::vector<const uvec2*> surfaces;  ///< By layer, then by pixel.
@@ -32,8 +32,8 @@ struct Frame {
     const SrgbTables* srgb;
 
 #include "gl/view_distance.glsl"
+#include "layers/surface.glsl"
 #include "npr/pixel.glsl"
-#include "peel/surface.glsl"
 
     [[nodiscard]] ivec2 picture_size() const {
         return size;

@@ -8,17 +8,17 @@
 
 #include "base/camera.h"
 #include "gl/objects.h"
+#include "layers/texture_stack.h"
 #include "npr/color_scheme.h"
 #include "npr/painter/cpu_frame.h"
 #include "npr/parameter.h"
-#include "peel/layer_stack.h"
 
 namespace npr {
 
 /// One sample per pixel of a picture, to be drawn by a style.
 struct Frame {
     const base::View& view;  ///< That `layers` was peeled from, its jitter included.
-    const peel::LayerStack& layers;
+    const layers::TextureStack& layers;
     const Parameters& parameters;  ///< Of the style that draws.
     const ColorScheme& scheme;
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.

@@ -1,4 +1,6 @@
 // Merges two stacks, each sorted by depth, into one. At equal depth `front` comes first.
+#include "layers/surface_ids.glsl"
+
 layout(binding = 0) uniform sampler2DArray front_depths;
 layout(binding = 1) uniform usampler2DArray front_surfaces;
 layout(binding = 2) uniform sampler2DArray back_depths;
@@ -17,7 +19,7 @@ void main() {
         float front = f < front_layers ? texelFetch(front_depths, ivec3(p, f), 0).x : 0.0;
         float back = b < back_layers ? texelFetch(back_depths, ivec3(p, b), 0).x : 0.0;
         float depth = max(front, back);  // reversed: the larger is nearer
-        uvec4 surface = uvec4(0xffffffffu, 0u, 0u, 0u);
+        uvec4 surface = uvec4(kNoSurface, 0u, 0u, 0u);
         if (depth > 0.0)
             surface = front >= back ? texelFetch(front_surfaces, ivec3(p, f++), 0)
                                     : texelFetch(back_surfaces, ivec3(p, b++), 0);

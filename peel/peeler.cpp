@@ -5,13 +5,15 @@
 
 #include "base/stop.h"
 #include "gl/error.h"
+#include "goldfeather/surface_table.h"
+#include "peel/shaders.h"
 
 namespace peel {
 namespace {
 
 gl::ShaderLibrary shaders() {
     gl::ShaderLibrary library;
-    library.add(gl::shader_files());
+    library.add(layers::shader_files());
     library.add(peel::shader_files());
     return library;
 }
@@ -22,13 +24,13 @@ PeelModel::PeelModel(const gl::Functions& gl, const csg::Scene& scene, const csg
                      std::vector<std::vector<goldfeather::Product>> part_products, EngineKind kind)
     : engine(kind),
       lists(scene, geometry),
-      tables(goldfeather::SurfaceTables::make(gl, scene, geometry)),
+      table(std::make_shared<layers::SurfaceBuffers>(gl, *goldfeather::surface_table(scene, geometry))),
       products(std::move(part_products)),
       box(geometry.box) {
     if (kind != EngineKind::ListsCpu) {
         leaves_fault = goldfeather::LeafBuffers::obstacle(gl, geometry);
         if (leaves_fault.empty()) {
-            leaves.emplace(gl, geometry, tables->local_centre);
+            leaves.emplace(gl, geometry, table->local_centre);
         }
     }
     if (kind == EngineKind::Lists && leaves) {
@@ -52,8 +54,8 @@ Peeler::Peeler(const gl::Functions& gl, std::size_t memory_budget, double minima
       target_(gl),
       upload_(gl) {}
 
-LayerStack Peeler::peel(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
-                        const std::stop_token& stop) {
+layers::TextureStack Peeler::peel(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                                  const std::stop_token& stop) {
     if (model.engine == EngineKind::ListsCpu) {
         return peel_lists_cpu(view, model, max_layers, stats, stop);
     }
@@ -78,8 +80,8 @@ LayerStack Peeler::peel(const base::View& view, PeelModel& model, int max_layers
     return peel_parts(view, model, max_layers, stats, stop);
 }
 
-std::optional<LayerStack> Peeler::peel_lists(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
-                                             const std::stop_token& stop) {
+std::optional<layers::TextureStack> Peeler::peel_lists(const base::View& view, PeelModel& model, int max_layers,
+                                                       WalkStats& stats, const std::stop_token& stop) {
     if (!lists_ && lists_fault_.empty()) {
         try {
             lists_.emplace(gl_, memory_budget_);
@@ -89,7 +91,7 @@ std::optional<LayerStack> Peeler::peel_lists(const base::View& view, PeelModel& 
     }
     if (lists_) {
         try {
-            return lists_->peel(view, model.lists.geometry, *model.leaves, *model.lists_scene, model.tables, max_layers,
+            return lists_->peel(view, model.lists.geometry, *model.leaves, *model.lists_scene, model.table, max_layers,
                                 stats, stop);
         } catch (const gl::Error& error) {
             stats.fallback = error.what();  // Of this picture.
@@ -101,20 +103,20 @@ std::optional<LayerStack> Peeler::peel_lists(const base::View& view, PeelModel& 
     return std::nullopt;
 }
 
-LayerStack Peeler::peel_lists_cpu(const base::View& view, const PeelModel& model, int max_layers, WalkStats& stats,
-                                  const std::stop_token& stop) {
+layers::TextureStack Peeler::peel_lists_cpu(const base::View& view, const PeelModel& model, int max_layers,
+                                            WalkStats& stats, const std::stop_token& stop) {
     goldfeather::ListsStats lists;
     goldfeather::peel_lists(model.lists, view, max_layers, 0, cpu_layers_, lists, stop);
     goldfeather::add(stats, lists);
-    goldfeather::leave_out_sparse_layers(cpu_layers_, minimal_fraction_);
+    layers::leave_out_sparse_layers(cpu_layers_, minimal_fraction_);
 
-    LayerStack stack = upload_.upload(cpu_layers_);
-    stack.tables = model.tables;
+    layers::TextureStack stack = upload_.upload(cpu_layers_);
+    stack.table = model.table;
     return stack;
 }
 
-LayerStack Peeler::peel_parts(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
-                              const std::stop_token& stop) {
+layers::TextureStack Peeler::peel_parts(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                                        const std::stop_token& stop) {
     const bool scs = model.engine == EngineKind::Scs;
     if (scs && !scs_)
         scs_.emplace(gl_, memory_budget_);
@@ -123,17 +125,17 @@ LayerStack Peeler::peel_parts(const base::View& view, PeelModel& model, int max_
     const auto walk = [&](std::span<const goldfeather::Product> products) {
         const goldfeather::PartProducts part{products, model.leaf_boxes, model.wound, model.open};
         if (scs)
-            return scs_->peel(view, *model.leaves, part, model.tables, stats, stop);
-        return engine_->walk(view, *model.leaves, part, model.tables, max_layers, stats, stop);
+            return scs_->peel(view, *model.leaves, part, model.table, stats, stop);
+        return engine_->walk(view, *model.leaves, part, model.table, max_layers, stats, stop);
     };
     if (model.products.empty())
         return walk({});
     // Highlighted parts come before all others, and each kind in order of the parts' ids.
-    std::optional<LayerStack> plain, highlighted;
+    std::optional<layers::TextureStack> plain, highlighted;
     for (std::size_t part = 0; part < model.products.size(); ++part) {
-        std::optional<LayerStack>& kind = model.kinds[part] == csg::PartKind::Highlight ? highlighted : plain;
+        std::optional<layers::TextureStack>& kind = model.kinds[part] == csg::PartKind::Highlight ? highlighted : plain;
         base::end_if_asked(stop);
-        LayerStack next = walk(model.products[part]);
+        layers::TextureStack next = walk(model.products[part]);
         kind = kind ? merge(*kind, next, max_layers) : std::move(next);
     }
     if (plain && highlighted)
@@ -141,13 +143,14 @@ LayerStack Peeler::peel_parts(const base::View& view, PeelModel& model, int max_
     return std::move(plain ? *plain : *highlighted);
 }
 
-LayerStack Peeler::merge(const LayerStack& front, const LayerStack& back, int max_layers) {
+layers::TextureStack Peeler::merge(const layers::TextureStack& front, const layers::TextureStack& back,
+                                   int max_layers) {
     if (!merge_)
         merge_.emplace(gl_, shaders(),
                        std::initializer_list<std::string_view>{"peel/fullscreen.vert", "peel/merge.frag"});
-    LayerStack merged;
+    layers::TextureStack merged;
     merged.size = front.size;
-    merged.tables = front.tables;
+    merged.table = front.table;
     const int both = front.layers + back.layers;
     merged.layers = max_layers == kAllLayers ? both : std::min(both, max_layers);
     merged.complete = front.complete && back.complete && (max_layers == kAllLayers || both <= max_layers);

@@ -11,8 +11,8 @@
 #include "goldfeather/lists/lists.h"
 #include "goldfeather/lists_cpu/lists_cpu.h"
 #include "goldfeather/scs/scs.h"
-#include "peel/layer_stack.h"
-#include "peel/layer_upload.h"
+#include "layers/texture_stack.h"
+#include "layers/upload.h"
 
 namespace peel {
 
@@ -30,7 +30,7 @@ struct PeelModel {
     EngineKind engine;
     goldfeather::ListsModel lists;
 
-    std::shared_ptr<const goldfeather::SurfaceTables> tables;
+    std::shared_ptr<const layers::SurfaceBuffers> table;
     std::optional<goldfeather::LeafBuffers> leaves;      ///< For the engines on OpenGL, …
     std::string leaves_fault;                            ///< … or why there are none.
     std::optional<goldfeather::ListsScene> lists_scene;  ///< For `lists`, where there are leaves.
@@ -55,20 +55,22 @@ class Peeler {
     /// (kAllLayers: all). Where surfaces of two parts coincide, a highlighted part comes first, and otherwise the part
     /// with the smaller id.
     /// Throws base::Stopped where `stop` asked for it.
-    [[nodiscard]] LayerStack peel(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
-                                  const std::stop_token& stop = {});
+    [[nodiscard]] layers::TextureStack peel(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
+                                            const std::stop_token& stop = {});
 
     /// Hands a stack back that nobody reads any more: the next one may use its textures again.
-    void give_back(LayerStack stack) { upload_.give_back(std::move(stack)); }
+    void give_back(layers::TextureStack stack) { upload_.give_back(std::move(stack)); }
 
   private:
-    [[nodiscard]] LayerStack peel_parts(const base::View& view, PeelModel& model, int max_layers, WalkStats& stats,
-                                        const std::stop_token& stop);
-    [[nodiscard]] std::optional<LayerStack> peel_lists(const base::View& view, PeelModel& model, int max_layers,
-                                                       WalkStats& stats, const std::stop_token& stop);
-    [[nodiscard]] LayerStack peel_lists_cpu(const base::View& view, const PeelModel& model, int max_layers,
-                                            WalkStats& stats, const std::stop_token& stop);
-    [[nodiscard]] LayerStack merge(const LayerStack& front, const LayerStack& back, int max_layers);
+    [[nodiscard]] layers::TextureStack peel_parts(const base::View& view, PeelModel& model, int max_layers,
+                                                  WalkStats& stats, const std::stop_token& stop);
+    [[nodiscard]] std::optional<layers::TextureStack> peel_lists(const base::View& view, PeelModel& model,
+                                                                 int max_layers, WalkStats& stats,
+                                                                 const std::stop_token& stop);
+    [[nodiscard]] layers::TextureStack peel_lists_cpu(const base::View& view, const PeelModel& model, int max_layers,
+                                                      WalkStats& stats, const std::stop_token& stop);
+    [[nodiscard]] layers::TextureStack merge(const layers::TextureStack& front, const layers::TextureStack& back,
+                                             int max_layers);
 
     const gl::Functions& gl_;
     std::size_t memory_budget_;
@@ -81,8 +83,8 @@ class Peeler {
     gl::VertexArray empty_array_;
     gl::Framebuffer target_;
     gl::Texture target_color_;
-    goldfeather::CpuLayers cpu_layers_;  ///< Its memory is used again.
-    LayerUpload upload_;
+    layers::HostStack cpu_layers_;  ///< Its memory is used again.
+    layers::Upload upload_;
 };
 
 }  // namespace peel

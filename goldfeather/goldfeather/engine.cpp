@@ -37,6 +37,7 @@ struct PixelState {
 gl::ShaderLibrary shaders() {
     gl::ShaderLibrary library;
     library.add(gl::shader_files());
+    library.add(layers::shader_files());
     library.add(goldfeather::shader_files());
     return library;
 }
@@ -151,14 +152,14 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves, std:
     gl_.VertexArrayVertexBuffer(tile_array_.id(), 0, tiles_.id(), 0, sizeof(TileRow));
 }
 
-LayerStack Goldfeather::walk(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
-                             std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats,
-                             const std::stop_token& stop) {
+layers::TextureStack Goldfeather::walk(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
+                                       std::shared_ptr<const layers::SurfaceBuffers> tables, int max_layers,
+                                       WalkStats& stats, const std::stop_token& stop) {
     const ScreenPlan screen = plan(view, part.products, part.leaf_boxes, part.wound);
-    LayerStack stack;
+    layers::TextureStack stack;
     stack.size = view.size();
     stack.layers = 0;
-    stack.tables = std::move(tables);
+    stack.table = std::move(tables);
     grow(gl_, stack, max_layers == kAllLayers ? 4 : max_layers);
     stats.drawn_leaves += static_cast<std::uint32_t>(screen.leaves.size());
     stats.drawn_products += static_cast<std::uint32_t>(screen.products.size());
@@ -170,7 +171,7 @@ LayerStack Goldfeather::walk(const base::View& view, LeafBuffers& leaves, const 
     int most = 0;
 
     upload(screen, leaves, part.open);
-    view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
+    view_block_.update(view, stack.table->local_centre, stack.table->diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();
@@ -200,7 +201,7 @@ LayerStack Goldfeather::walk(const base::View& view, LeafBuffers& leaves, const 
     return stack;
 }
 
-int Goldfeather::draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats,
+int Goldfeather::draw_band(const Band& band, layers::TextureStack& stack, int max_layers, WalkStats& stats,
                            const std::stop_token& stop) {
     const auto pixel_count = static_cast<std::size_t>(band.size.x) * static_cast<std::size_t>(band.size.y);
     const auto reserve = [&](gl::Buffer& buffer, std::size_t bytes, GLuint binding) {

@@ -22,9 +22,9 @@
 #include "goldfeather/draw_commands.h"
 #include "goldfeather/goldfeather/part_products.h"
 #include "goldfeather/goldfeather/screen_plan.h"
-#include "goldfeather/layer_stack.h"
 #include "goldfeather/leaf_buffers.h"
 #include "goldfeather/walk_stats.h"
+#include "layers/texture_stack.h"
 
 namespace goldfeather {
 
@@ -40,9 +40,9 @@ class Goldfeather {
     /// Fills a stack with the first `max_layers` surfaces of the part (kAllLayers: all of them).
     /// `leaves` holds the scene's leaves, `tables` what the ids stand for.
     /// Throws base::Stopped where `stop` asked for it.
-    [[nodiscard]] LayerStack walk(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
-                                  std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats,
-                                  const std::stop_token& stop = {});
+    [[nodiscard]] layers::TextureStack walk(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
+                                            std::shared_ptr<const layers::SurfaceBuffers> tables, int max_layers,
+                                            WalkStats& stats, const std::stop_token& stop = {});
 
   private:
     struct Band;
@@ -53,7 +53,8 @@ class Goldfeather {
     [[nodiscard]] Programs make_programs(bool counters) const;
     [[nodiscard]] const Programs& programs(bool counters);
     /// Gives the most layers that a pixel of the band has.
-    int draw_band(const Band& band, LayerStack& stack, int max_layers, WalkStats& stats, const std::stop_token& stop);
+    int draw_band(const Band& band, layers::TextureStack& stack, int max_layers, WalkStats& stats,
+                  const std::stop_token& stop);
     [[nodiscard]] int most_layers(std::size_t pixel_count) const;
     void upload(const ScreenPlan& plan, const LeafBuffers& leaves, std::span<const char> open);
 

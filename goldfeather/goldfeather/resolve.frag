@@ -1,6 +1,7 @@
 // Between two geometry passes: applies the toggles of the event, evaluates the sum of products before and after it, and
 // stores a layer where the value changes.
 #include "goldfeather/goldfeather/walk.glsl"
+#include "layers/surface_ids.glsl"
 
 flat in uvec4 tile_lists;
 
@@ -80,7 +81,7 @@ bool responsible(uint slot, uint pixel, uvec2 at, bool before) {
     return false;
 }
 
-// The smallest leaf that the event is due to: leaf id << 1 | reversed.
+// The smallest leaf that the event is due to, as the stack holds it.
 uint find_leaf(uint pixel, uvec2 at, bool entering) {
     for (uint i = 0u; i < tile_lists.w; ++i) {
         LeafSlot row = tile_leaves[tile_lists.z + i];
@@ -94,10 +95,10 @@ uint find_leaf(uint pixel, uvec2 at, bool entering) {
             continue;
         if (responsible(slot, pixel, at, !entering)) {
             bool inside_after = (after >> (slot & 31u) & 1u) != 0u;
-            return row.leaf.x << 1 | (inside_after != entering ? 1u : 0u);
+            return leaf_word(row.leaf.x, inside_after != entering);
         }
     }
-    return 0xffffffffu;  // not reached: the sum has changed
+    return kNoSurface;  // not reached: the sum has changed
 }
 
 void main() {
@@ -120,7 +121,7 @@ void main() {
                     uint id = find_leaf(pixel, at, !inside);
                     imageStore(layer_depths, ivec3(at, layer), vec4(current));
                     imageStore(layer_surfaces, ivec3(at, layer),
-                               uvec4(id, pixels[pixel].plane << 1 | (inside ? 1u : 0u), 0u, 0u));
+                               uvec4(id, plane_word(pixels[pixel].plane, inside), 0u, 0u));
                 }
                 found = ((layer + 1u) << 1) | (inside ? 0u : 1u);
                 full = layer + 1u == layer_capacity;

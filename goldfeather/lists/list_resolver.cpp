@@ -21,6 +21,7 @@ void ListBuffers::bind() const {
 gl::ShaderLibrary ListResolver::shaders() {
     gl::ShaderLibrary library;
     library.add(gl::shader_files());
+    library.add(layers::shader_files());
     library.add(goldfeather::shader_files());
     return library;
 }

@@ -7,8 +7,8 @@
 #include <stop_token>
 
 #include "gl/program.h"
-#include "goldfeather/layer_stack.h"
 #include "goldfeather/lists/blist_buffer.h"
+#include "layers/texture_stack.h"
 
 namespace goldfeather {
 
@@ -48,7 +48,7 @@ struct ListBuffers {
 
 /// What lists are resolved into.
 struct ListTarget {
-    const LayerStack& stack;
+    const layers::TextureStack& stack;
     int first_row = 0;  ///< Of the band in the picture.
     glm::ivec2 band_size{0};
     std::uint32_t layer_limit = 0;  ///< Wanted; the stack may hold fewer, and what it cannot hold is only counted.

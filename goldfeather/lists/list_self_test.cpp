@@ -100,7 +100,7 @@ class Lists {
     std::vector<glm::uvec2> entries;
     std::vector<glm::uvec2> jobs = std::vector<glm::uvec2>(kListClasses * kPixels);
     ListStatus status;
-    std::vector<std::vector<Surface>> expected;
+    std::vector<std::vector<layers::Surface>> expected;
 
   private:
     void add_pixel(std::uint32_t pixel, PixelWalk& walk, Numbers& random) {
@@ -123,7 +123,7 @@ class Lists {
 
         std::stable_sort(fragments.begin(), fragments.end(),
                          [](const Fragment& a, const Fragment& b) { return a.depth > b.depth; });
-        std::vector<Surface>& layers = expected.emplace_back();
+        std::vector<layers::Surface>& layers = expected.emplace_back();
         for (const FoundSurface& s : walk.walk(fragments)) {
             std::uint32_t plane = ~0U;
             for (std::uint32_t i = s.first; i < s.end; ++i) {
@@ -150,16 +150,16 @@ std::string self_test(const gl::Functions& gl, ListResolver& resolver, bool wind
     BlistBuffer blist(gl, Blist(lists.scene));
     blist.set_flags(lists.flags);
     for (const std::uint32_t pause_after : {0U, 1U}) {  // In as few goes as may be, and event by event.
-        LayerStack stack;
+        layers::TextureStack stack;
         stack.size = {static_cast<int>(kPixels), 1};
         grow(gl, stack, kLayers);
         buffers.status.upload_bytes(&lists.status, sizeof lists.status, GL_DYNAMIC_COPY);
         buffers.bind();
         (void)resolver.resolve(buffers, blist, {stack, 0, stack.size, kLayers, true, windings, pause_after},
                                lists.status.class_sizes, kPixels);
-        const HostLayers found = read_back(gl, stack);
+        const layers::HostStack found = read_back(gl, stack);
         for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
-            std::vector<Surface> expected = lists.expected[pixel];
+            std::vector<layers::Surface> expected = lists.expected[pixel];
             expected.resize(kLayers);
             for (int layer = 0; layer < kLayers; ++layer) {
                 if (found.at(layer, static_cast<int>(pixel), 0) != expected[static_cast<std::size_t>(layer)]) {

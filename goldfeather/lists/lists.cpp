@@ -31,7 +31,7 @@ struct Lists::Job {
     const base::View& view;
     LeafBuffers& leaves;
     ListsScene& scene;
-    LayerStack& stack;
+    layers::TextureStack& stack;
     WalkStats& stats;
     std::uint32_t layer_limit;
     const std::stop_token& stop;
@@ -63,12 +63,12 @@ Lists::Lists(const gl::Functions& gl, std::size_t memory_budget)
     }
 }
 
-LayerStack Lists::peel(const base::View& view, const csg::solid::Geometry& geometry, LeafBuffers& leaves,
-                       ListsScene& scene, std::shared_ptr<const SurfaceTables> tables, int max_layers, WalkStats& stats,
-                       const std::stop_token& stop) {
-    LayerStack stack;
+layers::TextureStack Lists::peel(const base::View& view, const csg::solid::Geometry& geometry, LeafBuffers& leaves,
+                                 ListsScene& scene, std::shared_ptr<const layers::SurfaceBuffers> tables,
+                                 int max_layers, WalkStats& stats, const std::stop_token& stop) {
+    layers::TextureStack stack;
     stack.size = view.size();
-    stack.tables = std::move(tables);
+    stack.table = std::move(tables);
     const bool all = max_layers == kAllLayers;
     Job job{view,  leaves, scene,
             stack, stats,  all ? std::numeric_limits<std::uint32_t>::max() : static_cast<std::uint32_t>(max_layers),
@@ -110,7 +110,7 @@ LayerStack Lists::peel(const base::View& view, const csg::solid::Geometry& geome
         windings_tested_ = true;
     }
     scene.blist.set_flags(flags);
-    view_block_.update(view, stack.tables->local_centre, stack.tables->diagonal);
+    view_block_.update(view, stack.table->local_centre, stack.table->diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();

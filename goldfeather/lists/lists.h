@@ -41,9 +41,10 @@ class Lists {
     /// the leaves of `geometry`, `tables` what the ids stand for. Throws gl::Error where a single pixel has more
     /// surfaces than OpenGL can hold, or where two passes over the same triangles disagree; base::Stopped where `stop`
     /// asked for it.
-    [[nodiscard]] LayerStack peel(const base::View& view, const csg::solid::Geometry& geometry, LeafBuffers& leaves,
-                                  ListsScene& scene, std::shared_ptr<const SurfaceTables> tables, int max_layers,
-                                  WalkStats& stats, const std::stop_token& stop = {});
+    [[nodiscard]] layers::TextureStack peel(const base::View& view, const csg::solid::Geometry& geometry,
+                                            LeafBuffers& leaves, ListsScene& scene,
+                                            std::shared_ptr<const layers::SurfaceBuffers> tables, int max_layers,
+                                            WalkStats& stats, const std::stop_token& stop = {});
 
   private:
     /// Pixels of a band, from its lower left corner.

@@ -1,6 +1,8 @@
 // Walks along a pixel's ray, event by event, and stores a layer where the value of a part changes. Before this:
 // kCapacity, the list (list_short.glsl, list_long.glsl) and what these need.
 
+#include "layers/surface_ids.glsl"
+
 layout(local_size_x = 64) in;
 
 const uint kFinished = 0xffffffffu;
@@ -35,7 +37,7 @@ uint event_rank(uint from) {
 }
 
 // The smallest leaf of the part that switches and is responsible on the side where the leaves inside are those of now,
-// which is after or before the event: leaf << 1 | reversed.
+// which is after or before the event, as the stack holds it.
 uint find_leaf(uint rank, bool after) {
     uint leaf = 0u, triangle = 0u;
     for (uint from = 0u;;) {
@@ -50,9 +52,9 @@ uint find_leaf(uint rank, bool after) {
             }
         }
         if (smallest == kNone)
-            return kNone;  // not reached: the value has changed
+            return kNoSurface;  // not reached: the value has changed
         if (list_switches(smallest, odd, after) && responsible(smallest))
-            return smallest << 1 | (holds(smallest) ? 0u : 1u);
+            return leaf_word(smallest, !holds(smallest));
         from = smallest + 1u;
     }
 }
@@ -74,7 +76,7 @@ void store(ivec2 at, uint layer, uint rank, bool leaving) {
     if (leaving)
         list_pass_event(false);
     imageStore(layer_depths, ivec3(at, layer), vec4(uintBitsToFloat(event_depth)));
-    imageStore(layer_surfaces, ivec3(at, layer), uvec4(id, smallest_plane() << 1 | (leaving ? 1u : 0u), 0u, 0u));
+    imageStore(layer_surfaces, ivec3(at, layer), uvec4(id, plane_word(smallest_plane(), leaving), 0u, 0u));
 }
 
 void main() {

@@ -66,15 +66,8 @@ Bins make_bins(const std::vector<ScreenTriangle>& triangles, glm::ivec2 size, co
 
 }  // namespace
 
-void CpuLayers::reserve(std::size_t count) {
-    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    while (planes.size() < count) {
-        planes.push_back({std::vector<float>(pixels), std::vector<glm::uvec2>(pixels, {kNoSurface, 0})});
-    }
-}
-
-void peel_lists(const ListsModel& model, const base::View& view, int max_layers, unsigned threads, CpuLayers& out,
-                ListsStats& stats, const std::stop_token& stop) {
+void peel_lists(const ListsModel& model, const base::View& view, int max_layers, unsigned threads,
+                layers::HostStack& out, ListsStats& stats, const std::stop_token& stop) {
     ListsJob job{model, view.size(), max_layers, out, stop};
     for (const csg::solid::Plane& plane : model.geometry.planes.planes()) {
         job.planes.push_back(view.exact_plane_depth(plane.normal, plane.offset));
@@ -100,12 +93,7 @@ void peel_lists(const ListsModel& model, const base::View& view, int max_layers,
     }
     job.bins = make_bins(job.triangles, job.size, stop);
     const int tiles = job.bins.tiles.x * job.bins.tiles.y;
-    if (out.size != view.size()) {
-        out = {};
-        out.size = view.size();
-        out.held.assign(static_cast<std::size_t>(tiles), 0);
-        out.counts.assign(static_cast<std::size_t>(out.size.x) * static_cast<std::size_t>(out.size.y), 0);
-    }
+    out.resize(view.size());
 
     std::atomic<int> next{0};
     std::atomic<bool> given_up{false};
@@ -135,43 +123,12 @@ void peel_lists(const ListsModel& model, const base::View& view, int max_layers,
     stats.layers = std::max(stats.layers, most);
 }
 
-void leave_out_sparse_layers(CpuLayers& layers, double minimal_fraction) {
-    if (!(minimal_fraction > 0)) {
-        return;
-    }
-    std::vector<std::size_t> pixels(static_cast<std::size_t>(layers.layers) + 1, 0);  // By number of layers.
-    for (const int count : layers.counts) {
-        ++pixels[static_cast<std::size_t>(std::min(count, layers.layers))];
-    }
-    const double least = minimal_fraction * static_cast<double>(layers.counts.size());
-    std::size_t holding = 0;  // Pixels that hold a surface in the last layer.
-    while (layers.layers > 1) {
-        holding += pixels[static_cast<std::size_t>(layers.layers)];
-        if (static_cast<double>(holding) >= least) {
-            break;
-        }
-        --layers.layers;
-        layers.complete = false;
-    }
-}
-
-HostLayers to_host(const CpuLayers& layers) {
-    HostLayers host{layers.size, layers.layers, {}};
-    for (int layer = 0; layer < layers.layers; ++layer) {
-        const CpuLayer& plane = layers.planes[static_cast<std::size_t>(layer)];
-        for (std::size_t i = 0; i < plane.depth.size(); ++i) {
-            host.surfaces.push_back(decode_surface(plane.depth[i], plane.surface[i]));
-        }
-    }
-    return host;
-}
-
-HostLayers peel_to_host(const csg::Scene& scene, const csg::solid::Geometry& geometry, const base::View& view,
-                        int max_layers, unsigned threads) {
-    CpuLayers layers;
+layers::HostStack peel_to_host(const csg::Scene& scene, const csg::solid::Geometry& geometry, const base::View& view,
+                               int max_layers, unsigned threads) {
+    layers::HostStack layers;
     ListsStats stats;
     peel_lists(ListsModel(scene, geometry), view, max_layers, threads, layers, stats);
-    return to_host(layers);
+    return layers;
 }
 
 void add(WalkStats& walk, const ListsStats& lists) {

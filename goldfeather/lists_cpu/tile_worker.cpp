@@ -24,7 +24,7 @@ constexpr std::size_t kFew = 8;
 constexpr std::uint32_t kTaken = std::numeric_limits<std::uint32_t>::max();
 constexpr csg::LeafId kNoLeaf = std::numeric_limits<csg::LeafId>::max();
 
-static_assert(TileSpans::kSide == CpuLayers::kTileSide);
+static_assert(TileSpans::kSide == layers::HostStack::kTileSide);
 
 /// Equal depths in order of leaves, so that equal pixels have equal lists.
 bool nearer(const Fragment& a, const Fragment& b) {
@@ -275,7 +275,7 @@ void TileWorker::write(int x, int y, int length) {
             depths[i] = static_cast<float>(std::min(std::max(at, 1e-30), 1.0));
         }
         std::fill_n(targets_[layer].surface + target, length,
-                    glm::uvec2(s.leaf << 1 | (s.reversed ? 1U : 0U), plane << 1 | (s.leaving ? 1U : 0U)));
+                    layers::encode({0, s.leaf, plane, s.reversed, s.leaving}));
     }
     const auto layers = static_cast<int>(found.size());
     std::fill_n(layers_.begin() + in_tile(x, y), length, layers);
@@ -298,7 +298,7 @@ void TileWorker::clear(std::size_t pixel, int first, int end) {
     for (int layer = first; layer < end; ++layer) {
         const Target& target = targets_[static_cast<std::size_t>(layer)];
         target.depth[pixel] = 0;
-        target.surface[pixel] = {kNoSurface, 0};
+        target.surface[pixel] = {layers::kNoSurface, 0};
     }
 }
 
@@ -310,7 +310,7 @@ void TileWorker::reserve(std::size_t layers) {
     const std::lock_guard lock(job_.growing);
     job_.out.reserve(layers);
     targets_.clear();
-    for (CpuLayer& plane : job_.out.planes) {
+    for (layers::HostLayer& plane : job_.out.planes) {
         targets_.push_back({plane.depth.data(), plane.surface.data()});
     }
 }

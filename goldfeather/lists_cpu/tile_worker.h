@@ -30,7 +30,7 @@ struct ListsJob {
     const ListsModel& model;
     glm::ivec2 size;
     int max_layers;
-    CpuLayers& out;
+    layers::HostStack& out;
     const std::stop_token& stop;
     std::vector<ScreenTriangle> triangles{};
     std::vector<base::View::ExactPlaneDepth> planes{};

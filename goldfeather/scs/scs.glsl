@@ -5,7 +5,7 @@ struct ScsPixel {
     uint limit;       // where the first of its intersected leaves is left
     uint entered;     // intersected leaves that the ray meets
     uint mark;        // the last pass in which a subtracted leaf began at the depth or before it
-    uint leaf;        // leaf << 1 | reversed, at the depth
+    uint leaf;        // of the surface at the depth, as the stack holds it (layers/surface_ids.glsl)
     uint plane;
     uint best_depth;  // of all products so far
     uint best_leaf;

@@ -18,9 +18,9 @@
 #include "gl/program.h"
 #include "gl/view_block.h"
 #include "goldfeather/goldfeather/part_products.h"
-#include "goldfeather/layer_stack.h"
 #include "goldfeather/leaf_buffers.h"
 #include "goldfeather/walk_stats.h"
+#include "layers/texture_stack.h"
 
 namespace goldfeather {
 
@@ -36,9 +36,9 @@ class Scs {
 
     /// Fills a stack with the first surfaces of the part; there must be no obstacle. `leaves` holds the scene's leaves,
     /// `tables` what the ids stand for. Throws base::Stopped where `stop` asked for it.
-    [[nodiscard]] LayerStack peel(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
-                                  std::shared_ptr<const SurfaceTables> tables, WalkStats& stats,
-                                  const std::stop_token& stop = {});
+    [[nodiscard]] layers::TextureStack peel(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
+                                            std::shared_ptr<const layers::SurfaceBuffers> tables, WalkStats& stats,
+                                            const std::stop_token& stop = {});
 
   private:
     struct Rectangle;

@@ -2,6 +2,7 @@
 #include "goldfeather/surface_depth.glsl"
 #include "goldfeather/scs/scs.glsl"
 #include "goldfeather/triangles.glsl"
+#include "layers/surface_ids.glsl"
 
 flat in uint plane;
 flat in uint triangle;
@@ -12,6 +13,6 @@ void main() {
     uint i = pixel_index(ivec2(gl_FragCoord.xy));
     if (!is_alive(pixels[i]) || floatBitsToUint(surface_depth()) != pixels[i].depth)
         return;
-    atomicMin(pixels[i].leaf, triangles[triangle].leaf << 1 | (gl_FrontFacing ? 0u : 1u));
+    atomicMin(pixels[i].leaf, leaf_word(triangles[triangle].leaf, !gl_FrontFacing));
     atomicMin(pixels[i].plane, plane);
 }

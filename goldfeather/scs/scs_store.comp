@@ -1,5 +1,6 @@
 // Stores the layer.
 #include "goldfeather/scs/scs_pixels.glsl"
+#include "layers/surface_ids.glsl"
 
 layout(r32f, binding = 0) writeonly uniform image2DArray layer_depths;
 layout(rg32ui, binding = 1) writeonly uniform uimage2DArray layer_surfaces;
@@ -15,5 +16,5 @@ void main() {
         return;
     ivec3 to = ivec3(at.x, at.y + first_row, 0);
     imageStore(layer_depths, to, vec4(uintBitsToFloat(pixel.best_depth)));
-    imageStore(layer_surfaces, to, uvec4(pixel.best_leaf, pixel.best_plane << 1, 0u, 0u));
+    imageStore(layer_surfaces, to, uvec4(pixel.best_leaf, plane_word(pixel.best_plane, false), 0u, 0u));
 }

@@ -86,7 +86,7 @@ FoundEdge edge_of(int layer, ivec2 p, ivec2 offset) {
     }
     bool bends = is_crease(p, layer, p + offset, c);
     if (!bends && part_edges)
-        bends = !look_alike(s.leaf, surface_ids(p + offset, c.layer).x >> 1);
+        bends = !look_alike(s.leaf, leaf_of(surface_ids(p + offset, c.layer)));
     e.found = bends;
     e.layer = min(layer, c.layer);
     float size = length(c.across);

@@ -7,8 +7,8 @@
 
 namespace npr {
 
-void CpuAccumulator::paint_sample(const Paint& paint, const peel::SurfaceRows& rows, const Picture& picture,
-                                  std::size_t sample, const PeelToMemory& peel) {
+void CpuAccumulator::paint_sample(const Paint& paint, const Picture& picture, std::size_t sample,
+                                  const PeelToMemory& peel) {
     if (sample == 0) {
         size_ = picture.size;
         sum_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), glm::vec4(0));
@@ -16,8 +16,7 @@ void CpuAccumulator::paint_sample(const Paint& paint, const peel::SurfaceRows& r
     samples_ = static_cast<int>(sample) + 1;
     const base::View view(picture.camera, picture.size, picture.lo, picture.hi,
                           sample_offsets(picture.samples)[sample]);
-    paint({view, peel(view), rows, picture.parameters, picture.scheme, picture.transparent_background, sum_,
-           picture.stop});
+    paint({view, peel(view), picture.parameters, picture.scheme, picture.transparent_background, sum_, picture.stop});
 }
 
 base::Image CpuAccumulator::image() const {

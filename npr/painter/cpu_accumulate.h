@@ -11,15 +11,14 @@
 namespace npr {
 
 /// The layers as seen from a view, which must stand until the next call; called once per sample.
-using PeelToMemory = std::function<const peel::CpuLayers&(const base::View& view)>;
+using PeelToMemory = std::function<const layers::HostStack&(const base::View& view)>;
 
 /// Paints pictures sample by sample and keeps their sum.
 class CpuAccumulator {
   public:
     /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is the
-    /// mean of those painted so far. `rows`: of the model that `peel` peels.
-    void paint_sample(const Paint& paint, const peel::SurfaceRows& rows, const Picture& picture, std::size_t sample,
-                      const PeelToMemory& peel);
+    /// mean of those painted so far.
+    void paint_sample(const Paint& paint, const Picture& picture, std::size_t sample, const PeelToMemory& peel);
 
     /// The picture painted last: sRGB with straight alpha.
     [[nodiscard]] base::Image image() const;

@@ -2,7 +2,7 @@
 
 namespace npr {
 
-EdgeIndex::EdgeIndex(const peel::CpuLayers& layers, const CpuEdges& edges) : tiles_(layers), edges_(edges) {
+EdgeIndex::EdgeIndex(const layers::HostStack& layers, const CpuEdges& edges) : tiles_(layers), edges_(edges) {
     constexpr auto kSide = static_cast<std::uint32_t>(Tiles::kSide);
     for (const std::vector<CpuEdge>& tile : edges) {
         if (tile.empty()) {

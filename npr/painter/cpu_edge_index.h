@@ -15,7 +15,7 @@ namespace npr {
 class EdgeIndex {
   public:
     /// Both must outlive the object.
-    EdgeIndex(const peel::CpuLayers& layers, const CpuEdges& edges);
+    EdgeIndex(const layers::HostStack& layers, const CpuEdges& edges);
 
     /// The edges on the two links that start at a pixel, which must be in the picture.
     [[nodiscard]] std::span<const CpuEdge> at(glm::ivec2 lower) const {

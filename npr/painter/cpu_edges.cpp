@@ -91,7 +91,7 @@ struct EdgeSearch : Frame {
 namespace {
 
 /// For the pixels of a tile's row: bit 0 where the link to the right may have edges, bit 1 where the link up may.
-using Row = std::array<std::uint8_t, peel::CpuLayers::kTileSide>;
+using Row = std::array<std::uint8_t, layers::HostStack::kTileSide>;
 
 class TileSearch {
   public:
@@ -121,7 +121,7 @@ class TileSearch {
     Row all_links(const TileBounds& box, int y, int layers) {
         const auto count = static_cast<std::size_t>(box.hi.x - box.lo.x);
         const bool last_column = box.hi.x == search_.size.x, last_row = y + 1 == search_.size.y;
-        std::array<std::uint64_t, peel::CpuLayers::kTileSide> right{}, up{};
+        std::array<std::uint64_t, layers::HostStack::kTileSide> right{}, up{};
         for (int layer = 0; layer < layers; ++layer) {
             const glm::uvec2* row = search_.surfaces[static_cast<std::size_t>(layer)] + search_.index({box.lo.x, y});
             const glm::uvec2* above = last_row ? row : row + search_.size.x;

@@ -19,7 +19,7 @@ struct CpuEdge {
     bool profile = false;
 };
 
-/// By the tile (peel::CpuLayers) of the link's lower pixel, in an order that does not depend on threads.
+/// By the tile (layers::HostStack) of the link's lower pixel, in an order that does not depend on threads.
 using CpuEdges = std::vector<std::vector<CpuEdge>>;
 
 [[nodiscard]] CpuEdges find_edges(const CpuFrame& frame, const EdgeSettings& settings);

@@ -7,17 +7,16 @@
 #include <stop_token>
 
 #include "base/camera.h"
+#include "layers/host_stack.h"
 #include "npr/color_scheme.h"
 #include "npr/parameter.h"
-#include "peel/cpu_layers.h"
 
 namespace npr {
 
 /// One sample per pixel of a picture, to be painted by a style: what Frame (npr/style.h) is for layers in main memory.
 struct CpuFrame {
     const base::View& view;  ///< That `layers` was peeled from, its jitter included.
-    const peel::CpuLayers& layers;
-    const peel::SurfaceRows& rows;
+    const layers::HostStack& layers;
     const Parameters& parameters;  ///< Of the style that paints.
     const ColorScheme& scheme;
     bool transparent_background = false;

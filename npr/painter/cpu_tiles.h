@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 
-#include "peel/cpu_layers.h"
+#include "layers/host_stack.h"
 
 namespace npr {
 
@@ -15,10 +15,10 @@ struct TileBounds {
 
 class Tiles {
   public:
-    static constexpr int kSide = peel::CpuLayers::kTileSide;
+    static constexpr int kSide = layers::HostStack::kTileSide;
 
     /// `layers` must outlive the object.
-    explicit Tiles(const peel::CpuLayers& layers) : layers_(layers), across_((layers.size + kSide - 1) / kSide) {}
+    explicit Tiles(const layers::HostStack& layers) : layers_(layers), across_((layers.size + kSide - 1) / kSide) {}
 
     [[nodiscard]] int count() const { return across_.x * across_.y; }
     [[nodiscard]] TileBounds bounds(int tile) const {
@@ -49,7 +49,7 @@ class Tiles {
     }
 
   private:
-    const peel::CpuLayers& layers_;
+    const layers::HostStack& layers_;
     glm::ivec2 across_;  ///< In tiles.
 };
 

@@ -17,7 +17,7 @@ class Noise {
     explicit Noise(const gl::Functions& gl) : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag"), target_(gl) {}
 
     void draw(const Frame& frame, const SketchSettings& settings) {
-        const auto& tables = *frame.layers.tables;
+        const auto& tables = *frame.layers.table;
         const NoiseKey key =
             noise_key(settings, frame.layers.size, {frame.view.camera(), tables.local_centre, tables.diagonal});
         if (!(texture_ && texture_.size() == key.size))

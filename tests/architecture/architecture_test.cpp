@@ -26,13 +26,15 @@ const std::map<std::string, Names> kMayInclude = {
     {"csg/solid", {"csg/tree"}},
     {"csg/reference", {"csg/tree", "csg/solid"}},
     {"gl", {}},
-    {"goldfeather", {"csg/tree", "csg/solid", "gl"}},
-    {"peel", {"goldfeather", "gl"}},
-    {"npr", {"peel", "gl"}},
-    {"ui/pipeline", {"csg/tree", "csg/scad", "csg/solid", "csg/reference", "gl", "goldfeather", "peel", "npr"}},
-    {"ui/viewer", {"csg/tree", "csg/scad", "csg/solid", "gl", "goldfeather", "peel", "npr", "ui/pipeline"}},
+    {"layers", {"gl"}},
+    {"goldfeather", {"csg/tree", "csg/solid", "gl", "layers"}},
+    {"peel", {"goldfeather", "layers", "gl"}},
+    {"npr", {"peel", "layers", "gl"}},
+    {"ui/pipeline",
+     {"csg/tree", "csg/scad", "csg/solid", "csg/reference", "gl", "layers", "goldfeather", "peel", "npr"}},
+    {"ui/viewer", {"csg/tree", "csg/scad", "csg/solid", "gl", "layers", "goldfeather", "peel", "npr", "ui/pipeline"}},
     {"ui/command_line",
-     {"csg/tree", "csg/scad", "csg/solid", "gl", "goldfeather", "peel", "npr", "ui/pipeline", "ui/viewer"}},
+     {"csg/tree", "csg/scad", "csg/solid", "gl", "layers", "goldfeather", "peel", "npr", "ui/pipeline", "ui/viewer"}},
     {"ui", {"gl", "ui/command_line", "ui/pipeline"}},
 };
 
@@ -43,6 +45,7 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
     {"csg_solid", "csg/solid"},
     {"csg_reference", "csg/reference"},
     {"csgscope_gl", "gl"},
+    {"layers", "layers"},
     {"goldfeather", "goldfeather"},
     {"peel", "peel"},
     {"npr", "npr"},
@@ -77,7 +80,7 @@ std::vector<std::string> files_of(const Names& tops, const Names& extensions) {
     return found;
 }
 
-const Names kProgram = {"base", "csg", "gl", "goldfeather", "peel", "npr", "ui"};
+const Names kProgram = {"base", "csg", "gl", "layers", "goldfeather", "peel", "npr", "ui"};
 const Names kSources = {".cpp", ".h", ".glsl", ".vert", ".frag", ".comp"};
 
 TEST(Architecture, IncludesGoDownOnly) {

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <utility>
 
-#include "peel/cpu_layers.h"
+#include "layers/host_stack.h"
 #include "tests/bench/floor.h"
 #include "tests/bench/report.h"
 #include "tests/bench/subject.h"
@@ -89,7 +89,7 @@ class Bench {
         Floor floor(gl_, model.geometry, glm::ivec2(size));
         const std::size_t count = settings_.layers.size();
         std::vector<peel::WalkStats> stats(count);
-        std::vector<peel::CpuLayers> cpu_layers(count);  // Their memory is used again from frame to frame.
+        std::vector<layers::HostStack> cpu_layers(count);  // Their memory is used again from frame to frame.
         std::vector<std::function<void()>> works{[&] { floor.draw(view); }};
         for (std::size_t i = 0; i < count; ++i) {
             works.emplace_back([&, i] { peel(peel_model, view, settings_.layers[i], cpu_layers[i], stats[i]); });
@@ -130,7 +130,7 @@ class Bench {
     static const char* style(int layers) { return layers == 1 ? "shaded" : "blueprint"; }
 
     /// On software OpenGL lists of the CPU end in main memory, as in frames that the CPU paints.
-    void peel(peel::PeelModel& model, const base::View& view, int layers, peel::CpuLayers& cpu_layers,
+    void peel(peel::PeelModel& model, const base::View& view, int layers, layers::HostStack& cpu_layers,
               peel::WalkStats& stats) {
         stats = {};
         if (model.engine == goldfeather::EngineKind::ListsCpu && context_.software()) {

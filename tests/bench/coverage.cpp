@@ -9,7 +9,7 @@ namespace bench {
 
 ExactCoverage::ExactCoverage(const ui::Model& model, const base::Camera& camera) {
     const base::View view(camera, glm::ivec2(kSide), model.geometry.box.lo, model.geometry.box.hi);
-    goldfeather::CpuLayers layers;
+    layers::HostStack layers;
     goldfeather::ListsStats stats;
     goldfeather::peel_lists({model.scene, model.geometry}, view, 1, 0, layers, stats);
     hits_.resize(layers.counts.size());

@@ -44,7 +44,7 @@ class CpuDrawer final : public Drawer {
 
   private:
     goldfeather::ListsModel lists_;
-    goldfeather::CpuLayers layers_;
+    layers::HostStack layers_;
     std::optional<base::View> view_;
 };
 
@@ -67,33 +67,28 @@ class GlDrawer final : public Drawer {
         return stats.fallback.empty();
     }
     std::vector<int> counts() override {
-        const goldfeather::HostLayers host = read();
-        const std::size_t pixels = host.surfaces.size() / static_cast<std::size_t>(host.layers);
-        std::vector<int> result(pixels, 0);
-        for (std::size_t i = 0; i < host.surfaces.size(); ++i) {
-            result[i % pixels] += host.surfaces[i].depth > 0 ? 1 : 0;
-        }
-        return result;
+        const layers::HostStack host = read();
+        return host.counts;
     }
     std::vector<double> distances() override {
-        const goldfeather::HostLayers host = read();
+        const layers::HostStack host = read();
         std::vector<double> result;
-        for (std::size_t i = 0; i < host.surfaces.size() / static_cast<std::size_t>(host.layers); ++i) {
-            result.push_back(distance(*view_, host.surfaces[i].depth));
+        for (const float depth : host.planes.front().depth) {
+            result.push_back(distance(*view_, depth));
         }
         return result;
     }
 
   private:
-    [[nodiscard]] goldfeather::HostLayers read() {
+    [[nodiscard]] layers::HostStack read() {
         context_.make_current();
-        return goldfeather::read_back(context_.functions(), stack_);
+        return layers::read_back(context_.functions(), stack_);
     }
 
     gl::Context& context_;
     peel::Peeler& peeler_;
     peel::PeelModel model_;
-    goldfeather::LayerStack stack_;
+    layers::TextureStack stack_;
     std::optional<base::View> view_;
 };
 

@@ -14,14 +14,14 @@ std::string text(const truth::Surface& s) {
                        s.leaving ? "leaving" : "entering");
 }
 
-std::string text(const goldfeather::Surface& s) {
+std::string text(const layers::Surface& s) {
     return fmt::format("[depth {:.8f} leaf {}{} plane {} {}]", s.depth, s.leaf, s.reversed ? " reversed" : "", s.plane,
                        s.leaving ? "leaving" : "entering");
 }
 
 }  // namespace
 
-bool same(const truth::Surface& expected, const goldfeather::Surface& actual) {
+bool same(const truth::Surface& expected, const layers::Surface& actual) {
     const auto holds = [](const std::vector<std::uint32_t>& ids, std::uint32_t id) {
         return std::find(ids.begin(), ids.end(), id) != ids.end();
     };
@@ -50,26 +50,26 @@ Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_sc
     }
 }
 
-goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                                 const base::View& view, int max_layers, peel::EngineKind engine) {
+layers::HostStack peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
+                           const base::View& view, int max_layers, peel::EngineKind engine) {
     peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products, engine);
     peel::WalkStats stats;
-    auto layers = peel::read_back(gl, peeler.peel(view, model, max_layers, stats));
+    auto layers = layers::read_back(gl, peeler.peel(view, model, max_layers, stats));
     if (!stats.fallback.empty()) {
         throw OtherEngine("another engine has drawn: " + stats.fallback);
     }
     return layers;
 }
 
-std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers) {
-    std::vector<goldfeather::Surface> surfaces = stack.surfaces;
+std::vector<layers::Surface> padded(const layers::HostStack& stack, int layers) {
+    std::vector<layers::Surface> surfaces = stack.surfaces();
     surfaces.resize(static_cast<std::size_t>(layers) * static_cast<std::size_t>(stack.size.x) *
                     static_cast<std::size_t>(stack.size.y));
     return surfaces;
 }
 
-std::string difference(const Subject& subject, const base::View& view, const goldfeather::HostLayers& stack,
-                       Count& count, int most) {
+std::string difference(const Subject& subject, const base::View& view, const layers::HostStack& stack, Count& count,
+                       int most) {
     const truth::RayCaster caster(subject.scene, subject.geometry, view, subject.part_enabled);
     std::string first;
     int wrong = 0;
@@ -82,7 +82,7 @@ std::string difference(const Subject& subject, const base::View& view, const gol
                 continue;
             if (most != peel::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most))
                 ray.surfaces.resize(static_cast<std::size_t>(most));
-            std::vector<goldfeather::Surface> actual;
+            std::vector<layers::Surface> actual;
             for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer)
                 actual.push_back(stack.at(layer, x, y));
             count.surfaces += actual.size();
@@ -95,7 +95,7 @@ std::string difference(const Subject& subject, const base::View& view, const gol
             for (const truth::Surface& s : ray.surfaces)
                 first += "\n    " + text(s);
             first += "\n  found";
-            for (const goldfeather::Surface& s : actual)
+            for (const layers::Surface& s : actual)
                 first += "\n    " + text(s);
         }
     return wrong == 0 ? "" : fmt::format("{} pixels differ; {}\n", wrong, first);

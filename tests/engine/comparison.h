@@ -40,19 +40,19 @@ class OtherEngine : public std::runtime_error {
 };
 
 /// Peels all layers. Throws OtherEngine.
-[[nodiscard]] goldfeather::HostLayers peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                                               const base::View& view, int max_layers = peel::kAllLayers,
-                                               peel::EngineKind engine = peel::EngineKind::Goldfeather);
+[[nodiscard]] layers::HostStack peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
+                                         const base::View& view, int max_layers = peel::kAllLayers,
+                                         peel::EngineKind engine = peel::EngineKind::Goldfeather);
 
 /// The first `layers` layers of a stack; empty ones where it has fewer.
-[[nodiscard]] std::vector<goldfeather::Surface> padded(const goldfeather::HostLayers& stack, int layers);
+[[nodiscard]] std::vector<layers::Surface> padded(const layers::HostStack& stack, int layers);
 
 /// Is it the surface that the truth says, within the bound of its depth?
-[[nodiscard]] bool same(const truth::Surface& expected, const goldfeather::Surface& actual);
+[[nodiscard]] bool same(const truth::Surface& expected, const layers::Surface& actual);
 
 /// Empty where the stack agrees with the truth at every pixel outside the band; otherwise what differs first, and
 /// in how many pixels. `most`: layers that the stack was limited to.
-[[nodiscard]] std::string difference(const Subject& subject, const base::View& view,
-                                     const goldfeather::HostLayers& stack, Count& count, int most = peel::kAllLayers);
+[[nodiscard]] std::string difference(const Subject& subject, const base::View& view, const layers::HostStack& stack,
+                                     Count& count, int most = peel::kAllLayers);
 
 }  // namespace comparison

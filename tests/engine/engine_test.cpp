@@ -8,7 +8,7 @@ class OnOpenGl : public Engine {
   public:
     OnOpenGl(std::unique_ptr<gl::Context> context, peel::EngineKind kind)
         : context_(std::move(context)), kind_(kind), peeler_(context_->functions()) {}
-    goldfeather::HostLayers peel(const Subject& subject, const base::View& view, int max_layers) override {
+    layers::HostStack peel(const Subject& subject, const base::View& view, int max_layers) override {
         context_->make_current();  // Another engine's may have been since.
         auto layers = peel_all(context_->functions(), peeler_, subject, view, max_layers, kind_);
         EXPECT_EQ(context_->functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -25,16 +25,16 @@ class OnOpenGl : public Engine {
 
 class ListsCpu : public Engine {
   public:
-    goldfeather::HostLayers peel(const Subject& subject, const base::View& view, int max_layers) override {
+    layers::HostStack peel(const Subject& subject, const base::View& view, int max_layers) override {
         const goldfeather::ListsModel model(subject.scene, subject.geometry);
         goldfeather::ListsStats stats;
         goldfeather::peel_lists(model, view, max_layers, 2, layers_, stats);
-        return goldfeather::to_host(layers_);
+        return layers_;
     }
     bool needs_products() const override { return false; }
 
   private:
-    goldfeather::CpuLayers layers_;  ///< From the picture before, as in the program.
+    layers::HostStack layers_;  ///< From the picture before, as in the program.
 };
 
 }  // namespace

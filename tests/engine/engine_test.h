@@ -14,8 +14,8 @@ namespace comparison {
 class Engine {
   public:
     virtual ~Engine() = default;
-    [[nodiscard]] virtual goldfeather::HostLayers peel(const Subject& subject, const base::View& view,
-                                                       int max_layers = peel::kAllLayers) = 0;
+    [[nodiscard]] virtual layers::HostStack peel(const Subject& subject, const base::View& view,
+                                                 int max_layers = peel::kAllLayers) = 0;
     /// Layers that it finds; kAllLayers where it finds all.
     [[nodiscard]] virtual int most_layers() const { return peel::kAllLayers; }
     /// A part over the budget of products is left out by engines that need them.

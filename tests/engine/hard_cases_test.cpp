@@ -33,7 +33,7 @@ base::Camera from(const glm::dvec3& eye, const glm::dvec3& center, double fov = 
 class HardCases : public comparison::EngineTest {
   protected:
     /// Peels all layers, from which the truth must not differ.
-    goldfeather::HostLayers peel(const Model& model, const base::Camera& camera, double most_undecided = 0.1) {
+    layers::HostStack peel(const Model& model, const base::Camera& camera, double most_undecided = 0.1) {
         const Subject subject = this->subject(model);
         const base::View view = subject.view(camera, {65, 65});
         auto stack = engine().peel(subject, view);
@@ -44,19 +44,20 @@ class HardCases : public comparison::EngineTest {
     }
 
     /// Leaves of the surfaces in a pixel, nearest first; "-" before those that are cuts.
-    static std::string along(const goldfeather::HostLayers& stack, int x = 32, int y = 32) {
+    static std::string along(const layers::HostStack& stack, int x = 32, int y = 32) {
         std::string text;
         for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
-            const goldfeather::Surface& s = stack.at(layer, x, y);
+            const layers::Surface& s = stack.at(layer, x, y);
             text +=
                 fmt::format("{}{}{}{}", text.empty() ? "" : " ", s.leaving ? "<" : ">", s.reversed ? "-" : "", s.leaf);
         }
         return text;
     }
 
-    static std::size_t surfaces(const goldfeather::HostLayers& stack) {
-        return static_cast<std::size_t>(std::count_if(stack.surfaces.begin(), stack.surfaces.end(),
-                                                      [](const goldfeather::Surface& s) { return s.depth > 0; }));
+    static std::size_t surfaces(const layers::HostStack& stack) {
+        const std::vector<layers::Surface> all = stack.surfaces();
+        return static_cast<std::size_t>(
+            std::count_if(all.begin(), all.end(), [](const layers::Surface& s) { return s.depth > 0; }));
     }
 };
 
@@ -209,16 +210,17 @@ TEST_P(HardCases, HugeAndTinyCopiesLookTheSame) {
                 {combine(Operation::Union, {box({0, 0, 0}, {4, 4, 2}), box({4, 0, 0}, {1, 4, 1})}),
                  at({2, 2, 0}, leaf(csg::Cylinder{2, 1, 1, false, {9, 12, 2}})), box({3, 0, 1}, {1, 4, 1})});
     const glm::dvec3 eye(11, -9, 12), center(2.1, 2.2, 1);
-    const auto one = peel(part, from(eye, center));
+    const auto stack = peel(part, from(eye, center));
+    const std::vector<layers::Surface> one = stack.surfaces();
     for (const double scale : {1e6, 1e-4}) {
-        const auto copy = peel(scaled(scale, part), from(scale * eye, scale * center));
-        ASSERT_EQ(copy.layers, one.layers);
+        const auto of_copy = peel(scaled(scale, part), from(scale * eye, scale * center));
+        ASSERT_EQ(of_copy.layers, stack.layers);
+        const std::vector<layers::Surface> copy = of_copy.surfaces();
         std::size_t different = 0;
-        for (std::size_t i = 0; i < one.surfaces.size(); ++i)
-            different += one.surfaces[i].leaf != copy.surfaces[i].leaf ||
-                         one.surfaces[i].reversed != copy.surfaces[i].reversed ||
-                         (one.surfaces[i].depth > 0) != (copy.surfaces[i].depth > 0);
-        EXPECT_LE(different, one.surfaces.size() / 200);
+        for (std::size_t i = 0; i < one.size(); ++i)
+            different += one[i].leaf != copy[i].leaf || one[i].reversed != copy[i].reversed ||
+                         (one[i].depth > 0) != (copy[i].depth > 0);
+        EXPECT_LE(different, one.size() / 200);
     }
 }
 

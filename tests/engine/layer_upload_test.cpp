@@ -20,14 +20,14 @@ TEST_P(LayerUploads, TexturesUsedAgainHoldJustTheNewPicture) {
             const base::View view = subject.view(camera, {75, 70});
             const int layers = picture % 2 == 0 ? peel::kAllLayers : 2;
             peel::WalkStats stats;
-            peel::LayerStack stack = peeler.peel(view, model, layers, stats);
+            layers::TextureStack stack = peeler.peel(view, model, layers, stats);
             used_again += stack.depth.id() == before ? 1 : 0;
             before = stack.depth.id();
 
             const auto expected = goldfeather::peel_to_host(subject.scene, subject.geometry, view, layers, 1);
-            const auto actual = goldfeather::read_back(gl(), stack);
+            const auto actual = layers::read_back(gl(), stack);
             ASSERT_EQ(actual.layers, expected.layers) << "seed " << seed;
-            ASSERT_EQ(actual.surfaces, expected.surfaces) << "seed " << seed << ", picture " << picture;
+            ASSERT_EQ(actual.surfaces(), expected.surfaces()) << "seed " << seed << ", picture " << picture;
             peeler.give_back(std::move(stack));
         }
     }

@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "goldfeather/lists/list_self_test.h"
+#include "goldfeather/surface_table.h"
 #include "tests/engine/engine_test.h"
 #include "tests/random/build_model.h"
 
 namespace {
 
 using comparison::Subject;
-using goldfeather::HostLayers;
 using goldfeather::Lists;
+using layers::HostStack;
 
 constexpr glm::ivec2 kSize{48, 48};
 
@@ -33,13 +34,13 @@ base::Camera from_above(double height) {
 
 class ListsOnOpenGl : public test_support::GlTest {
   protected:
-    HostLayers peel(Lists& lists, const Subject& subject, const base::View& view, int max_layers,
-                    goldfeather::WalkStats& stats) {
-        const auto tables = goldfeather::SurfaceTables::make(gl(), subject.scene, subject.geometry);
+    layers::HostStack peel(Lists& lists, const Subject& subject, const base::View& view, int max_layers,
+                           goldfeather::WalkStats& stats) {
+        const auto tables = std::make_shared<layers::SurfaceBuffers>(
+            gl(), *goldfeather::surface_table(subject.scene, subject.geometry));
         goldfeather::LeafBuffers leaves(gl(), subject.geometry, tables->local_centre);
         goldfeather::ListsScene scene(gl(), subject.scene);
-        return goldfeather::read_back(gl(),
-                                      lists.peel(view, subject.geometry, leaves, scene, tables, max_layers, stats));
+        return layers::read_back(gl(), lists.peel(view, subject.geometry, leaves, scene, tables, max_layers, stats));
     }
 };
 
@@ -60,13 +61,15 @@ TEST_P(ListsOnOpenGl, PiecesDoNotShow) {
         const Subject subject = random_subject(seed, camera);
         const base::View view = subject.view(camera, kSize), small = subject.view(camera, {7, 5});
         goldfeather::WalkStats stats, split_stats, tiny_stats, ignored;
-        const HostLayers a = peel(whole, subject, view, 0, stats), b = peel(split, subject, view, 0, split_stats);
+        const layers::HostStack a = peel(whole, subject, view, 0, stats),
+                                b = peel(split, subject, view, 0, split_stats);
         ASSERT_EQ(a.layers, b.layers) << "seed " << seed;
-        ASSERT_EQ(a.surfaces, b.surfaces) << "seed " << seed;
+        ASSERT_EQ(a.surfaces(), b.surfaces()) << "seed " << seed;
         EXPECT_EQ(stats.fragments, split_stats.fragments);
         EXPECT_LE(stats.bands, 1);
         most_pieces = std::max(most_pieces, split_stats.bands);
-        ASSERT_EQ(peel(whole, subject, small, 0, ignored).surfaces, peel(tiny, subject, small, 0, tiny_stats).surfaces);
+        ASSERT_EQ(peel(whole, subject, small, 0, ignored).surfaces(),
+                  peel(tiny, subject, small, 0, tiny_stats).surfaces());
     }
     EXPECT_GE(most_pieces, 16);
 }
@@ -89,16 +92,16 @@ TEST_P(ListsOnOpenGl, AnyNumberOfSurfacesAndLayers) {
         const Subject subject(random_tree::make_tree(slabs(count)), false);
         const base::View view = subject.view(from_above(2 * count), {33, 33});
         goldfeather::WalkStats stats;
-        const HostLayers all = peel(lists, subject, view, 0, stats);
+        const layers::HostStack all = peel(lists, subject, view, 0, stats);
         EXPECT_EQ(all.layers, 2 * count);
         EXPECT_EQ(stats.longest_list, static_cast<std::uint32_t>(2 * count));
         EXPECT_EQ(stats.layers, 2 * count);
         comparison::Count compared;
         EXPECT_EQ(comparison::difference(subject, view, all, compared), "");
         for (const int few : {1, 3, 7}) {
-            const HostLayers first = peel(lists, subject, view, few, stats);
+            const layers::HostStack first = peel(lists, subject, view, few, stats);
             EXPECT_LE(first.layers, few);
-            EXPECT_EQ(comparison::padded(first, 2 * count).size(), all.surfaces.size());
+            EXPECT_EQ(comparison::padded(first, 2 * count).size(), all.surfaces().size());
             EXPECT_EQ(comparison::padded(first, few), comparison::padded(all, few));
         }
     }
@@ -119,8 +122,8 @@ TEST_P(ListsOnOpenGl, AgreeWithGoldfeather) {
         }
         const base::View view = subject.view(camera, kSize);
         goldfeather::WalkStats stats;
-        const HostLayers a = peel(lists, subject, view, 0, stats);
-        const HostLayers b = comparison::peel_all(gl(), peeler, subject, view);
+        const layers::HostStack a = peel(lists, subject, view, 0, stats);
+        const layers::HostStack b = comparison::peel_all(gl(), peeler, subject, view);
         const int layers = std::max(a.layers, b.layers);
         const auto found = comparison::padded(a, layers), expected = comparison::padded(b, layers);
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -185,7 +188,7 @@ class FallBack : public ListsOnOpenGl {
         std::string reason;
         for (int picture = 0; picture < 2; ++picture) {  // The second does not try again.
             peel::WalkStats stats;
-            const HostLayers layers = peel::read_back(faulty, peeler.peel(view, model, 0, stats));
+            const layers::HostStack layers = layers::read_back(faulty, peeler.peel(view, model, 0, stats));
             EXPECT_EQ(layers.layers, 6);
             comparison::Count count;
             EXPECT_EQ(comparison::difference(subject, view, layers, count), "");
@@ -236,13 +239,13 @@ TEST_P(FallBack, WhereTwoPassesDisagree) {
     peel::Peeler peeler(faulty);
     peel::PeelModel model(faulty, subject.scene, subject.geometry, {}, peel::EngineKind::Lists);
     peel::WalkStats stats;
-    const HostLayers layers = peel::read_back(faulty, peeler.peel(view, model, 0, stats));
+    const layers::HostStack layers = layers::read_back(faulty, peeler.peel(view, model, 0, stats));
     EXPECT_NE(stats.fallback.find("different per-pixel lists"), std::string::npos) << stats.fallback;
     EXPECT_EQ(layers.layers, 4);
     // That was one picture's fault: the next is tried again.
     faulty.MultiDrawArraysIndirect = draw;
     peel::WalkStats after;
-    (void)peel::read_back(faulty, peeler.peel(view, model, 0, after));
+    (void)layers::read_back(faulty, peeler.peel(view, model, 0, after));
     EXPECT_EQ(after.fallback, "");
 }
 

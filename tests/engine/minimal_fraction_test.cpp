@@ -29,7 +29,7 @@ base::View from_above(const Subject& subject) {
     return subject.view(camera, kSize);
 }
 
-std::size_t pixels_with(const goldfeather::HostLayers& stack, int layer) {
+std::size_t pixels_with(const layers::HostStack& stack, int layer) {
     std::size_t count = 0;
     for (int y = 0; layer < stack.layers && y < stack.size.y; ++y) {
         for (int x = 0; x < stack.size.x; ++x) {
@@ -42,12 +42,12 @@ std::size_t pixels_with(const goldfeather::HostLayers& stack, int layer) {
 TEST(MinimalFraction, ListsLeaveOutLayersThatFewPixelsHave) {
     const Subject subject = plate_with_stack();
     const goldfeather::ListsModel model(subject.scene, subject.geometry);
-    goldfeather::CpuLayers layers;
+    layers::HostStack layers;
     goldfeather::ListsStats stats;
     const auto peel = [&](double minimal_fraction) {
         goldfeather::peel_lists(model, from_above(subject), 0, 1, layers, stats);
-        goldfeather::leave_out_sparse_layers(layers, minimal_fraction);
-        return goldfeather::to_host(layers);
+        layers::leave_out_sparse_layers(layers, minimal_fraction);
+        return layers;
     };
     const auto all = peel(0);
     ASSERT_EQ(all.layers, 22);
@@ -59,9 +59,9 @@ TEST(MinimalFraction, ListsLeaveOutLayersThatFewPixelsHave) {
     const auto less = peel((static_cast<double>(few) + 1) / kPixels);
     EXPECT_EQ(less.layers, 2);
     EXPECT_FALSE(layers.complete);
-    EXPECT_EQ(less.surfaces, comparison::padded(all, 2));
-    EXPECT_EQ(peel(1).layers, 1);               // The first one stays.
-    EXPECT_EQ(peel(0).surfaces, all.surfaces);  // And the next picture has all again.
+    EXPECT_EQ(less.surfaces(), comparison::padded(all, 2));
+    EXPECT_EQ(peel(1).layers, 1);                   // The first one stays.
+    EXPECT_EQ(peel(0).surfaces(), all.surfaces());  // And the next picture has all again.
 }
 
 class MinimalFractionOfTheWalk : public test_support::GlTest {};
@@ -74,7 +74,7 @@ TEST_P(MinimalFractionOfTheWalk, FewerPixelsThanThatLackSomething) {
         peel::Peeler peeler(gl(), goldfeather::kDefaultMemoryBudget, minimal_fraction);
         const auto stack = peeler.peel(view, model, peel::kAllLayers, stats);
         EXPECT_EQ(stack.complete, minimal_fraction == 0);
-        return peel::read_back(gl(), stack);
+        return layers::read_back(gl(), stack);
     };
     peel::WalkStats all_stats, less_stats;
     const auto all = peel(0, all_stats);

@@ -129,7 +129,7 @@ TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
         for (const int k : {1, 2}) {
             const auto few = engine().peel(subject, view, k);
             ASSERT_LE(few.layers, k);
-            ASSERT_TRUE(few.surfaces == comparison::padded(all, few.layers))
+            ASSERT_TRUE(few.surfaces() == comparison::padded(all, few.layers))
                 << "seed " << seed << ", " << k << " layers\n"
                 << random_tree::scad_text(sample.model);
         }
@@ -156,11 +156,10 @@ TEST_P(Bands, DoNotShow) {
         const base::View view = subject.view(sample.camera, kSize);
         const goldfeather::PartProducts part{model.products[0], model.leaf_boxes, model.wound, model.open};
         goldfeather::WalkStats stats, split_stats;
-        const auto a = goldfeather::read_back(gl(), whole.walk(view, *model.leaves, part, model.tables, 0, stats));
-        const auto b =
-            goldfeather::read_back(gl(), split.walk(view, *model.leaves, part, model.tables, 0, split_stats));
+        const auto a = layers::read_back(gl(), whole.walk(view, *model.leaves, part, model.table, 0, stats));
+        const auto b = layers::read_back(gl(), split.walk(view, *model.leaves, part, model.table, 0, split_stats));
         ASSERT_EQ(a.layers, b.layers) << "seed " << seed;
-        ASSERT_EQ(a.surfaces, b.surfaces) << "seed " << seed;
+        ASSERT_EQ(a.surfaces(), b.surfaces()) << "seed " << seed;
         most_bands = std::max(most_bands, split_stats.bands);
     }
     EXPECT_GE(most_bands, 8);
@@ -170,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(Contexts, Bands, testing::Values(gl::ContextKind::Egl),
 
 /// Both software renderers give the same stacks to the last bit.
 TEST(RandomTreesOnTwoContexts, AreTheSame) {
-    std::vector<std::vector<goldfeather::Surface>> stacks[2];
+    std::vector<std::vector<layers::Surface>> stacks[2];
     const char* const names[2]{"goldfeather_egl", "goldfeather_osmesa"};
     for (int i = 0; i < 2; ++i) {
         const auto made = comparison::make_engine(names[i]);
@@ -181,7 +180,7 @@ TEST(RandomTreesOnTwoContexts, AreTheSame) {
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
             const Sample sample = make_sample(seed);
             const Subject subject(random_tree::make_tree(sample.model));
-            stacks[i].push_back(made.engine->peel(subject, subject.view(sample.camera, kSize)).surfaces);
+            stacks[i].push_back(made.engine->peel(subject, subject.view(sample.camera, kSize)).surfaces());
         }
     }
     for (std::size_t i = 0; i < stacks[0].size(); ++i)

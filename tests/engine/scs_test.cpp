@@ -107,7 +107,7 @@ TEST_P(ScsOnOpenGl, BandsDoNotShow) {
     const base::View view = subject.view(base::camera_between({9, 8, 17}, {0, 0, 0}), kSize);
     const auto a = comparison::peel_all(gl(), whole, subject, view, 1, peel::EngineKind::Scs);
     const auto b = comparison::peel_all(gl(), split, subject, view, 1, peel::EngineKind::Scs);
-    EXPECT_EQ(a.surfaces, b.surfaces);
+    EXPECT_EQ(a.surfaces(), b.surfaces());
 }
 
 /// What the method cannot do is said, and drawn by another engine.
@@ -130,7 +130,7 @@ TEST_P(ScsOnOpenGl, KnowsItsLimits) {
     peel::Peeler peeler(gl());
     peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products, peel::EngineKind::Scs);
     peel::WalkStats stats;
-    const auto layers = peel::read_back(gl(), peeler.peel(outside, model, 0, stats));
+    const auto layers = layers::read_back(gl(), peeler.peel(outside, model, 0, stats));
     EXPECT_EQ(stats.fallback, "scs finds one layer only");
     comparison::Count count;
     EXPECT_EQ(comparison::difference(subject, outside, layers, count), "");

@@ -20,7 +20,7 @@ nlohmann::json manifest() {
     return nlohmann::json::parse(file).at("models");
 }
 
-goldfeather::HostLayers peel(const ui::Model& model, const base::View& view) {
+layers::HostStack peel(const ui::Model& model, const base::View& view) {
     return goldfeather::peel_to_host(model.scene, model.geometry, view);
 }
 
@@ -38,7 +38,7 @@ double volume(const ui::Model& model) {
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
-                const goldfeather::Surface& s = stack.at(layer, x, y);
+                const layers::Surface& s = stack.at(layer, x, y);
                 EXPECT_EQ(s.leaving, layer % 2 == 1) << "layers enter and leave in turn";
                 length += (s.leaving ? 1 : -1) * view.distance(s.depth);
             }

@@ -38,7 +38,7 @@ class AccumulateTest : public test_support::GlTest {
         const npr::Parameters none{std::span<const npr::Parameter>()};
         const npr::Picture picture{{},    {5, 3}, glm::dvec3(-1), glm::dvec3(1), none, npr::color_schemes()[0],
                                    false, samples};
-        accumulator.draw(style, picture, [](const base::View&) { return peel::LayerStack(); });
+        accumulator.draw(style, picture, [](const base::View&) { return layers::TextureStack(); });
         return accumulator.image();
     }
 };

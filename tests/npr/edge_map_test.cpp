@@ -71,7 +71,7 @@ class EdgeMapTest : public test_support::GlTest {
         view_.emplace(camera ? *camera : scene::camera(subject.geometry.box), glm::ivec2(size), subject.geometry.box.lo,
                       subject.geometry.box.hi);
         peel::WalkStats stats;
-        const peel::LayerStack layers = peeler.peel(*view_, peel_model, peel::kAllLayers, stats);
+        const layers::TextureStack layers = peeler.peel(*view_, peel_model, peel::kAllLayers, stats);
         const gl::Framebuffer unused(gl());
         const npr::Parameters none{std::span<const npr::Parameter>()};
         npr::EdgeMap map(gl());

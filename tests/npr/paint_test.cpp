@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "goldfeather/surface_table.h"
 #include "npr/painter/cpu_accumulate.h"
 #include "npr/srgb.h"
 #include "tests/npr/golden_tolerance.h"
@@ -27,9 +28,9 @@ struct View {
 class Easel {
   public:
     explicit Easel(const scene::Model& model)
-        : subject_(random_tree::make_tree(model)),
-          lists_(subject_.scene, subject_.geometry),
-          rows_(goldfeather::surface_rows(subject_.scene, subject_.geometry)) {}
+        : subject_(random_tree::make_tree(model)), lists_(subject_.scene, subject_.geometry) {
+        layers_.table = goldfeather::surface_table(subject_.scene, subject_.geometry);
+    }
 
     [[nodiscard]] const csg::Box& box() const { return subject_.geometry.box; }
 
@@ -42,8 +43,8 @@ class Easel {
                                     unsigned threads = 0) {
         npr::CpuAccumulator accumulator;
         for (std::size_t i = 0; i < npr::sample_offsets(view.samples).size(); ++i) {
-            accumulator.paint_sample(paint, rows_, picture(parameters, view), i,
-                                     [&](const base::View& v) -> const peel::CpuLayers& {
+            accumulator.paint_sample(paint, picture(parameters, view), i,
+                                     [&](const base::View& v) -> const layers::HostStack& {
                                          goldfeather::ListsStats stats;
                                          goldfeather::peel_lists(lists_, v, 0, threads, layers_, stats);
                                          return layers_;
@@ -79,8 +80,7 @@ class Easel {
 
     comparison::Subject subject_;
     goldfeather::ListsModel lists_;
-    peel::SurfaceRows rows_;
-    peel::CpuLayers layers_;
+    layers::HostStack layers_;
 };
 
 /// Two colours, a cut, a part that is seen through, smooth and sharp edges.

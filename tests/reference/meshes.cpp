@@ -29,11 +29,11 @@ PictureErrors picture_errors(const csg::Scene& scene, const csg::solid::Geometry
         base::view_all(camera, box.lo, box.hi, true);
         const base::View view(camera, {size, size}, box.lo, box.hi);
         const goldfeather::ListsModel lists(solid.scene, solid.geometry);
-        goldfeather::CpuLayers layers;
+        layers::HostStack layers;
         goldfeather::ListsStats stats;
         goldfeather::peel_lists(lists, view, 0, 1, layers, stats);
-        const ui::Comparison comparison = ui::compare_layers(goldfeather::to_host(layers), solid.geometry, mesh,
-                                                             ui::mesh_layers(mesh, view), view, box.diagonal());
+        const ui::Comparison comparison =
+            ui::compare_layers(layers, solid.geometry, mesh, ui::mesh_layers(mesh, view), view, box.diagonal());
         errors.all.add(comparison.all);
         errors.outside.add(comparison.outside);
     }

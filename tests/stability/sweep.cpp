@@ -9,7 +9,7 @@ namespace stability {
 namespace {
 
 using comparison::Subject;
-using goldfeather::HostLayers;
+using layers::HostStack;
 
 /// More than that and the walk takes minutes on a software renderer.
 constexpr std::size_t kMostLeavesOfTheWalk = 300;
@@ -67,7 +67,7 @@ class DepthErrors {
 };
 
 /// `most_layers`: that the engine finds.
-Errors compare(const Subject& subject, const Truth& truth, const HostLayers& stack, int most_layers) {
+Errors compare(const Subject& subject, const Truth& truth, const layers::HostStack& stack, int most_layers) {
     Errors errors;
     errors.drawn = true;
     DepthErrors depth(truth.diagonal);
@@ -78,7 +78,7 @@ Errors compare(const Subject& subject, const Truth& truth, const HostLayers& sta
             ray.surfaces.resize(static_cast<std::size_t>(most_layers));
         }
         const int x = cast.pixel.x, y = cast.pixel.y;
-        std::vector<goldfeather::Surface> actual;
+        std::vector<layers::Surface> actual;
         for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
             actual.push_back(stack.at(layer, x, y));
         }
@@ -188,7 +188,7 @@ void Sweep::measure(const Family& family, double level, std::vector<Measure>& me
             if (!e.engine->needs_products() || (subject.over_budget == 0 && leaves <= kMostLeavesOfTheWalk)) {
                 const double start = now_ms();
                 try {
-                    const HostLayers stack = e.engine->peel(subject, view, e.engine->most_layers());
+                    const layers::HostStack stack = e.engine->peel(subject, view, e.engine->most_layers());
                     const double spent = now_ms() - start;
                     errors = compare(subject, truth, stack, e.engine->most_layers());
                     errors.milliseconds = spent;

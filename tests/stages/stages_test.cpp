@@ -55,7 +55,7 @@ std::string layers_text(const ui::Model& model, const csg::scad::ViewSettings& s
         text += fmt::format("layer {}\n", layer);
         for (int y = stack.size.y - 1; y >= 0; --y) {
             for (int x = 0; x < stack.size.x; ++x) {
-                const goldfeather::Surface& s = stack.at(layer, x, y);
+                const layers::Surface& s = stack.at(layer, x, y);
                 text += s.depth > 0 ? static_cast<char>((s.reversed ? 'A' : 'a') + s.leaf % 26) : '.';
             }
             text += '\n';

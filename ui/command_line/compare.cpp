@@ -41,7 +41,7 @@ MeshLayers first_layers(MeshLayers layers, int most) {
 /// The volume by a picture of all layers: by the view where least may lie between the samples.
 class PictureVolume {
   public:
-    void look(const goldfeather::HostLayers& stack, const base::View& view) {
+    void look(const layers::HostStack& stack, const base::View& view) {
         const LayerVolume seen = layer_volume(stack, view);
         if (!known_ || seen.uncertainty < known_->uncertainty) {
             known_ = seen;

@@ -41,17 +41,17 @@ Drawer::Drawer(const SolidScene& solid, goldfeather::EngineKind engine) : solid_
     model_.emplace(context_->functions(), solid.scene, solid.geometry, std::move(products), engine);
 }
 
-goldfeather::HostLayers Drawer::layers(const base::View& view) {
+layers::HostStack Drawer::layers(const base::View& view) {
     if (!model_) {
         return goldfeather::peel_to_host(solid_.scene, solid_.geometry, view);
     }
     peel::WalkStats stats;
-    const peel::LayerStack stack = peeler_->peel(view, *model_, most_layers(), stats);
+    const layers::TextureStack stack = peeler_->peel(view, *model_, most_layers(), stats);
     if (!stats.fallback.empty()) {
         throw ModelError(
             fmt::format("the engine {} cannot draw the model: {}", goldfeather::name(engine_), stats.fallback));
     }
-    return peel::read_back(context_->functions(), stack);
+    return layers::read_back(context_->functions(), stack);
 }
 
 }  // namespace ui

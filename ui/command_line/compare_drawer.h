@@ -19,7 +19,7 @@ class Drawer {
     Drawer(const SolidScene& solid, goldfeather::EngineKind engine);
 
     /// The first most_layers() layers. Throws ModelError, with the reason, where the engine cannot draw them.
-    [[nodiscard]] goldfeather::HostLayers layers(const base::View& view);
+    [[nodiscard]] layers::HostStack layers(const base::View& view);
 
     /// How many layers the engine finds; peel::kAllLayers: all.
     [[nodiscard]] int most_layers() const { return engine_ == goldfeather::EngineKind::Scs ? 1 : peel::kAllLayers; }

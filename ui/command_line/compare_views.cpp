@@ -52,8 +52,7 @@ base::Image blank_image(glm::ivec2 size) {
 }
 
 ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& mesh, const base::View& view,
-                           const goldfeather::HostLayers& stack, const MeshLayers& truth,
-                           const Comparison& comparison) {
+                           const layers::HostStack& stack, const MeshLayers& truth, const Comparison& comparison) {
     ComparedView result{{},
                         blank_image(view.size()),
                         blank_image(view.size()),

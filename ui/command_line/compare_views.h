@@ -1,7 +1,7 @@
 // The views of csgscope compare, and what people see of them.
 #pragma once
 
-#include "goldfeather/layer_stack.h"
+#include "layers/host_stack.h"
 #include "ui/command_line/compare_report.h"
 #include "ui/pipeline/comparison/errors.h"
 #include "ui/pipeline/comparison/solid_scene.h"
@@ -16,7 +16,7 @@ namespace ui {
 
 /// Both solids in the same plain light, and a map of their differences; the title is left to the caller.
 [[nodiscard]] ComparedView compared_view(const SolidScene& solid, const csg::reference::Mesh& mesh,
-                                         const base::View& view, const goldfeather::HostLayers& stack,
+                                         const base::View& view, const layers::HostStack& stack,
                                          const MeshLayers& truth, const Comparison& comparison);
 
 }  // namespace ui

@@ -218,7 +218,7 @@ void Errors::add(const Errors& other) {
     edges_found += other.edges_found;
 }
 
-Comparison compare_layers(const goldfeather::HostLayers& stack, const csg::solid::Geometry& geometry,
+Comparison compare_layers(const layers::HostStack& stack, const csg::solid::Geometry& geometry,
                           const csg::reference::Mesh& mesh, const MeshLayers& truth, const base::View& view,
                           double diagonal) {
     Field drawn(truth.of.size()), expected(truth.of.size());
@@ -228,7 +228,7 @@ Comparison compare_layers(const goldfeather::HostLayers& stack, const csg::solid
             const std::size_t i = comparer.index(x, y);
             const glm::dvec3 ray = view.ray(x, y).direction;
             for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
-                const goldfeather::Surface& s = stack.at(layer, x, y);
+                const layers::Surface& s = stack.at(layer, x, y);
                 const glm::dvec3& normal = geometry.planes.planes()[s.plane].normal;
                 drawn[i].push_back(
                     {view.distance(s.depth), (glm::dot(normal, ray) > 0) == s.leaving ? normal : -normal, s.leaving});

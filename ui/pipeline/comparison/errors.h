@@ -6,7 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "goldfeather/layer_stack.h"
+#include "csg/solid/placed.h"
+#include "layers/host_stack.h"
 #include "ui/pipeline/comparison/mesh_layers.h"
 
 namespace ui {
@@ -58,7 +59,7 @@ struct Comparison {
 
 /// Compares layer by layer. The picture's normals face out of the solid, that is the eye where the ray enters; the
 /// mesh's are those of its triangles as they are oriented. `diagonal`: of the scene, world units.
-[[nodiscard]] Comparison compare_layers(const goldfeather::HostLayers& stack, const csg::solid::Geometry& geometry,
+[[nodiscard]] Comparison compare_layers(const layers::HostStack& stack, const csg::solid::Geometry& geometry,
                                         const csg::reference::Mesh& mesh, const MeshLayers& truth,
                                         const base::View& view, double diagonal);
 

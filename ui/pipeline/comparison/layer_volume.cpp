@@ -8,11 +8,11 @@ namespace ui {
 namespace {
 
 /// How long the ray of a pixel runs inside.
-double length_inside(const goldfeather::HostLayers& stack, const base::View& view, int x, int y) {
+double length_inside(const layers::HostStack& stack, const base::View& view, int x, int y) {
     double length = 0, entered = 0;
     bool inside = false;
     for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
-        const goldfeather::Surface& s = stack.at(layer, x, y);
+        const layers::Surface& s = stack.at(layer, x, y);
         if (s.leaving && inside) {
             length += view.distance(s.depth) - entered;
         } else if (!s.leaving) {
@@ -25,7 +25,7 @@ double length_inside(const goldfeather::HostLayers& stack, const base::View& vie
 
 }  // namespace
 
-LayerVolume layer_volume(const goldfeather::HostLayers& stack, const base::View& view) {
+LayerVolume layer_volume(const layers::HostStack& stack, const base::View& view) {
     const double side = 2 * view.half_height() / view.size().y;
     LayerVolume result;
     std::vector<double> below(static_cast<std::size_t>(stack.size.x), 0);

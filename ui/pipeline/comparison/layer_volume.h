@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/camera.h"
-#include "goldfeather/layer_stack.h"
+#include "layers/host_stack.h"
 
 namespace ui {
 
@@ -13,6 +13,6 @@ struct LayerVolume {
 
 /// Adds up how long the rays run inside. `stack` holds all layers of an orthographic view of all of the solid. Rays
 /// that end inside, as those of open meshes do, count only as far as their last surface.
-[[nodiscard]] LayerVolume layer_volume(const goldfeather::HostLayers& stack, const base::View& view);
+[[nodiscard]] LayerVolume layer_volume(const layers::HostStack& stack, const base::View& view);
 
 }  // namespace ui

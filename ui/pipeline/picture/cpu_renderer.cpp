@@ -1,5 +1,6 @@
 #include "ui/pipeline/picture/cpu_renderer.h"
 
+#include "goldfeather/surface_table.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -10,7 +11,7 @@ void CpuRenderer::hold(const Model& model) {
     }
     model_.reset();
     model_ = std::make_unique<Held>(Held{goldfeather::ListsModel(model.scene, model.geometry),
-                                         goldfeather::surface_rows(model.scene, model.geometry)});
+                                         goldfeather::surface_table(model.scene, model.geometry)});
     generation_ = model.generation;
 }
 
@@ -31,16 +32,18 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
     Stopwatch watch;
     hold(model);
     statistics_.upload_ms += watch.lap();
+    layers_.table = model_->table;
     const int layers = checked.layers(model, request);
-    accumulator_.paint_sample(paint(checked.style), model_->rows, checked.picture(model, request, stop),
-                              static_cast<std::size_t>(sample), [&](const base::View& view) -> const peel::CpuLayers& {
+    accumulator_.paint_sample(paint(checked.style), checked.picture(model, request, stop),
+                              static_cast<std::size_t>(sample),
+                              [&](const base::View& view) -> const layers::HostStack& {
                                   statistics_.style_ms += watch.lap();
                                   goldfeather::ListsStats stats;
                                   goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats, stop);
                                   statistics_.peel_ms += watch.lap();
                                   ++statistics_.samples;
                                   goldfeather::add(statistics_.walk, stats);
-                                  goldfeather::leave_out_sparse_layers(layers_, minimal_fraction_);
+                                  layers::leave_out_sparse_layers(layers_, minimal_fraction_);
                                   return layers_;
                               });
     statistics_.style_ms += watch.lap();
@@ -49,7 +52,7 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
 std::optional<glm::dvec3> CpuRenderer::pick(const Model& model, const base::Camera& camera) {
     hold(model);
     const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
-    peel::CpuLayers layers;
+    layers::HostStack layers;
     goldfeather::ListsStats ignored;
     goldfeather::peel_lists(model_->lists, view, 1, 1, layers, ignored);
     const float depth = layers.planes.front().depth.front();

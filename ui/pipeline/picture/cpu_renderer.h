@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "npr/painter/cpu_accumulate.h"
 #include "ui/pipeline/picture/picture_request.h"
 #include "ui/pipeline/statistics.h"
@@ -29,7 +30,7 @@ class CpuRenderer {
     /// What is made of a model once.
     struct Held {
         goldfeather::ListsModel lists;
-        peel::SurfaceRows rows;
+        std::shared_ptr<const layers::SurfaceTable> table;
     };
     void hold(const Model& model);
     const npr::Paint& paint(const npr::StyleInfo& style);
@@ -37,7 +38,7 @@ class CpuRenderer {
     double minimal_fraction_;
     std::unique_ptr<const Held> model_;
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` was made of.
-    peel::CpuLayers layers_;        ///< Its memory is used again.
+    layers::HostStack layers_;      ///< Its memory is used again.
     npr::CpuAccumulator accumulator_;
     std::map<std::string_view, npr::Paint> styles_;  ///< Made when first used.
     PictureStatistics statistics_;

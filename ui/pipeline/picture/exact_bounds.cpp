@@ -85,7 +85,7 @@ class Lookout {
         camera.distance = box_.diagonal();  // Before the box, however little of it is seen.
         camera.fov = std::atan(0.5 * count.y * pixel_ / camera.distance) * 360 / std::acos(-1.0);
         const base::View view(camera, count, box_.lo, box_.hi);
-        goldfeather::CpuLayers layers;
+        layers::HostStack layers;
         goldfeather::ListsStats ignored;
         goldfeather::peel_lists(lists_, view, 1, 0, layers, ignored, stop_);
 

@@ -50,7 +50,7 @@ void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, 
     peeler_.give_back(
         accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const base::View& view) {
             (void)watch.lap();
-            peel::LayerStack stack =
+            layers::TextureStack stack =
                 peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk, stop);
             gl_.Finish();
             statistics_.peel_ms += watch.lap();
@@ -70,8 +70,8 @@ std::optional<glm::dvec3> GlRenderer::pick(const Model& model, const base::Camer
     hold(model, model_ && generation_ == model.generation ? model_->engine : engine.engine);
     const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
     peel::WalkStats ignored;
-    const peel::LayerStack stack = peeler_.peel(view, *model_, 1, ignored);
-    const float depth = peel::read_back(gl_, stack).at(0, 0, 0).depth;
+    const layers::TextureStack stack = peeler_.peel(view, *model_, 1, ignored);
+    const float depth = layers::read_back(gl_, stack).at(0, 0, 0).depth;
     if (!(depth > 0)) {
         return std::nullopt;
     }

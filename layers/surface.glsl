@@ -1,12 +1,7 @@
 // One surface of a stack of layers. Valid in shaders and, within a struct with the same names, in C++.
 
-const uint kNoSurface = 0xffffffffu;  // in place of a leaf: the pixel has no more layers
-
-// csg::PartKind
-const uint kPartSolid = 0u;
-const uint kPartTranslucent = 1u;
-const uint kPartBackground = 2u;
-const uint kPartHighlight = 3u;
+#include "layers/part_kinds.glsl"
+#include "layers/surface_ids.glsl"
 
 struct Surface {
     bool hit;        // false: no surface here; nothing else is meaningful
@@ -34,10 +29,10 @@ Surface surface_of(uvec2 ids, float depth, vec3 ray) {
     Surface s;
     s.hit = true;
     s.depth = depth;
-    s.leaf = ids.x >> 1;
-    s.reversed = (ids.x & 1u) != 0u;
-    s.plane = ids.y >> 1;
-    s.leaving = (ids.y & 1u) != 0u;
+    s.leaf = leaf_of(ids);
+    s.reversed = is_reversed(ids);
+    s.plane = plane_of(ids);
+    s.leaving = is_leaving(ids);
     s.part = leaf_rows[s.leaf].part.x;
     s.part_kind = leaf_rows[s.leaf].part.y;
     s.color = leaf_rows[s.leaf].color;

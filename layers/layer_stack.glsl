@@ -1,4 +1,4 @@
-// Reads a bound stack of layers (peel/layer_stack.h).
+// Reads a bound stack of layers (layers/texture_stack.h).
 
 layout(binding = 0) uniform sampler2DArray layer_depths;
 layout(binding = 1) uniform usampler2DArray layer_surfaces;
@@ -10,7 +10,7 @@ struct LeafRow {
 layout(std430, binding = 0) readonly buffer LeafRows { LeafRow leaf_rows[]; };
 layout(std430, binding = 1) readonly buffer PlaneRows { vec4 plane_rows[]; };
 
-#include "peel/surface.glsl"
+#include "layers/surface.glsl"
 
 // `pixel` outside the picture gives no surface. `ray`: see surface_of.
 Surface layer_surface(ivec2 pixel, int layer, vec3 ray) {

@@ -1,0 +1,32 @@
+// What the leaves and planes of a stack of layers stand for, in main memory.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "layers/surface.h"
+
+namespace layers {
+
+enum class PartKind : std::uint32_t {
+    Solid = SurfaceCode().kPartSolid,
+    Translucent = SurfaceCode().kPartTranslucent,
+    Background = SurfaceCode().kPartBackground,
+    Highlight = SurfaceCode().kPartHighlight,
+};
+
+/// In the layout of the storage blocks of layers/layer_stack.glsl, under the same names.
+struct LeafRow {
+    glm::vec4 color{0};  ///< Straight alpha; red < 0: not given.
+    glm::uvec4 part{0};  ///< Part, its PartKind, 0, 0.
+};
+
+struct SurfaceTable {
+    std::vector<LeafRow> leaves;    ///< By leaf.
+    std::vector<glm::vec4> planes;  ///< By plane: normal in world coordinates, offset from local_centre.
+    glm::dvec3 local_centre{0.0};   ///< World coordinates.
+    double diagonal = 1;            ///< Of the scene's box.
+};
+
+}  // namespace layers

@@ -1,0 +1,46 @@
+// The stack of layers in textures.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "gl/objects.h"
+#include "gl/shader_file.h"
+#include "layers/host_stack.h"
+#include "layers/surface_table.h"
+
+namespace layers {
+
+/// SurfaceTable on the GPU.
+struct SurfaceBuffers {
+    SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& table);
+
+    gl::Buffer leaves;  ///< Of LeafRow.
+    gl::Buffer planes;
+    glm::dvec3 local_centre;
+    double diagonal;
+};
+
+/// For each pixel the first `layers` surfaces of the result, in depth order, nearest first. Rows from bottom to top.
+struct TextureStack {
+    glm::ivec2 size{0};
+    int layers = 0;         ///< How many layers the textures hold; at least 1. The last may be empty everywhere.
+    bool complete = false;  ///< True where no pixel has a further layer.
+    gl::Texture depth;      ///< R32F array: reversed depth (base::View); 0 where there is no surface.
+    gl::Texture surface;    ///< RG32UI array: layers/surface_ids.glsl.
+    std::shared_ptr<const SurfaceBuffers> table;
+};
+
+/// Makes room for `layers` layers, more than there are; the new ones are empty.
+void grow(const gl::Functions& gl, TextureStack& stack, int layers);
+
+/// Waits for the GPU and copies all but the table.
+[[nodiscard]] HostStack read_back(const gl::Functions& gl, const TextureStack& stack);
+
+/// Binds `stack` for shaders that include layers/layer_stack.glsl: texture units 0 and 1, storage blocks 0 and 1.
+void bind(const TextureStack& stack);
+
+/// This folder's shader files.
+[[nodiscard]] std::span<const gl::ShaderFile> shader_files();
+
+}  // namespace layers
