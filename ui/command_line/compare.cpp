@@ -9,6 +9,7 @@
 
 #include "base/stop.h"
 #include "csg/scad/csg_text.h"
+#include "gl/file.h"
 #include "ui/command_line/compare_drawer.h"
 #include "ui/command_line/compare_input.h"
 #include "ui/command_line/compare_openscad.h"
@@ -126,7 +127,7 @@ int compare_with_mesh(const CompareOptions& o) {
     }
     write_output("-", text_of(json));
     if (!o.report.empty()) {
-        fs::create_directories(o.report);
+        gl::make_folder(o.report);
         const fs::path folder = o.report;
         for (std::size_t i = 0; i < views.size(); ++i) {
             write_output((folder / fmt::format("difference_{}.png", i + 1)).string(),
