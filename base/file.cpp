@@ -147,6 +147,14 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
     writer.finish();
 }
 
+void make_folder(const std::filesystem::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) {
+        throw std::runtime_error(path.string() + ": this folder cannot be made: " + error.message());
+    }
+}
+
 std::optional<std::string> read_regular_file(const std::filesystem::path& path) {
     const int fd = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (fd < 0) {

@@ -41,6 +41,10 @@ class FileWriter {
 /// All at once.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// A folder, with those above it; one that is there already stays. Throws std::runtime_error with its name and the
+/// reason.
+void make_folder(const std::filesystem::path& path);
+
 /// The bytes of a regular file; nothing where there is none or it cannot be read. Never waits, as opening a pipe would.
 [[nodiscard]] std::optional<std::string> read_regular_file(const std::filesystem::path& path);
 

@@ -8,6 +8,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -127,6 +128,10 @@ std::string encode_png(const Image& image, const std::stop_token& stop) {
 }
 
 Image read_png(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error) &&
+        !std::filesystem::is_regular_file(path, error))  // To open a pipe would be to wait.
+        throw std::runtime_error(fmt::format("{}: it is no regular file", path.string()));
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (file == nullptr)
         throw std::runtime_error(fmt::format("{}: {}", path.string(), std::strerror(errno)));

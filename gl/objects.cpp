@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include "gl/error.h"
 
@@ -101,8 +102,15 @@ void Framebuffer::finish(std::size_t color_count) {
         buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
     gl_->NamedFramebufferDrawBuffers(id_, static_cast<GLsizei>(color_count), buffers.data());
     const GLenum status = gl_->CheckNamedFramebufferStatus(id_, GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(fmt::format("framebuffer incomplete (0x{:x})", status));
+    if (status == GL_FRAMEBUFFER_COMPLETE)
+        return;
+    // What could not be allocated before is told here first.
+    constexpr int kKindsOfErrors = 8;
+    for (int i = 0; i < kKindsOfErrors; ++i) {
+        if (gl_->GetError() == GL_OUT_OF_MEMORY)
+            throw std::bad_alloc();
+    }
+    throw Error(fmt::format("framebuffer incomplete (0x{:x})", status));
 }
 
 Query::Query(const Functions& gl, GLenum target) : Name(gl, 0), target_(target) {

@@ -47,19 +47,13 @@ double largest_coordinate(const Box& box) {
     return largest;
 }
 
-/// What has been rounded away.
-std::string lost(double largest) {
-    return fmt::format(
-        "this object is left out: beside coordinates as large as {:.3g} it is too thin for double precision", largest);
-}
-
 void leave_out(PlacedLeaf& leaf) {
     leaf.points.clear();
     leaf.triangles.clear();
     leaf.box = {};
 }
 
-/// Leaves the leaf empty where it has no volume. The failure, where it should not be so.
+/// Leaves the leaf empty where it cannot be placed. The failure, where it should not be so.
 std::string place_leaf(const LeafInstance& instance, double flat, PlacedLeaf& leaf) {
     if (!affine(instance.to_world))
         return "transformation is not finite or not affine; the object is left out";
@@ -76,14 +70,9 @@ std::string place_leaf(const LeafInstance& instance, double flat, PlacedLeaf& le
         finite = finite && is_finite(leaf.points.back());
         leaf.box = enclose(leaf.box, leaf.points.back());
     }
-    // A closed mesh without volume is nothing; an open one is seen, however it lies.
-    const double largest = largest_coordinate(leaf.box);
-    finite = finite && std::isfinite(2 * largest);
-    if (!finite || (leaf.solid->closed && !has_volume(leaf.box))) {
+    if (!finite || !std::isfinite(2 * largest_coordinate(leaf.box))) {
         leave_out(leaf);
-        if (!finite)
-            return "this object is left out: its coordinates are too large for double precision";
-        return has_volume(leaf.solid->box) ? lost(largest) : std::string();
+        return "this object is left out: its coordinates are too large for double precision";
     }
     leaf.triangles = leaf.solid->triangles;
     if (determinant < 0) {
@@ -93,23 +82,35 @@ std::string place_leaf(const LeafInstance& instance, double flat, PlacedLeaf& le
     return {};
 }
 
-/// Leaves out what is larger than can be worked with, and says so; what is too thin beside the largest coordinate for
-/// its faces to be told apart has a mesh, by exact arithmetic, but no picture.
-void look_for_extremes(const Tree& tree, const Scene& scene, std::span<PlacedLeaf> leaves, Remarks& remarks) {
+/// What is wrong with the size of a leaf by itself, for the user; empty where nothing is.
+std::string fault_of_size(const PlacedLeaf& leaf, double largest) {
+    if (leaf.solid->closed && !has_volume(leaf.box) && has_volume(leaf.solid->box))
+        return fmt::format(
+            "this object is left out: beside coordinates as large as {:.3g} it is too thin for double precision",
+            largest);
+    if (largest > kLargestCoordinate)
+        return fmt::format("this object is left out: its coordinates reach {:.3g}, and {:.3g} is the most", largest,
+                           kLargestCoordinate);
+    return {};
+}
+
+/// All that is decided by the size of leaves, once they are trimmed. Leaves out what has no volume (of closed meshes:
+/// an open one is seen, however it lies) or is larger than can be worked with; where that should not be so it is a
+/// failure. What is too thin beside the largest coordinate for its faces to be told apart has a mesh, by exact
+/// arithmetic, but no picture. Gives that coordinate.
+double judge_sizes(const Tree& tree, const Scene& scene, std::span<PlacedLeaf> leaves, Remarks& remarks) {
     double largest = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         if (leaves[i].box.empty())
             continue;
         const double own = largest_coordinate(leaves[i].box);
-        if (own > kLargestCoordinate) {
+        const std::string fault = fault_of_size(leaves[i], own);
+        if (!fault.empty())
+            remarks.failures.push_back(located(tree, scene.leaves[i].where, fault));
+        if (!fault.empty() || (leaves[i].solid->closed && !has_volume(leaves[i].box)))
             leave_out(leaves[i]);
-            remarks.failures.push_back(
-                located(tree, scene.leaves[i].where,
-                        fmt::format("this object is left out: its coordinates reach {:.3g}, and {:.3g} is the most",
-                                    own, kLargestCoordinate)));
-        } else {
+        else
             largest = std::max(largest, own);
-        }
     }
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const glm::dvec3 size = leaves[i].box.size();
@@ -120,6 +121,7 @@ void look_for_extremes(const Tree& tree, const Scene& scene, std::span<PlacedLea
                 fmt::format("no picture shows this object: it is too thin beside coordinates as large as {:.3g}",
                             largest)));
     }
+    return largest;
 }
 
 /// Logarithm of the smallest height, quantised: how well a triangle's plane is known.
@@ -184,13 +186,10 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
             remarks.failures.push_back(located(tree, instance.where, failure));
     }
     trim_leaves(scene, geometry.leaves);
-    look_for_extremes(tree, scene, geometry.leaves, remarks);
-    double largest = 0;
+    const double largest = judge_sizes(tree, scene, geometry.leaves, remarks);
     for (const PlacedLeaf& leaf : geometry.leaves) {
-        if (leaf.box.empty())
-            continue;
-        geometry.box = enclose(geometry.box, leaf.box);
-        largest = std::max(largest, largest_coordinate(leaf.box));
+        if (!leaf.box.empty())
+            geometry.box = enclose(geometry.box, leaf.box);
     }
     geometry.warnings = once(std::move(remarks.warnings));
     geometry.failures = once(std::move(remarks.failures));

@@ -115,8 +115,15 @@ void trim(PlacedLeaf& leaf, const Box& limit) {
             }
         }
     }
-    if (cut)
-        compact(leaf);
+    if (!cut)
+        return;
+    compact(leaf);
+    const glm::dvec3 size = leaf.box.size();
+    if (leaf.box.empty() || std::min({size.x, size.y, size.z}) <= 0) {  // It only touched what it was cut to.
+        leaf.points.clear();
+        leaf.triangles.clear();
+        leaf.box = {};
+    }
 }
 
 }  // namespace

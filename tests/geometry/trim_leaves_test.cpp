@@ -30,6 +30,37 @@ bool closed(const csg::solid::PlacedLeaf& leaf) {
     return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
+TEST(TrimmedLeaves, ThatOnlyTouchTheCutAreGone) {
+    // A face of the cutter lies just where it is cut off; one beyond that is cut to nothing as well.
+    for (const std::string further : {"0", "1"}) {
+        const csg::solid::Geometry geometry =
+            placed("difference() { cube(1); translate([1 + 64 * sqrt(3) + " + further + ", 0, 0]) cube(10); }");
+        ASSERT_EQ(geometry.leaves.size(), 2u);
+        EXPECT_EQ(geometry.leaves[0].triangles.size(), 12u);
+        EXPECT_TRUE(geometry.leaves[1].triangles.empty() && geometry.leaves[1].box.empty());
+        EXPECT_TRUE(geometry.failures.empty() && geometry.warnings.empty());
+        EXPECT_EQ(geometry.box.hi, glm::dvec3(1));
+    }
+}
+
+TEST(SizesOfLeaves, AreJudgedOnce) {
+    const auto failure_of = [](const std::string& model) {
+        const csg::solid::Geometry geometry = placed(model + "\ncube(1);");
+        EXPECT_EQ(geometry.leaves.back().triangles.size(), 12u) << "the rest is there";
+        return geometry.failures.empty() ? "" : geometry.failures.size() == 1 ? geometry.failures[0] : "several";
+    };
+    const auto contains = [&](const std::string& model, const std::string& text) {
+        const std::string failure = failure_of(model);
+        EXPECT_NE(failure.find(text), std::string::npos) << model << ": " << failure;
+    };
+    contains("translate([1e19, 0, 0]) cube(1);", "too thin for double precision");
+    contains("scale([1e31, 1, 1]) cube(1);", "its coordinates reach 1e+31");
+    contains("translate([1e31, 0, 0]) cube(1);", "too thin for double precision");
+    EXPECT_EQ(failure_of("scale([1, 1, 0]) cube(1);"), "");
+    EXPECT_EQ(failure_of("cube([1, 1, 0]);"), "");
+    EXPECT_EQ(failure_of("polyhedron([[0,0,0],[1,0,0],[0,1,0]], [[0,1,2],[0,2,1]]);"), "") << "nothing from the start";
+}
+
 TEST(TrimmedLeaves, AreClosedAndReachAsFarAsTheyMay) {
     const char* const model =
         "difference() {"

@@ -159,24 +159,28 @@ class Checks {
         how.angle = 360;
         how.start = 0;
         how.fineness.fn = 3 + static_cast<double>(random_() % 9);
-        const double fn = how.fineness.fn, step = 2 * kPi / fn;
-        const auto place = [&](double angle) {
+        // OpenSCAD turns what is smaller than its grid in three steps.
+        const double fn = circle_segments(shift + box_.hi.x, how.fineness), step = 2 * kPi / fn;
+        // Along a ring of corners the section is the outline. We look a hair beyond it, so that no ray meets the
+        // corners; between two rings surfaces are chords, so that the section there is nearer to the axis in
+        // proportion.
+        const auto beyond = [&](double ring, double to_next) {
+            const double hair = 1e-9 * to_next, nearer = std::cos(to_next / 2) / std::cos(to_next / 2 - hair);
             return [=](const glm::dvec2& p) {
-                const double r = mirror * (p.x + shift);
-                return glm::dvec3(r * std::cos(angle), r * std::sin(angle), p.y);
+                const double r = mirror * (p.x + shift) * nearer;
+                return glm::dvec3(r * std::cos(ring + hair), r * std::sin(ring + hair), p.y);
             };
         };
         auto solid = rotate_extrude(moved, how);
         check_volume("revolved", *solid, fn * std::sin(step) * moment, scale * 8);
-        // Along a ring of corners the section is the outline; a hair beside, so that no ray meets the corners.
-        check_points("revolved", *solid, place(step * (1 + 1e-9)), 1);
+        check_points("revolved", *solid, beyond(step, step), 1);
         how.angle = random_() % 2 == 0 ? 100 : -200;
         solid = rotate_extrude(moved, how);
         const double steps = std::floor(std::max(1.0, fn * std::abs(how.angle) / 360));
         const double part = std::abs(how.angle) * kPi / 180 / steps;
         if (part < 0.99 * kPi) {
             check_volume("revolved in part", *solid, steps * std::sin(part) * moment, scale * 8);
-            check_points("revolved in part", *solid, place((how.angle < 0 ? -1 : 1) * part * 1e-9), 1);
+            check_points("revolved in part", *solid, beyond(0, how.angle < 0 ? -part : part), 1);
         }
     }
 

@@ -45,6 +45,12 @@ TEST_F(MemoryLimit, IsSaidFromEveryThreadWithTheStage) {
             << result.err;
         EXPECT_FALSE(std::filesystem::exists(folder_.path("x.png")));
     }
+    for (const char* const engine : {"goldfeather", "lists"}) {  // Their memory is OpenGL's.
+        const Result result = run(
+            std::string("m.scad -o x.png --imgsize 3000,3000 --context osmesa --memory-limit 220 --engine ") + engine);
+        EXPECT_EQ(result.status, 1) << engine;
+        EXPECT_NE(result.err.find("out of memory for drawing"), std::string::npos) << engine << ": " << result.err;
+    }
     for (const char* const limit : {"300000", "600000", "1000000"}) {
         const Result result =
             run("x.scad -o x.png --imgsize 8192,8192 --context none", std::string("ulimit -v ") + limit + ";");

@@ -62,10 +62,33 @@ TEST(Options, AnEmptyValueSwitchesNothingOff) {
                                      "--colorscheme", "--check-parameters", "--camera", "--stats", "-p", "-d"}) {
         EXPECT_NE(error({"m.scad", "-o", "m.png", option, ""}).find("is empty"), std::string::npos) << option;
     }
+    EXPECT_EQ(error({"m.scad", "-o", ""}), "-o: the value is empty");
     EXPECT_NE(error({"m.scad", "-o", "m.png", "--time-limit="}), "");
     EXPECT_NE(error({"m.scad", "-o", "m.png", "--time-limit", "1e300"}).find("at most 1000000000 seconds"),
               std::string::npos);
     EXPECT_EQ(error({"m.scad", "-o", "m.png", "--render"}), "");
+}
+
+class Folders : public test_support::ProgramTest {
+  protected:
+    Folders() : ProgramTest(60) {}
+};
+
+TEST_F(Folders, ThatCannotBeMadeAreSaidPlainly) {
+    folder_.write("file", "");
+    const Result kept = run("m.scad -o x.off --cache file/below");
+    EXPECT_EQ(kept.status, 0);
+    EXPECT_NE(kept.err.find("the mesh is not kept: file/below: this folder cannot be made: Not a directory"),
+              std::string::npos)
+        << kept.err;
+    const Result report = run("compare m.scad --views 1 --imgsize 32 --report file");
+    EXPECT_EQ(report.status, 1);
+    EXPECT_EQ(report.err, "csgscope: error: file: this folder cannot be made: Not a directory\n");
+    // The folder that it runs in is gone.
+    const std::string gone =
+        "mkdir gone; cd gone; rmdir ../gone; \"" CSGSCOPE_PROGRAM "\" \"" + folder_.path("m.scad") + "\" -o x.csg";
+    EXPECT_EQ(run_program("/bin/sh", "-c '" + gone + "'").err,
+              "csgscope: error: x.csg: cannot be created: No such file or directory\n");
 }
 
 class Names : public test_support::ProgramTest {

@@ -105,6 +105,31 @@ TEST_F(Writing, OtherProgramsEndWithThisOneAndLeaveNothing) {
     }
 }
 
+TEST_F(Writing, TheCommandForMissingFilesEndsWithTheTimeLimit) {
+    fs::permissions(folder_.write("wait", "#!/bin/sh\necho $$ >wait.pid; exec sleep 60\n"), fs::perms::owner_all);
+    folder_.write("x.scad", "import(\"none.stl\");");
+    EXPECT_EQ(run("x.scad -o x.stl -m ./wait --time-limit 0.5").status, 1);
+    EXPECT_TRUE(has_ended("wait.pid"));
+    fs::permissions(folder_.write("make", "#!/bin/sh\necho made \"$1\"; cp m.stl \"$1\"; exit 3\n"),
+                    fs::perms::owner_all);
+    ASSERT_EQ(run("m.scad -o m.stl").status, 0);
+    const Result made = run("x.scad -o x.stl -m ./make");
+    EXPECT_EQ(made.status, 0);
+    EXPECT_EQ(made.out, "made none.stl\n");
+    EXPECT_NE(made.err.find("./make 'none.stl' ended with status 3"), std::string::npos) << made.err;
+}
+
+TEST_F(Writing, TheModelIsNotWrittenThroughALink) {
+    fs::create_symlink("m.scad", folder_.path("m.csg"));
+    fs::create_directory_symlink(".", folder_.path("here"));
+    for (const char* const outputs :
+         {"-o m.csg", "-o here/m.csg", "-o x.csg -d here/x.csg", "-o x.csg --stats m.csg"}) {
+        EXPECT_EQ(run(std::string("m.scad ") + outputs).status, 1) << outputs;
+        EXPECT_TRUE(folder_.read("m.scad").starts_with("difference() { cube"));
+        EXPECT_FALSE(fs::exists(folder_.path("x.csg")));
+    }
+}
+
 TEST_F(Writing, ALinkStaysAndItsTargetIsWritten) {
     fs::create_directory(folder_.path("elsewhere"));
     folder_.write("elsewhere/real.stl", "old");
@@ -161,6 +186,11 @@ TEST_F(Writing, PipesWhereFilesAreExpectedDoNotHang) {
     EXPECT_EQ(folder_.read("a.off"), folder_.read("b.off"));
     ASSERT_EQ(mkfifo(folder_.path("folder").c_str(), 0600), 0);
     EXPECT_EQ(run("m.scad -o c.off --cache folder").status, 0);
+    for (const char* const name : {"against.stl", "against.png"}) {
+        ASSERT_EQ(mkfifo(folder_.path(name).c_str(), 0600), 0);
+        EXPECT_EQ(run(std::string("compare m.scad --against ") + name).status, 1) << name;
+    }
+    EXPECT_EQ(run("compare against.png --against against.png").status, 1);
     for (const char* const name : {"p.stl", "p.3mf", "p.svg", "p.dxf", "p.png"}) {
         ASSERT_EQ(mkfifo(folder_.path(name).c_str(), 0600), 0);
         folder_.write("x.scad",

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "base/stop.h"
 #include "csg/scad/text/csg_text.h"
 #include "ui/command_line/compare_drawer.h"
@@ -128,7 +129,7 @@ int compare_with_mesh(const CompareOptions& o) {
     }
     write_output("-", text_of(json));
     if (!o.report.empty()) {
-        fs::create_directories(o.report);
+        base::make_folder(o.report);
         const fs::path folder = o.report;
         for (std::size_t i = 0; i < views.size(); ++i) {
             write_output((folder / fmt::format("difference_{}.png", i + 1)).string(),

@@ -1,10 +1,11 @@
 #include "ui/command_line/compare_input.h"
 
-#include <fstream>
-#include <sstream>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "base/stop.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/messages.h"
@@ -18,12 +19,11 @@ namespace ui {
 namespace {
 
 std::string read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bytes;
-    if (!file || !(bytes << file.rdbuf())) {
-        throw UsageError(fmt::format("{}: cannot be read", path));
+    std::optional<std::string> bytes = base::read_regular_file(path);
+    if (!bytes) {
+        throw UsageError(fmt::format("{}: cannot be read, or is no regular file", path));
     }
-    return bytes.str();
+    return std::move(*bytes);
 }
 
 }  // namespace

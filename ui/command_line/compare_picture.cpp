@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/file.h"
 #include "base/image.h"
 #include "ui/command_line/compare_input.h"
 #include "ui/command_line/compare_views.h"
@@ -42,7 +43,7 @@ int compare_with_picture(const CompareOptions& o) {
                                          {"within_threshold", good}};
     write_output("-", text_of(json));
     if (!o.report.empty()) {
-        std::filesystem::create_directories(o.report);
+        base::make_folder(o.report);
         write_output((std::filesystem::path(o.report) / "difference_1.png").string(), base::encode_png(difference));
         write_output((std::filesystem::path(o.report) / "report.json").string(), text_of(json));
         write_output((std::filesystem::path(o.report) / "report.html").string(),

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "csg/scad/source/source.h"
+#include "ui/command_line/child_process.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/standard_streams.h"
 
@@ -112,7 +114,9 @@ std::string run_make_command(const std::string& command, const std::string& path
         line += c == '\'' ? "'\\''" : std::string(1, c);
     }
     line += '\'';
-    const int status = std::system(line.c_str());
+    // The shell passes on what ends it, to all that the command has begun.
+    const char* const kScript = "trap 'trap - TERM; kill 0' TERM; (eval \"$1\") & wait $!";
+    const int status = ChildProcess({"sh", "-c", kScript, "sh", line}, -1, SIGTERM).wait();
     if (status == 0) {
         return {};
     }

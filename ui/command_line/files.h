@@ -41,8 +41,8 @@ void write_output(const std::string& path, const std::string& bytes);
 [[nodiscard]] std::string dependency_rules(const std::vector<std::string>& targets,
                                            const std::vector<std::string>& sources);
 
-/// Runs `command` with the path as its last argument, as OpenSCAD's -m does. What went wrong; empty where it ended
-/// well.
+/// Runs `command` with the path as its last argument, as OpenSCAD's -m does; it ends with this program. What went
+/// wrong; empty where it ended well.
 [[nodiscard]] std::string run_make_command(const std::string& command, const std::string& path);
 
 }  // namespace ui

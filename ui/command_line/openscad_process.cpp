@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,6 +15,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "ui/command_line/child_process.h"
 
 namespace ui {
 
@@ -41,49 +41,6 @@ class Descriptor {
     int fd_;
 };
 
-/// Another program, in a process that ends with this one, however that ends.
-class Child {
-  public:
-    /// Its standard output is `out`; what else it prints is dropped. `at_end`: the signal that ends it.
-    Child(Command command, int out, int at_end) : at_end_(at_end) {
-        std::vector<char*> arguments;
-        for (std::string& word : command) {
-            arguments.push_back(word.data());
-        }
-        arguments.push_back(nullptr);
-        const pid_t parent = getpid();
-        pid_ = fork();
-        if (pid_ == 0) {
-            prctl(PR_SET_PDEATHSIG, at_end);
-            dup2(out, STDOUT_FILENO);
-            dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
-            if (getppid() == parent) {
-                execvp(arguments[0], arguments.data());
-            }
-            _exit(127);
-        }
-    }
-    ~Child() {
-        if (pid_ > 0) {
-            kill(pid_, at_end_);
-            waitpid(pid_, nullptr, 0);
-        }
-    }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-
-    /// Waits for its end. Was it started, and its exit status 0?
-    [[nodiscard]] bool succeeds() {
-        int status = 0;
-        const pid_t pid = std::exchange(pid_, -1);
-        return pid > 0 && waitpid(pid, &status, 0) == pid && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    }
-
-  private:
-    pid_t pid_ = -1;
-    int at_end_;
-};
-
 /// A file in memory.
 class MemoryFile {
   public:
@@ -98,7 +55,7 @@ class MemoryFile {
 
 /// Writes to `out`. Did it run and end with 0?
 bool run(Command command, const MemoryFile& out) {
-    return Child(std::move(command), out.descriptor(), SIGKILL).succeeds();
+    return ChildProcess(std::move(command), out.descriptor(), SIGKILL).wait() == 0;
 }
 
 /// A display that nobody sees, by Xvfb.
@@ -126,7 +83,7 @@ class VirtualDisplay {
     }
 
   private:
-    std::optional<Child> server_;
+    std::optional<ChildProcess> server_;
     std::string number_;
 };
 

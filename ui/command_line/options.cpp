@@ -84,9 +84,21 @@ void refuse_empty_values(const CLI::App& app) {
         const bool takes_value = !option->get_positional() && option->get_items_expected_max() > 0;
         const std::vector<std::string>& values = option->results();
         if (takes_value && option->count() > 0 && std::find(values.begin(), values.end(), "") != values.end()) {
-            throw UsageError(fmt::format("{}: the value is empty", option->get_name()));
+            const std::vector<std::string>& letters = option->get_snames();
+            throw UsageError(letters.empty() ? fmt::format("{}: the value is empty", option->get_name())
+                                             : fmt::format("-{}: the value is empty", letters[0]));
         }
     }
+}
+
+/// What is written or read by that name, whatever links lead there.
+std::filesystem::path file_behind(const std::string& path) {
+    std::error_code error;
+    std::filesystem::path file = std::filesystem::absolute(path, error);
+    if (!error) {
+        file = std::filesystem::weakly_canonical(file, error);
+    }
+    return error ? std::filesystem::path(path).lexically_normal() : file;
 }
 
 /// Two outputs of one name would be one of them.
@@ -102,12 +114,11 @@ void refuse_equal_outputs(const Options& o) {
     }
     std::set<std::filesystem::path> known;
     for (const std::string& path : paths) {
-        if (path != "-" && !path.starts_with("/dev/") &&
-            !known.insert(std::filesystem::absolute(path).lexically_normal()).second) {
+        if (path != "-" && !path.starts_with("/dev/") && !known.insert(file_behind(path)).second) {
             throw UsageError(fmt::format("{} is to be written twice", path));
         }
     }
-    if (!o.input.empty() && known.contains(std::filesystem::absolute(o.input).lexically_normal())) {
+    if (!o.input.empty() && known.contains(file_behind(o.input))) {
         throw UsageError(fmt::format("{} is the input and an output", o.input));
     }
 }

@@ -159,7 +159,7 @@ std::shared_ptr<const ModelMesh> MeshCache::get(const Model& model, const std::s
     auto mesh = keep(make_mesh(model, stop));
     if (!folder_.empty()) {
         try {
-            std::filesystem::create_directories(folder_);
+            base::make_folder(folder_);
             if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
                 throw std::runtime_error(path.string() + " is no regular file");
             }
