@@ -164,7 +164,10 @@ ExactKernel::Point_2 ExactSegments::picture(std::uint32_t plane, std::uint32_t p
 void ExactSegments::split(const std::stop_token& stop) {
     splits_.resize(segments_.size());
     for (std::uint32_t plane = 0; plane < planes_.size(); ++plane) {
-        if (planes_[plane].segments.size() > 3)  // more than one triangle
+        // Three segments that are all borders are those of one triangle. Faces that lie on each other and cancel have
+        // no borders; what meets them may cross all the same.
+        const ExactPlaneContent& content = planes_[plane];
+        if (content.segments.size() > 3 || content.borders.size() < content.segments.size())
             ExactSplitter(*this, plane).split(stop);
     }
 }

@@ -233,6 +233,26 @@ TEST(FarReaching, HasAMesh) {
     EXPECT_GT(not_empty, 100u);
 }
 
+/// Faces that lie on each other and cancel hold nothing and have no borders, but what meets them may cross there.
+TEST(DoubledFaces, HoldNothing) {
+    const std::string fan = "faces = [[0,3,2], [1,2,3], [0,4,3], [1,3,4], [0,5,4], [1,4,5], [0,2,5], [1,5,2]]); ";
+    const std::string sheet = "polyhedron([[3,5,3], [3,3,4], [3,4,3], [0,0,0], [0,0,0], [0,0,0]], " + fan;
+    const std::string other = "polyhedron([[3,6,3], [3,4,5], [3,3,3], [0,0,0], [0,0,0], [0,0,0]], " + fan;
+    const std::string flat = "polyhedron([[4,4,0], [4,4,0], [4,4,4], [0,0,4], [4,0,0], [0,0,0]], " + fan;
+    const std::pair<std::string, double> models[] = {
+        {sheet + "cube([8,8,2]);", 128},
+        {other + "linear_extrude(4) polygon([[6,5], [0,2], [7,3]]);", 30},
+        {"difference() { cube([8,8,2]); " + sheet + "}", 128},
+        {flat, 0},
+    };
+    for (const auto& [program, volume] : models) {
+        SCOPED_TRACE(program);
+        const auto model = meshes::model_of(program);
+        EXPECT_NEAR(csg::reference::make_mesh(model->scene, model->geometry).facts.volume, volume, 1e-9);
+        EXPECT_NEAR(by(Method::Exact, model->scene, model->geometry).facts.volume, volume, 1e-9);
+    }
+}
+
 struct File {
     const char* name;
     double volume;  ///< By either method, which agree; the first by hand.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/scad/evaluate_text.h"
+#include "tests/support/sanitizer.h"
 
 namespace {
 
@@ -61,9 +62,9 @@ TEST_P(EvaluateCases, AsExpected) {
     ASSERT_FALSE(cases.empty()) << path;
     const bool update = std::getenv("CSGSCOPE_UPDATE_GOLDENS") != nullptr;
     csg::scad::Request request;
-#ifdef __SANITIZE_ADDRESS__
-    request.limits.stack_bytes *= 4;  // Frames are several times as large.
-#endif
+    if (test_support::kAddressSanitizer) {
+        request.limits.stack_bytes *= 4;  // Frames are several times as large.
+    }
     for (Case& c : cases) {
         const test::Run run = test::run(c.program, c.files, request);
         const std::string got = run.console + run.csg;

@@ -13,15 +13,12 @@
 #include <vector>
 
 #include "tests/support/program_test.h"
+#include "tests/support/sanitizer.h"
 
 namespace {
 
 constexpr double kLimit = 1;
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kLate = 3;  // The sanitizer looks at all memory at the end.
-#else
-constexpr double kLate = 0.5;
-#endif
+constexpr double kLate = test_support::kAddressSanitizer ? 3 : 0.5;  // It looks at all memory at the end.
 
 struct Heavy {
     const char* name;
