@@ -30,10 +30,9 @@ std::size_t count_shared(const ExactFace& a, const ExactFace& b) {
 
 class Collector {
   public:
-    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves, double largest)
-        : all_{PointTable(largest * kRounding), {}, {}, {}, largest} {
-        for (const LeafId leaf : leaves)
-            add(leaf, geometry.leaves[leaf]);
+    Collector(const LeafGroup& group, double largest) : all_{PointTable(largest * kRounding), {}, {}, {}, largest} {
+        for (LeafId leaf = 0; leaf < group.leaves.size(); ++leaf)
+            add(leaf, *group.leaves[leaf]);
     }
 
     ExactFaces collect(const std::stop_token& stop) {
@@ -114,14 +113,14 @@ class Collector {
 
 }  // namespace
 
-ExactFaces collect_faces(const solid::Geometry& geometry, std::span<const LeafId> leaves, const std::stop_token& stop) {
+ExactFaces collect_faces(const LeafGroup& group, const std::stop_token& stop) {
     double largest = 0;
-    for (const LeafId leaf : leaves) {
-        const Box& box = geometry.leaves[leaf].box;
+    for (const solid::PlacedLeaf* leaf : group.leaves) {
+        const Box& box = leaf->box;
         const glm::dvec3 most = glm::max(glm::abs(box.lo), glm::abs(box.hi));
         largest = std::max({largest, most.x, most.y, most.z});
     }
-    return Collector(geometry, leaves, largest).collect(stop);
+    return Collector(group, largest).collect(stop);
 }
 
 int side_of(const ExactFaces& all, const ExactFace& face, std::uint32_t corner) {
