@@ -177,7 +177,7 @@ TEST(Groups, RandomScenesHoldThePointsTheyShould) {
             return leaf();
         static constexpr const char* kKinds[] = {"union", "union", "difference", "intersection"};
         std::string text = kKinds[random() % 4] + std::string("() {");
-        for (unsigned i = 0, n = 2 + random() % 5; i < n; ++i)
+        for (std::size_t i = 0, n = 2 + random() % 5; i < n; ++i)
             text += tree(depth - 1);
         return text + "}";
     };
