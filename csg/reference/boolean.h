@@ -14,6 +14,7 @@ namespace csg::reference {
 
 /// How a mesh was found.
 enum class Method {
+    Copy,    ///< No leaf meets another or itself.
     Planes,  ///< Arrangement of the canonical planes, in one step for the whole expression.
     Exact,   ///< Arrangement of all triangles in exact arithmetic, in one step as well.
 };
@@ -21,7 +22,7 @@ enum class Method {
 [[nodiscard]] const char* name(Method method);
 
 struct BooleanRequest {
-    std::optional<Method> method;  ///< Absent: planes, and exact arithmetic where they cannot decide.
+    std::optional<Method> method;  ///< Absent: what is found as it is, then planes, then exact arithmetic.
     unsigned threads = 0;          ///< 0: one a core.
     std::stop_token stop{};        ///< Where it is asked for, base::Stopped is thrown.
 };
@@ -29,8 +30,8 @@ struct BooleanRequest {
 struct BooleanResult {
     Mesh mesh;  ///< Empty where the solid is; `sources` are leaves of the scene.
     MeshFacts facts;
-    Method method = Method::Planes;
-    std::string reason;  ///< Why not planes; empty where they did.
+    Method method = Method::Planes;  ///< The last of the enumeration that some group of leaves (leaf_groups.h) took.
+    std::string reason;              ///< Why not planes; empty where they did.
 };
 
 /// What keeps a leaf from being combined.

@@ -1,7 +1,6 @@
 #include "csg/reference/cell_complex.h"
 
 #include <algorithm>
-#include <deque>
 #include <tuple>
 #include <utility>
 
@@ -15,10 +14,9 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 class Builder {
   public:
-    Builder(const ComplexSpace& space, const InsideRule& rule, const std::stop_token& stop)
-        : space_(space), rule_(rule), paced_(stop) {}
+    Builder(const ComplexSpace& space, const std::stop_token& stop) : space_(space), paced_(stop) {}
 
-    CellComplex build(std::vector<PlaneCells> planes, std::span<const LeafId> leaves, std::size_t all_leaves) {
+    CellComplex build(std::vector<PlaneCells> planes) {
         take_cells(std::move(planes));
         const std::vector<ComplexSide>& sides = complex_.sides;
         DisjointSets regions(2 * complex_.cells.size()), pieces(complex_.cells.size());
@@ -33,8 +31,7 @@ class Builder {
             }
         }
         number_regions(regions);
-        complex_.windings = RegionWindings(complex_.regions, leaves, all_leaves);
-        find_windings(pieces);
+        find_pieces(pieces);
         return std::move(complex_);
     }
 
@@ -66,58 +63,24 @@ class Builder {
         }
     }
 
-    void find_windings(DisjointSets& pieces) {
-        std::vector<std::vector<std::uint32_t>> cells_at(complex_.regions);
-        for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
-            cells_at[complex_.cells[c].above].push_back(c);
-            cells_at[complex_.cells[c].below].push_back(c);
-        }
-        std::vector<char> known(complex_.regions, 0);
+    void find_pieces(DisjointSets& pieces) {
         std::vector<char> begun(complex_.cells.size(), 0);  // By what stands for the piece.
-        std::deque<std::uint32_t> waiting;
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
-            if (std::exchange(begun[pieces.find(c)], char{1}) != 0)
-                continue;
-            const std::uint32_t seed = complex_.cells[c].above;
-            for (const Cover& w : space_.windings_above(complex_.cells[c]))
-                complex_.windings.set(seed, w.leaf, rule_.reduced(w.leaf, w.count));
-            known[seed] = 1;
-            for (waiting.push_back(seed); !waiting.empty(); waiting.pop_front()) {
-                const std::uint32_t region = waiting.front();
-                for (const std::uint32_t at : cells_at[region])
-                    step(complex_.cells[at], region, known, waiting);
-            }
-        }
-        // Every cell must lead from its one side to the other, whichever way its regions were reached.
-        for (const ComplexCell& cell : complex_.cells) {
             paced_();
-            if (!complex_.windings.fits(cell.above, cell.below, cell.covers, 1, rule_))
-                throw Undecided("the regions between the faces do not fit together");
+            if (std::exchange(begun[pieces.find(c)], char{1}) == 0)
+                complex_.pieces.emplace_back(complex_.cells[c].above, space_.windings_above(complex_.cells[c]));
         }
-    }
-
-    void step(const ComplexCell& cell, std::uint32_t from, std::vector<char>& known,
-              std::deque<std::uint32_t>& waiting) {
-        const bool down = cell.above == from;
-        const std::uint32_t to = down ? cell.below : cell.above;
-        if (known[to] != 0)
-            return;
-        known[to] = 1;
-        complex_.windings.pass(from, to, cell.covers, down ? 1 : -1, rule_);
-        waiting.push_back(to);
     }
 
     const ComplexSpace& space_;
-    const InsideRule& rule_;
     base::PacedStop paced_;
     CellComplex complex_;
 };
 
 }  // namespace
 
-CellComplex make_complex(std::vector<PlaneCells> cells, const ComplexSpace& space, const InsideRule& rule,
-                         std::span<const LeafId> leaves, std::size_t all_leaves, const std::stop_token& stop) {
-    return Builder(space, rule, stop).build(std::move(cells), leaves, all_leaves);
+CellComplex make_complex(std::vector<PlaneCells> cells, const ComplexSpace& space, const std::stop_token& stop) {
+    return Builder(space, stop).build(std::move(cells));
 }
 
 }  // namespace csg::reference

@@ -3,11 +3,11 @@
 
 #include <span>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "csg/reference/plane_cells.h"
 #include "csg/reference/winding.h"
-#include "csg/tree/scene.h"
 
 namespace csg::reference {
 
@@ -30,7 +30,8 @@ struct CellComplex {
     std::vector<ComplexCell> cells;
     std::vector<ComplexSide> sides;  ///< By edge, and around each edge counter-clockwise seen against lo → hi.
     std::size_t regions = 0;
-    RegionWindings windings;
+    /// Of each connected piece a region of it, with the winding numbers there.
+    std::vector<std::pair<std::uint32_t, Covers>> pieces;
 };
 
 /// What the complex asks of geometry; each method answers in its own arithmetic.
@@ -43,11 +44,9 @@ class ComplexSpace {
     [[nodiscard]] virtual Covers windings_above(const ComplexCell& cell) const = 0;
 };
 
-/// `cells[i]` are those of plane i; `leaves` (sorted) take part, of `all_leaves`. Around every edge the cells are
-/// sorted by angle, which tells the regions between them; which leaves hold a region follows from a neighbour, and for
-/// each connected piece from one ray. Throws Undecided.
-[[nodiscard]] CellComplex make_complex(std::vector<PlaneCells> cells, const ComplexSpace& space, const InsideRule& rule,
-                                       std::span<const LeafId> leaves, std::size_t all_leaves,
+/// `cells[i]` are those of plane i. Around every edge the cells are sorted by angle, which tells the regions between
+/// them. Throws Undecided.
+[[nodiscard]] CellComplex make_complex(std::vector<PlaneCells> cells, const ComplexSpace& space,
                                        const std::stop_token& stop = {});
 
 }  // namespace csg::reference

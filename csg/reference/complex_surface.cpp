@@ -3,40 +3,27 @@
 #include <algorithm>
 #include <tuple>
 
-#include "csg/reference/expression_value.h"
 #include "csg/reference/manifold.h"
 
 namespace csg::reference {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 class SurfaceMaker {
   public:
-    SurfaceMaker(const Scene& scene, std::span<const LeafId> leaves, const CellComplex& complex)
-        : expression_(scene), takes_part_(scene.leaves.size(), 0), complex_(complex) {
-        for (const LeafId leaf : leaves)
-            takes_part_[leaf] = 1;
-        for (std::uint32_t r = 0; r < complex_.regions; ++r)
-            solid_.push_back(evaluate(r));
-    }
+    SurfaceMaker(const CellComplex& complex, const RegionValues& values) : complex_(complex), values_(values) {}
 
     Mesh make(std::size_t points, const std::function<glm::dvec3(std::uint32_t)>& place) {
-        std::vector<std::uint32_t> kept;
-        for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
-            if (is_surface(complex_.cells[c]))
-                kept.push_back(c);
-        }
-        const std::vector<LeafId> owners = find_owners(kept);
         Mesh mesh;
         std::vector<std::uint32_t> cell_of;
-        for (std::size_t i = 0; i < kept.size(); ++i) {
-            for (glm::uvec3 t : complex_.cells[kept[i]].triangles) {
-                if (turned(complex_.cells[kept[i]]))
+        for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
+            if (!is_surface(complex_.cells[c]))
+                continue;
+            for (glm::uvec3 t : complex_.cells[c].triangles) {
+                if (turned(complex_.cells[c]))
                     std::swap(t.y, t.z);
                 mesh.triangles.push_back(t);
-                mesh.sources.push_back(owners[i]);
-                cell_of.push_back(kept[i]);
+                mesh.sources.push_back(values_.owners[c]);
+                cell_of.push_back(c);
             }
         }
         std::vector<char> placed(points, 0);
@@ -53,40 +40,10 @@ class SurfaceMaker {
     }
 
   private:
-    bool evaluate(std::uint32_t region) {
-        return expression_.evaluate(
-            [&](LeafId leaf) { return takes_part_[leaf] != 0 && complex_.windings.inside(region, leaf); });
+    [[nodiscard]] bool is_surface(const ComplexCell& cell) const {
+        return values_.solid[cell.above] != values_.solid[cell.below];
     }
-
-    [[nodiscard]] bool is_surface(const ComplexCell& cell) const { return solid_[cell.above] != solid_[cell.below]; }
-    [[nodiscard]] bool turned(const ComplexCell& cell) const { return solid_[cell.above] != 0; }
-
-    /// By region on the solid's side, so that each is evaluated once more at most.
-    std::vector<LeafId> find_owners(const std::vector<std::uint32_t>& kept) {
-        const auto inner = [&](std::uint32_t c) {
-            const ComplexCell& cell = complex_.cells[c];
-            return turned(cell) ? cell.above : cell.below;
-        };
-        std::vector<std::uint32_t> order(kept.size());
-        for (std::uint32_t i = 0; i < order.size(); ++i)
-            order[i] = i;
-        std::stable_sort(order.begin(), order.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return inner(kept[a]) < inner(kept[b]); });
-        std::vector<LeafId> owners(kept.size()), switching;
-        std::uint32_t evaluated = kNone;
-        for (const std::uint32_t i : order) {
-            const ComplexCell& cell = complex_.cells[kept[i]];
-            switching.clear();
-            for (const Cover& c : cell.covers) {
-                if (complex_.windings.inside(cell.above, c.leaf) != complex_.windings.inside(cell.below, c.leaf))
-                    switching.push_back(c.leaf);
-            }
-            if (switching.size() > 1 && evaluated != inner(kept[i]))
-                (void)evaluate(evaluated = inner(kept[i]));
-            owners[i] = switching.size() > 1 ? expression_.owner(switching) : switching.at(0);
-        }
-        return owners;
-    }
+    [[nodiscard]] bool turned(const ComplexCell& cell) const { return values_.solid[cell.above] != 0; }
 
     /// For the corners of triangles (manifold.h): places around those edges at which more than two sides are surface.
     [[nodiscard]] std::vector<double> turns(const Mesh& mesh, const std::vector<std::uint32_t>& cell_of) const {
@@ -124,30 +81,15 @@ class SurfaceMaker {
         return result;
     }
 
-    ExpressionValue expression_;
-    std::vector<char> takes_part_;  ///< By leaf.
     const CellComplex& complex_;
-    std::vector<char> solid_;  ///< By region.
+    const RegionValues& values_;
 };
 
 }  // namespace
 
-std::vector<LeafId> leaves_of(const Scene& scene, const solid::Geometry& geometry) {
-    std::vector<LeafId> leaves;
-    for (const PartId part : solid_parts(scene)) {
-        const Part& p = scene.parts[part];
-        for (LeafId leaf = p.first_leaf; leaf < p.first_leaf + p.leaf_count; ++leaf) {
-            if (!geometry.leaves[leaf].triangles.empty())
-                leaves.push_back(leaf);
-        }
-    }
-    std::sort(leaves.begin(), leaves.end());
-    return leaves;
-}
-
-Mesh surface(const Scene& scene, std::span<const LeafId> leaves, const CellComplex& complex, std::size_t points,
+Mesh surface(const CellComplex& complex, const RegionValues& values, std::size_t points,
              const std::function<glm::dvec3(std::uint32_t)>& place) {
-    return SurfaceMaker(scene, leaves, complex).make(points, place);
+    return SurfaceMaker(complex, values).make(points, place);
 }
 
 }  // namespace csg::reference

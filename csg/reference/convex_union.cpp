@@ -45,15 +45,15 @@ class ConvexUnion {
           stop_(stop),
           bodies_(meshes.size()),
           tolerance_(solid::coincidence_tolerance(largest_coordinate(meshes))) {
-        geometry_.planes = solid::PlaneTable(tolerance_);
+        planes_ = solid::PlaneTable(tolerance_);
         std::vector<Box> boxes;
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             Body& body = bodies_[i];
             for (const glm::dvec3& p : meshes[i].points)
                 body.box = enclose(body.box, p);
-            geometry_.box = enclose(geometry_.box, body.box);
+            box_ = enclose(box_, body.box);
             boxes.push_back(body.box);
-            body.faces = face_planes(meshes[i].points, meshes[i].triangles, geometry_.planes);
+            body.faces = face_planes(meshes[i].points, meshes[i].triangles, planes_);
             body.planes = body.faces;
             std::sort(body.planes.begin(), body.planes.end(), less);
             body.planes.erase(std::unique(body.planes.begin(), body.planes.end(), equal), body.planes.end());
@@ -70,25 +70,28 @@ class ConvexUnion {
             base::end_if_asked(stop_);
             bodies_[i].swallowed = swallowed(i);
         }
-        std::vector<LeafId> leaves;
+        std::vector<solid::PlacedLeaf> leaves(bodies_.size());
+        LeafGroup group{{}, planes_.planes(), box_};
         for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
             base::end_if_asked(stop_);
-            geometry_.leaves.push_back(visible_leaf(i));
-            if (!geometry_.leaves.back().triangles.empty())
-                leaves.push_back(i);
+            leaves[i] = visible_leaf(i);
+            if (!leaves[i].triangles.empty()) {
+                group.leaves.push_back(&leaves[i]);
+                body_of_.push_back(i);
+            }
         }
-        const InsideRule rule(geometry_);
-        Content content = collect_segments(geometry_, leaves, rule, stop_);
-        split_segments(geometry_, content, stop_);
+        const InsideRule rule(group);
+        Content content = collect_segments(group, rule, stop_);
+        split_segments(content, stop_);
         Mesh mesh;
         std::vector<glm::dvec3> normals;
-        for (std::uint32_t plane = 0; plane < content.planes.size(); ++plane) {
+        for (const PlaneContent& plane : content.planes) {
             base::end_if_asked(stop_);
-            if (content.planes[plane].segments.empty())
+            if (plane.segments.empty())
                 continue;
-            const glm::dvec3 normal = geometry_.planes.planes()[plane].normal;
-            for (const PlaneCells::Cell& cell : make_cells(content, content.planes[plane], normal, rule).cells) {
-                const std::optional<bool> above = solid_above(cell, plane, content.points);
+            const glm::dvec3 normal = plane.plane.normal;
+            for (const PlaneCells::Cell& cell : make_cells(content, plane, rule).cells) {
+                const std::optional<bool> above = solid_above(cell, plane.index, content.points);
                 if (!above)
                     continue;
                 for (glm::uvec3 t : cell.triangles) {
@@ -117,7 +120,7 @@ class ConvexUnion {
     /// Is the point on the inner side of all planes, moved outwards by `margin`?
     [[nodiscard]] bool inside(const Body& body, const glm::dvec3& p, double margin) const {
         return std::all_of(body.planes.begin(), body.planes.end(), [&](const solid::PlaneRef& ref) {
-            const solid::Plane& plane = geometry_.planes.planes()[ref.index];
+            const solid::Plane& plane = planes_.planes()[ref.index];
             const double off = glm::dot(plane.normal, p) - plane.offset;
             return (ref.flipped ? -off : off) < margin;
         });
@@ -193,18 +196,18 @@ class ConvexUnion {
     std::optional<bool> solid_above(const PlaneCells::Cell& cell, std::uint32_t plane, const PointTable& points) {
         bool above = false, below = false;
         for (const Cover& cover : cell.covers) {
-            const auto& planes = bodies_[cover.leaf].planes;
+            const auto& planes = bodies_[body_of_[cover.leaf]].planes;
             const bool flipped = std::binary_search(planes.begin(), planes.end(), solid::PlaneRef{plane, true}, less);
             (flipped ? above : below) = true;
         }
         if (above == below)
             return {};
         const glm::dvec3 at = inside_of(cell, points);
-        const Body& body = bodies_[cell.covers[0].leaf];
+        const Body& body = bodies_[body_of_[cell.covers[0].leaf]];
         const auto covers = [&](std::uint32_t j) {
-            return !bodies_[j].swallowed &&
-                   std::none_of(cell.covers.begin(), cell.covers.end(), [j](const Cover& c) { return c.leaf == j; }) &&
-                   inside(bodies_[j], at, 0);
+            return !bodies_[j].swallowed && std::none_of(cell.covers.begin(), cell.covers.end(), [&](const Cover& c) {
+                return body_of_[c.leaf] == j;
+            }) && inside(bodies_[j], at, 0);
         };
         // Whatever covered the last cell is likely to cover this one.
         if (last_ < bodies_.size() && covers(last_))
@@ -253,7 +256,9 @@ class ConvexUnion {
     const std::stop_token& stop_;
     std::vector<Body> bodies_;
     double tolerance_;
-    solid::Geometry geometry_;
+    solid::PlaneTable planes_;
+    Box box_;
+    std::vector<std::uint32_t> body_of_;  ///< By leaf of the group.
     std::shared_ptr<const solid::Solid> convex_ = convex_solid();
     std::uint32_t last_ = ~std::uint32_t{0};
 };

@@ -1,6 +1,9 @@
 #include "csg/reference/exact_boolean.h"
 
+#include <atomic>
+
 #include "base/stop.h"
+#include "base/threads.h"
 #include "csg/reference/cell_maker.h"
 #include "csg/reference/collapse.h"
 #include "csg/reference/complex_surface.h"
@@ -41,28 +44,39 @@ PlaneCells cells_of(const ExactSegments& segments, std::uint32_t plane, const Ex
     return CellMaker<ExactKernel>(edges).make([&](std::uint32_t id) { return segments.picture(plane, id); });
 }
 
-}  // namespace
-
-Mesh exact_boolean(const Scene& scene, const solid::Geometry& geometry, const std::stop_token& stop) {
-    const std::vector<LeafId> leaves = leaves_of(scene, geometry);
-    if (leaves.empty())
-        return {};
-    const InsideRule rule(geometry);
-    const ExactFaces faces = collect_faces(geometry, leaves, stop);
-    const ExactSegments segments(faces, rule, stop);
+/// Planes are independent of each other; numbers that they share are safe to be made more exact by several threads. The
+/// result does not depend on their number.
+std::vector<PlaneCells> cells_of_planes(const ExactFaces& faces, const ExactSegments& segments, const InsideRule& rule,
+                                        unsigned threads, const std::stop_token& stop) {
     std::vector<std::uint32_t> faces_in(faces.planes.size(), 0);
     for (const ExactFace& face : faces.faces)
         ++faces_in[face.plane];
     std::vector<PlaneCells> cells(faces.planes.size());
-    for (std::uint32_t plane = 0; plane < cells.size(); ++plane) {
-        base::end_if_asked(stop);
-        if (!segments.planes()[plane].segments.empty())
-            cells[plane] = cells_of(segments, plane,
-                                    faces_in[plane] == 1 ? &faces.faces[faces.planes[plane].face] : nullptr, rule);
-    }
+    std::atomic<std::uint32_t> next{0};
+    const auto work = [&] {
+        for (std::uint32_t plane; (plane = next.fetch_add(1)) < cells.size();) {
+            base::end_if_asked(stop);
+            if (!segments.planes()[plane].segments.empty())
+                cells[plane] = cells_of(segments, plane,
+                                        faces_in[plane] == 1 ? &faces.faces[faces.planes[plane].face] : nullptr, rule);
+        }
+    };
+    base::on_threads(threads, static_cast<unsigned>(cells.size() / 64 + 1), work,
+                     [&] { next = static_cast<std::uint32_t>(cells.size()); });
+    return cells;
+}
+
+}  // namespace
+
+Mesh exact_boolean(const LeafGroup& group, const GroupExpression& expression, unsigned threads,
+                   const std::stop_token& stop) {
+    const InsideRule rule(group);
+    const ExactFaces faces = collect_faces(group, stop);
+    const ExactSegments segments(faces, rule, stop);
     const ExactSpace space(faces, segments.points());
-    const CellComplex complex = make_complex(std::move(cells), space, rule, leaves, geometry.leaves.size(), stop);
-    Mesh mesh = surface(scene, leaves, complex, segments.points().size(),
+    const CellComplex complex = make_complex(cells_of_planes(faces, segments, rule, threads, stop), space, stop);
+    const RegionValues values = evaluate_regions(complex, expression, rule, stop);
+    Mesh mesh = surface(complex, values, segments.points().size(),
                         [&](std::uint32_t id) { return segments.points().rounded(id); });
     collapse_empty_edges(mesh);
     drop_thin_pieces(mesh);

@@ -30,10 +30,9 @@ std::size_t count_shared(const ExactFace& a, const ExactFace& b) {
 
 class Collector {
   public:
-    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves, double largest)
-        : all_{PointTable(largest * kRounding), {}, {}, {}, largest} {
-        for (const LeafId leaf : leaves)
-            add(leaf, geometry.leaves[leaf]);
+    Collector(const LeafGroup& group, double largest) : all_{PointTable(largest * kRounding), {}, {}, {}, largest} {
+        for (LeafId leaf = 0; leaf < group.leaves.size(); ++leaf)
+            add(leaf, *group.leaves[leaf]);
     }
 
     ExactFaces collect(const std::stop_token& stop) {
@@ -45,7 +44,9 @@ class Collector {
             const auto [b_least, b_most] = sides(a, b);
             if (b_least == 0 && b_most == 0)
                 planes.unite(std::max(i, j), std::min(i, j));
-            else if (b_least <= 0 && b_most >= 0 && count_shared(a, b) < 2)
+            // Neighbours in a leaf meet in their edge, which is known to both. One of another leaf may end in the
+            // middle of what is one face, where a diagonal between two of its triangles is.
+            else if (b_least <= 0 && b_most >= 0 && (a.leaf != b.leaf || count_shared(a, b) < 2))
                 if (const auto [least, most] = sides(b, a); least <= 0 && most >= 0)
                     all_.meeting.emplace_back(std::min(i, j), std::max(i, j));
         };
@@ -114,14 +115,14 @@ class Collector {
 
 }  // namespace
 
-ExactFaces collect_faces(const solid::Geometry& geometry, std::span<const LeafId> leaves, const std::stop_token& stop) {
+ExactFaces collect_faces(const LeafGroup& group, const std::stop_token& stop) {
     double largest = 0;
-    for (const LeafId leaf : leaves) {
-        const Box& box = geometry.leaves[leaf].box;
+    for (const solid::PlacedLeaf* leaf : group.leaves) {
+        const Box& box = leaf->box;
         const glm::dvec3 most = glm::max(glm::abs(box.lo), glm::abs(box.hi));
         largest = std::max({largest, most.x, most.y, most.z});
     }
-    return Collector(geometry, leaves, largest).collect(stop);
+    return Collector(group, largest).collect(stop);
 }
 
 int side_of(const ExactFaces& all, const ExactFace& face, std::uint32_t corner) {

@@ -4,13 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <stop_token>
 #include <utility>
 #include <vector>
 
+#include "csg/reference/leaf_group.h"
 #include "csg/reference/point_table.h"
-#include "csg/solid/placed.h"
 
 namespace csg::reference {
 
@@ -42,8 +41,7 @@ struct ExactFaces {
     }
 };
 
-[[nodiscard]] ExactFaces collect_faces(const solid::Geometry& geometry, std::span<const LeafId> leaves,
-                                       const std::stop_token& stop);
+[[nodiscard]] ExactFaces collect_faces(const LeafGroup& group, const std::stop_token& stop);
 
 /// The side of a face's plane that a corner lies on: 1 in front of it, -1 behind it, 0 in it.
 [[nodiscard]] int side_of(const ExactFaces& all, const ExactFace& face, std::uint32_t corner);

@@ -12,36 +12,42 @@ ExactKernel::Point_3 exact(const glm::dvec3& p) {
     return {p.x, p.y, p.z};
 }
 
-bool meets(const Box& box, const glm::dvec3& origin, const glm::dvec3& direction, double margin) {
-    double from = -1e-9, to = 1 + 1e-9;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double lo = box.lo[axis] - margin - origin[axis], hi = box.hi[axis] + margin - origin[axis];
-        if (direction[axis] == 0) {
-            if (lo > 0 || hi < 0)
-                return false;
-            continue;
-        }
-        const double a = lo / direction[axis], b = hi / direction[axis];
-        from = std::max(from, std::min(a, b) - 1e-9);
-        to = std::min(to, std::max(a, b) + 1e-9);
+/// Of the largest coordinate: wide against the rounding of where a ray begins.
+constexpr double kMargin = 1e-9;
+
+std::vector<Box> boxes_of(const ExactFaces& faces) {
+    std::vector<Box> boxes;
+    boxes.reserve(faces.faces.size());
+    for (const ExactFace& face : faces.faces) {
+        Box box;
+        for (std::size_t k = 0; k < 3; ++k)
+            box = enclose(box, faces.corner(face, k));
+        const double margin = kMargin * faces.largest;
+        boxes.push_back({box.lo - margin, box.hi + margin});
     }
-    return from <= to;
+    return boxes;
+}
+
+Covers summed(Covers hits) {
+    std::sort(hits.begin(), hits.end(), [](const Cover& a, const Cover& b) { return a.leaf < b.leaf; });
+    Covers result;
+    for (const Cover& hit : hits) {
+        if (result.empty() || result.back().leaf != hit.leaf)
+            result.push_back({hit.leaf, 0});
+        result.back().count += hit.count;
+    }
+    std::erase_if(result, [](const Cover& c) { return c.count == 0; });
+    return result;
 }
 
 /// A segment from a point in a face to beyond everything.
 class Ray {
   public:
-    Ray(const ExactFaces& faces, const ExactKernel::Point_3& from, const glm::dvec3& near, const glm::dvec3& to)
-        : faces_(faces), from_(from), to_(exact(to)), near_(near), way_(to - near) {}
-
-    [[nodiscard]] bool may_meet(const Box& box) const { return meets(box, near_, way_, 1e-9 * faces_.largest); }
+    Ray(const ExactFaces& faces, const ExactKernel::Point_3& from, const glm::dvec3& to)
+        : faces_(faces), from_(from), to_(exact(to)) {}
 
     /// 1: leaves through the face, -1: enters through it, 0: does not meet it. Nothing where it meets its border.
     [[nodiscard]] std::optional<int> meet(const ExactFace& face) const {
-        const Box box =
-            enclose(enclose(enclose(Box(), faces_.corner(face, 0)), faces_.corner(face, 1)), faces_.corner(face, 2));
-        if (!may_meet(box))
-            return 0;
         const auto a = exact(faces_.corner(face, 0)), b = exact(faces_.corner(face, 1)),
                    c = exact(faces_.corner(face, 2));
         const int start = CGAL::orientation(a, b, c, from_), end = CGAL::orientation(a, b, c, to_);
@@ -63,22 +69,17 @@ class Ray {
   private:
     const ExactFaces& faces_;
     ExactKernel::Point_3 from_, to_;
-    glm::dvec3 near_, way_;
 };
 
 }  // namespace
 
 ExactSpace::ExactSpace(const ExactFaces& faces, const ExactPoints& points)
-    : faces_(faces), points_(points), normals_(faces.planes.size()), has_normal_(faces.planes.size(), 0) {
-    for (std::size_t i = 0; i < faces.faces.size(); ++i) {
-        const ExactFace& face = faces.faces[i];
-        if (leaves_.empty() || leaves_.back().leaf != face.leaf)
-            leaves_.push_back({face.leaf, i, i, {}});
-        leaves_.back().to = i + 1;
-        for (std::size_t k = 0; k < 3; ++k)
-            leaves_.back().box = enclose(leaves_.back().box, faces.corner(face, k));
-    }
-}
+    : faces_(faces),
+      points_(points),
+      normals_(faces.planes.size()),
+      has_normal_(faces.planes.size(), 0),
+      boxes_(boxes_of(faces)),
+      tree_(boxes_) {}
 
 const ExactKernel::Vector_3& ExactSpace::normal(std::uint32_t plane) const {
     if (has_normal_[plane] == 0) {
@@ -162,23 +163,16 @@ Covers ExactSpace::windings_above(const ComplexCell& cell) const {
         if (CGAL::orientation(exact(faces_.corner(face, 0)), exact(faces_.corner(face, 1)),
                               exact(faces_.corner(face, 2)), exact(to)) != CGAL::POSITIVE)
             continue;
-        const Ray ray(faces_, from, near, to);
-        Covers result;
-        bool told = true;
-        for (std::size_t l = 0; l < leaves_.size() && told; ++l) {
-            if (!ray.may_meet(leaves_[l].box))
-                continue;
-            std::int32_t count = 0;
-            for (std::size_t i = leaves_[l].from; i < leaves_[l].to && told; ++i) {
-                const std::optional<int> hit = ray.meet(faces_.faces[i]);
-                told = hit.has_value();
-                count += hit.value_or(0);
-            }
-            if (count != 0)
-                result.push_back({leaves_[l].leaf, count});
-        }
+        const Ray ray(faces_, from, to);
+        Covers hits;
+        const bool told = tree_.along(near, to - near, [&](std::uint32_t i) {
+            const std::optional<int> hit = ray.meet(faces_.faces[i]);
+            if (hit.value_or(0) != 0)
+                hits.push_back({faces_.faces[i].leaf, *hit});
+            return hit.has_value();
+        });
         if (told)
-            return result;
+            return summed(std::move(hits));
     }
     throw Undecided("no ray from a face tells what is in front of it");
 }

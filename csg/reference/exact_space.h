@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/reference/box_pairs.h"
 #include "csg/reference/cell_complex.h"
 #include "csg/reference/exact_segments.h"
 
@@ -33,12 +34,8 @@ class ExactSpace final : public ComplexSpace {
     const ExactPoints& points_;
     mutable std::vector<ExactKernel::Vector_3> normals_;  ///< By plane, found when first asked for.
     mutable std::vector<char> has_normal_;
-    struct Range {
-        LeafId leaf;
-        std::size_t from, to;
-        Box box;
-    };
-    std::vector<Range> leaves_;  ///< Their faces.
+    std::vector<Box> boxes_;  ///< Of the faces.
+    BoxTree tree_;
 };
 
 }  // namespace csg::reference

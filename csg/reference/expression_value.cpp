@@ -1,5 +1,7 @@
 #include "csg/reference/expression_value.h"
 
+#include <algorithm>
+
 namespace csg::reference {
 
 std::vector<PartId> solid_parts(const Scene& scene) {
@@ -11,37 +13,56 @@ std::vector<PartId> solid_parts(const Scene& scene) {
     return parts;
 }
 
-ExpressionValue::ExpressionValue(const Scene& scene)
-    : scene_(scene), parts_(solid_parts(scene)), values_(scene.expressions.size(), 0) {}
+ExpressionValue::ExpressionValue(const GroupExpression& expression)
+    : expression_(expression), states_(expression.nodes.size()) {}
 
-LeafId ExpressionValue::owner(std::span<const LeafId> switching) {
-    LeafId best = switching.front();
-    bool found = false;
-    // Bit 0 of an entry: below an odd number of subtractions, where a node speaks for the solid when it is false.
-    stack_.clear();
-    for (const PartId part : parts_)
-        stack_.push_back(scene_.parts[part].root << 1);
-    while (!stack_.empty()) {
-        const std::uint32_t top = stack_.back();
-        stack_.pop_back();
-        const bool complement = (top & 1) != 0;
-        const Expression& e = scene_.expressions[top >> 1];
-        if ((values_[top >> 1] != 0) == complement)
-            continue;
-        if (e.kind == ExpressionKind::Leaf) {
-            if (std::binary_search(switching.begin(), switching.end(), e.leaf) && (!found || e.leaf < best)) {
-                best = e.leaf;
-                found = true;
-            }
-            continue;
-        }
-        const auto children = scene_.children(e);
-        for (std::size_t i = 0; i < children.size(); ++i) {
-            const bool flip = e.kind == ExpressionKind::Difference && i > 0;
-            stack_.push_back(children[i] << 1 | static_cast<std::uint32_t>(complement != flip));
-        }
+bool ExpressionValue::evaluate(std::uint32_t node) const {
+    const State& state = states_[node];
+    switch (expression_.nodes[node].kind) {
+        case ExpressionKind::Leaf:
+        case ExpressionKind::Union:
+            return state.entered != 0;
+        case ExpressionKind::Intersection:
+            return state.entered != 0 && state.entered == expression_.nodes[node].children;
+        case ExpressionKind::Difference:
+            return state.first && state.entered == 0;
     }
-    return best;
+    return false;
+}
+
+void ExpressionValue::set(LeafId leaf, bool inside) {
+    std::uint32_t node = expression_.leaves[leaf];
+    states_[node].entered = inside ? 1 : 0;
+    for (;;) {
+        const bool value = evaluate(node);
+        if (value == states_[node].value)
+            return;
+        states_[node].value = value;
+        const GroupExpression::Node& e = expression_.nodes[node];
+        if (e.parent == GroupExpression::kNone) {
+            value_ = value;
+            return;
+        }
+        State& above = states_[e.parent];
+        if (e.first && expression_.nodes[e.parent].kind == ExpressionKind::Difference)
+            above.first = value;
+        else
+            above.entered += value ? 1 : ~std::uint32_t{0};
+        node = e.parent;
+    }
+}
+
+LeafId ExpressionValue::owner(std::span<const LeafId> switching) const {
+    // Below an odd number of subtractions a node speaks for the solid when it is false.
+    const auto speaks = [&](LeafId leaf) {
+        for (std::uint32_t i = expression_.leaves[leaf]; i != GroupExpression::kNone; i = expression_.nodes[i].parent) {
+            if (states_[i].value == expression_.nodes[i].complement)
+                return false;
+        }
+        return true;
+    };
+    const auto found = std::find_if(switching.begin(), switching.end(), speaks);
+    return found != switching.end() ? *found : switching.front();
 }
 
 }  // namespace csg::reference

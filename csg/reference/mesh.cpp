@@ -1,29 +1,40 @@
 #include "csg/reference/mesh.h"
 
 #include <algorithm>
-#include <utility>
+#include <numeric>
 
 #include "csg/reference/disjoint_sets.h"
 
 namespace csg::reference {
 namespace {
 
+/// Edges are put beside those that begin at the same point, so nothing large is sorted.
 bool every_edge_has_its_opposite(const Mesh& mesh) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    edges.reserve(mesh.triangles.size() * 3);
+    std::vector<std::uint32_t> first(mesh.points.size() + 1, 0), ends(3 * mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles) {
         for (int i = 0; i < 3; ++i) {
             if (t[i] == t[(i + 1) % 3])
                 return false;
-            edges.emplace_back(t[i], t[(i + 1) % 3]);
+            ++first[t[i] + 1];
         }
     }
-    std::sort(edges.begin(), edges.end());
-    if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
-        return false;
-    return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
-        return std::binary_search(edges.begin(), edges.end(), std::pair(e.second, e.first));
-    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (const glm::uvec3& t : mesh.triangles) {
+        for (int i = 0; i < 3; ++i)
+            ends[next[t[i]]++] = t[(i + 1) % 3];
+    }
+    const auto at = [&](std::uint32_t point) { return ends.begin() + first[point]; };
+    for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
+        std::sort(at(p), at(p + 1));
+        if (std::adjacent_find(at(p), at(p + 1)) != at(p + 1))
+            return false;
+    }
+    for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
+        if (!std::all_of(at(p), at(p + 1), [&](std::uint32_t q) { return std::binary_search(at(q), at(q + 1), p); }))
+            return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -57,6 +68,11 @@ MeshFacts facts(const Mesh& mesh) {
     const long euler = count - static_cast<long>(mesh.triangles.size()) / 2;
     result.genus = static_cast<long>(result.components) - euler / 2;
     return result;
+}
+
+MeshFacts both(const MeshFacts& a, const MeshFacts& b) {
+    return {enclose(a.box, b.box),       a.area + b.area,   a.volume + b.volume,
+            a.components + b.components, a.genus + b.genus, a.manifold && b.manifold};
 }
 
 }  // namespace csg::reference

@@ -34,4 +34,7 @@ struct MeshFacts {
 
 [[nodiscard]] MeshFacts facts(const Mesh& mesh);
 
+/// Of two meshes beside each other as one.
+[[nodiscard]] MeshFacts both(const MeshFacts& a, const MeshFacts& b);
+
 }  // namespace csg::reference

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -19,16 +20,17 @@ namespace csg::reference {
 class Text {
   public:
     explicit Text(const std::stop_token& stop) : paced_(stop) {}
-    [[nodiscard]] std::string str() const { return fmt::to_string(buffer_); }
+    /// The text, which is taken out.
+    [[nodiscard]] std::string str() { return std::move(text_); }
 
     template <typename... Args>
     void put(fmt::format_string<Args...> format, Args&&... args) {
         paced_();
-        fmt::format_to(fmt::appender(buffer_), format, std::forward<Args>(args)...);
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
     }
 
   private:
-    fmt::memory_buffer buffer_;
+    std::string text_;
     base::PacedStop paced_;
 };
 

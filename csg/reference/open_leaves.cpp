@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "csg/reference/box_pairs.h"
 #include "csg/reference/expression_value.h"
 #include "csg/reference/point_ids.h"
 
@@ -35,24 +36,22 @@ bool is_open(const solid::PlacedLeaf& leaf) {
     return false;
 }
 
-/// Is a node that holds the leaf more than a union of it with others?
-bool only_united(const Scene& scene, LeafId leaf) {
+/// By leaf: is every node that holds it a union?
+std::vector<char> only_united(const Scene& scene) {
+    std::vector<char> united(scene.expressions.size(), 0), result(scene.leaves.size(), 0);
     for (const PartId id : solid_parts(scene)) {
         const Part& part = scene.parts[id];
-        if (leaf < part.first_leaf || leaf >= part.first_leaf + part.leaf_count)
-            continue;
-        std::vector<char> holds(part.root - part.first_expression + 1, 0);
-        for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {
+        united[part.root] = 1;
+        for (std::uint32_t i = part.root + 1; i-- > part.first_expression;) {
             const Expression& e = scene.expressions[i];
-            char& held = holds[i - part.first_expression];
-            held = e.kind == ExpressionKind::Leaf && e.leaf == leaf ? 1 : 0;
+            if (e.kind == ExpressionKind::Leaf)
+                result[e.leaf] = united[i];
+            const bool alone = e.kind == ExpressionKind::Union || e.child_count == 1;
             for (const std::uint32_t child : scene.children(e))
-                held = held != 0 || holds[child - part.first_expression] != 0 ? 1 : 0;
-            if (held != 0 && e.kind != ExpressionKind::Leaf && e.kind != ExpressionKind::Union && e.child_count > 1)
-                return false;
+                united[child] = alone ? united[i] : 0;
         }
     }
-    return true;
+    return result;
 }
 
 }  // namespace
@@ -64,10 +63,22 @@ std::vector<LeafId> open_leaves(const solid::Geometry& geometry, std::span<const
     return result;
 }
 
-bool stands_apart(const Scene& scene, const solid::Geometry& geometry, std::span<const LeafId> leaves, LeafId leaf) {
-    return only_united(scene, leaf) && std::none_of(leaves.begin(), leaves.end(), [&](LeafId other) {
-               return other != leaf && overlap(geometry.leaves[leaf].box, geometry.leaves[other].box);
-           });
+std::optional<LeafId> find_combined(const Scene& scene, const solid::Geometry& geometry, std::span<const LeafId> leaves,
+                                    std::span<const LeafId> open) {
+    const std::vector<char> united = only_united(scene);
+    std::vector<Box> boxes;
+    boxes.reserve(leaves.size());
+    for (const LeafId leaf : leaves)
+        boxes.push_back(geometry.leaves[leaf].box);
+    const BoxTree tree(boxes);
+    for (const LeafId leaf : open) {
+        const Box& box = geometry.leaves[leaf].box;
+        bool met = united[leaf] == 0;
+        tree.meeting(box, [&](std::uint32_t i) { met |= leaves[i] != leaf && overlap(box, boxes[i]); });
+        if (met)
+            return leaf;
+    }
+    return {};
 }
 
 void append_leaf(Mesh& mesh, const solid::PlacedLeaf& placed, LeafId leaf) {

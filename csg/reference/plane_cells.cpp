@@ -7,8 +7,7 @@
 
 namespace csg::reference {
 
-PlaneCells make_cells(const Content& content, const PlaneContent& plane, const glm::dvec3& normal,
-                      const InsideRule& rule) {
+PlaneCells make_cells(const Content& content, const PlaneContent& plane, const InsideRule& rule) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     PlaneEdges edges(rule);
     const auto for_each_edge = [&](std::uint32_t segment, auto&& visit) {
@@ -21,7 +20,7 @@ PlaneCells make_cells(const Content& content, const PlaneContent& plane, const g
     for (const PlaneContent::Border& border : plane.borders)
         for_each_edge(border.segment,
                       [&](std::uint32_t a, std::uint32_t b) { edges.add(a, b, border.leaf, border.count); });
-    const PlaneAxes axes(normal);
+    const PlaneAxes axes(plane.plane.normal);
     return CellMaker<Kernel>(edges).make([&](std::uint32_t id) {
         const glm::dvec2 p = axes(content.points[id]);
         return Kernel::Point_2(p.x, p.y);

@@ -24,7 +24,6 @@ struct PlaneCells {
 
 /// Triangulates (constrained Delaunay) the plane's segments after they have been split. Cells that no leaf covers are
 /// left out. Throws Undecided.
-[[nodiscard]] PlaneCells make_cells(const Content& content, const PlaneContent& plane, const glm::dvec3& normal,
-                                    const InsideRule& rule);
+[[nodiscard]] PlaneCells make_cells(const Content& content, const PlaneContent& plane, const InsideRule& rule);
 
 }  // namespace csg::reference

@@ -21,7 +21,7 @@ void PlaneSpace::sort_around(std::span<ComplexSide> sides, std::span<const Compl
     std::vector<Angle> sorted;
     sorted.reserve(sides.size());
     for (const ComplexSide& s : sides) {
-        const glm::dvec3 normal = geometry_.planes.planes()[cells[s.cell].plane].normal;
+        const glm::dvec3 normal = content_.planes[cells[s.cell].plane].plane.normal;
         const glm::dvec3 into = glm::cross(normal, along) * (s.left ? 1.0 : -1.0);
         sorted.push_back({std::atan2(glm::dot(into, y), glm::dot(into, x)), s});
     }
@@ -39,7 +39,7 @@ Covers PlaneSpace::windings_above(const ComplexCell& cell) const {
     };
     const glm::uvec3 t = *std::max_element(cell.triangles.begin(), cell.triangles.end(),
                                            [&](const auto& a, const auto& b) { return area(a) < area(b); });
-    const glm::dvec3 normal = geometry_.planes.planes()[cell.plane].normal;
+    const PlaneContent& plane = content_.planes[cell.plane];
     std::mt19937 random(1);
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
     for (int attempt = 0; attempt < 64; ++attempt) {
@@ -47,7 +47,7 @@ Covers PlaneSpace::windings_above(const ComplexCell& cell) const {
         const glm::dvec3 origin = points_[t.x] * (1 - u - v) + points_[t.y] * u + points_[t.z] * v;
         const double a = number(), b = number(), c = number();
         const glm::dvec3 aside(a - 0.5, b - 0.5, c - 0.5);
-        if (const auto found = probe_.windings(origin, glm::normalize(normal + aside), cell.plane))
+        if (const auto found = probe_.windings(origin, glm::normalize(plane.plane.normal + aside), plane.index))
             return *found;
     }
     throw Undecided("no ray from a face tells what is in front of it");

@@ -11,14 +11,14 @@ namespace csg::reference {
 class PlaneSpace final : public ComplexSpace {
   public:
     /// Keeps the references.
-    PlaneSpace(const solid::Geometry& geometry, std::span<const LeafId> leaves, const PointTable& points)
-        : geometry_(geometry), points_(points), probe_(geometry, leaves, points.tolerance()) {}
+    PlaneSpace(const LeafGroup& group, const Content& content)
+        : content_(content), points_(content.points), probe_(group, content.points.tolerance()) {}
 
     void sort_around(std::span<ComplexSide> sides, std::span<const ComplexCell> cells) const override;
     [[nodiscard]] Covers windings_above(const ComplexCell& cell) const override;
 
   private:
-    const solid::Geometry& geometry_;
+    const Content& content_;
     const PointTable& points_;
     RayProbe probe_;
 };

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <map>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
+
+#include "csg/tree/hash.h"
 
 namespace csg::reference {
 
@@ -15,13 +16,15 @@ class PointIds {
   public:
     /// The point's number, and whether it is new.
     std::pair<std::uint32_t, bool> add(const glm::dvec3& p) {
-        const auto [at, added] =
-            ids_.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<std::uint32_t>(ids_.size()));
+        const auto [at, added] = ids_.try_emplace(p, static_cast<std::uint32_t>(ids_.size()));
         return {at->second, added};
     }
 
   private:
-    std::map<std::tuple<double, double, double>, std::uint32_t> ids_;
+    struct Hash {
+        std::size_t operator()(const glm::dvec3& p) const { return mix(0, p); }
+    };
+    std::unordered_map<glm::dvec3, std::uint32_t, Hash> ids_;
 };
 
 }  // namespace csg::reference

@@ -14,11 +14,11 @@ std::vector<Box> widened(std::vector<Box> boxes, double by) {
     return boxes;
 }
 
-std::vector<Box> boxes_of(const solid::Geometry& geometry, std::span<const LeafId> leaves) {
+std::vector<Box> boxes_of(const LeafGroup& group) {
     std::vector<Box> boxes;
-    boxes.reserve(leaves.size());
-    for (const LeafId id : leaves)
-        boxes.push_back(geometry.leaves[id].box);
+    boxes.reserve(group.leaves.size());
+    for (const solid::PlacedLeaf* leaf : group.leaves)
+        boxes.push_back(leaf->box);
     return boxes;
 }
 
@@ -63,28 +63,26 @@ struct RayProbe::Triangles {
     BoxTree tree;
 };
 
-RayProbe::RayProbe(const solid::Geometry& geometry, std::span<const LeafId> leaves, double tolerance)
-    : geometry_(geometry),
-      leaves_(leaves),
+RayProbe::RayProbe(const LeafGroup& group, double tolerance)
+    : group_(group),
       tolerance_(tolerance),
-      boxes_(widened(boxes_of(geometry, leaves), tolerance)),
+      boxes_(widened(boxes_of(group), tolerance)),
       tree_(boxes_),
-      triangles_(leaves.size()) {}
+      triangles_(group.leaves.size()) {}
 
 RayProbe::~RayProbe() = default;
 
-const RayProbe::Triangles& RayProbe::triangles(std::uint32_t index) const {
-    if (!triangles_[index])
-        triangles_[index] =
-            std::make_unique<const Triangles>(widened(boxes_of(geometry_.leaves[leaves_[index]]), tolerance_));
-    return *triangles_[index];
+const RayProbe::Triangles& RayProbe::triangles(LeafId leaf) const {
+    if (!triangles_[leaf])
+        triangles_[leaf] = std::make_unique<const Triangles>(widened(boxes_of(*group_.leaves[leaf]), tolerance_));
+    return *triangles_[leaf];
 }
 
 std::optional<Covers> RayProbe::windings(const glm::dvec3& origin, const glm::dvec3& direction,
                                          std::uint32_t without) const {
     Covers result;
     const bool told = tree_.along(origin, direction, [&](std::uint32_t index) {
-        const solid::PlacedLeaf& leaf = geometry_.leaves[leaves_[index]];
+        const solid::PlacedLeaf& leaf = *group_.leaves[index];
         std::int32_t count = 0;
         const auto pass = [&](std::uint32_t t) {
             if (leaf.planes[t].index == without)
@@ -96,7 +94,7 @@ std::optional<Covers> RayProbe::windings(const glm::dvec3& origin, const glm::dv
         if (!triangles(index).tree.along(origin, direction, pass))
             return false;
         if (count != 0)
-            result.push_back({leaves_[index], count});
+            result.push_back({index, count});
         return true;
     });
     if (!told)

@@ -3,12 +3,11 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "csg/reference/box_pairs.h"
+#include "csg/reference/leaf_group.h"
 #include "csg/reference/winding.h"
-#include "csg/solid/placed.h"
 
 namespace csg::reference {
 
@@ -16,27 +15,27 @@ namespace csg::reference {
 /// triangles of leaves that a ray came near to, leave most out. Not for several threads at a time.
 class RayProbe {
   public:
-    /// Keeps the references. `tolerance`: what points may be off (world units).
-    RayProbe(const solid::Geometry& geometry, std::span<const LeafId> leaves, double tolerance);
+    /// Keeps the reference. `tolerance`: what points may be off (world units).
+    RayProbe(const LeafGroup& group, double tolerance);
     ~RayProbe();
     RayProbe(const RayProbe&) = delete;
     RayProbe& operator=(const RayProbe&) = delete;
 
-    /// How often the leaves wind around the points just beyond `origin` in `direction`, faces on plane `without` not
-    /// counted (the origin is on it). Sorted by leaf; nothing where the ray is too near to an edge to tell.
+    /// How often the leaves wind around the points just beyond `origin` in `direction`, faces on plane `without` (of
+    /// the group) not counted (the origin is on it). Sorted by leaf; nothing where the ray is too near to an edge to
+    /// tell.
     [[nodiscard]] std::optional<Covers> windings(const glm::dvec3& origin, const glm::dvec3& direction,
                                                  std::uint32_t without) const;
 
   private:
     struct Triangles;
-    [[nodiscard]] const Triangles& triangles(std::uint32_t index) const;
+    [[nodiscard]] const Triangles& triangles(LeafId leaf) const;
 
-    const solid::Geometry& geometry_;
-    std::span<const LeafId> leaves_;
+    const LeafGroup& group_;
     double tolerance_;
     std::vector<Box> boxes_;  ///< Of the leaves.
     BoxTree tree_;
-    mutable std::vector<std::unique_ptr<const Triangles>> triangles_;  ///< By place in `leaves_`, once needed.
+    mutable std::vector<std::unique_ptr<const Triangles>> triangles_;  ///< By leaf, once needed.
 };
 
 }  // namespace csg::reference

@@ -72,17 +72,15 @@ std::optional<Interval> cut(const Face& face, const Plane& plane, const glm::dve
 
 class Collector {
   public:
-    Collector(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule,
-              const std::stop_token& stop)
-        : geometry_(geometry), leaves_(leaves), rule_(rule), paced_(stop), content_(tolerance_of(geometry.box)) {
-        content_.planes.resize(geometry.planes.planes().size());
-    }
+    Collector(const LeafGroup& group, const InsideRule& rule, const std::stop_token& stop)
+        : group_(group), rule_(rule), paced_(stop), content_(tolerance_of(group.extent)) {}
 
     Content collect() {
-        for (const LeafId leaf : leaves_)
-            faces_.push_back(faces_of(leaf));
-        for (std::size_t i = 0; i < leaves_.size(); ++i)
-            add_borders(leaves_[i], faces_[i]);
+        number_planes();
+        for (const solid::PlacedLeaf* leaf : group_.leaves)
+            faces_.push_back(faces_of(*leaf));
+        for (LeafId i = 0; i < group_.leaves.size(); ++i)
+            add_borders(i, faces_[i]);
         meet_leaves();
         for (PlaneContent& plane : content_.planes) {
             std::sort(plane.segments.begin(), plane.segments.end());
@@ -92,8 +90,27 @@ class Collector {
     }
 
   private:
-    std::vector<Face> faces_of(LeafId id) {
-        const solid::PlacedLeaf& leaf = geometry_.leaves[id];
+    void number_planes() {
+        std::vector<std::uint32_t> used;
+        used.reserve(group_.triangles());
+        for (const solid::PlacedLeaf* leaf : group_.leaves) {
+            for (const solid::PlaneRef& plane : leaf->planes)
+                used.push_back(plane.index);
+        }
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        content_.planes.reserve(used.size());
+        for (const std::uint32_t index : used)
+            content_.planes.push_back({index, group_.planes[index], {}, {}});
+    }
+
+    [[nodiscard]] std::uint32_t number_of(const solid::PlaneRef& plane) const {
+        const auto at = std::lower_bound(content_.planes.begin(), content_.planes.end(), plane.index,
+                                         [](const PlaneContent& p, std::uint32_t index) { return p.index < index; });
+        return static_cast<std::uint32_t>(at - content_.planes.begin());
+    }
+
+    std::vector<Face> faces_of(const solid::PlacedLeaf& leaf) {
         std::vector<std::uint32_t> ids;
         ids.reserve(leaf.points.size());
         for (const glm::dvec3& p : leaf.points) {
@@ -105,7 +122,7 @@ class Collector {
         for (std::size_t i = 0; i < leaf.triangles.size(); ++i) {
             paced_();
             const glm::uvec3& t = leaf.triangles[i];
-            Face face{{}, {ids[t.x], ids[t.y], ids[t.z]}, leaf.planes[i].index, {}};
+            Face face{{}, {ids[t.x], ids[t.y], ids[t.z]}, number_of(leaf.planes[i]), {}};
             for (std::size_t k = 0; k < 3; ++k) {
                 face.corners[k] = content_.points[face.ids[k]];
                 face.box = enclose(face.box, face.corners[k]);
@@ -139,23 +156,19 @@ class Collector {
     }
 
     void meet_leaves() {
-        std::vector<std::uint32_t> order(leaves_.size());
-        for (std::uint32_t i = 0; i < order.size(); ++i)
-            order[i] = i;
-        const auto box = [&](std::uint32_t i) -> const Box& { return geometry_.leaves[leaves_[i]].box; };
-        std::sort(order.begin(), order.end(), [&](auto a, auto b) { return box(a).lo.x < box(b).lo.x; });
         const double margin = content_.points.tolerance();
-        for (std::size_t a = 0; a < order.size(); ++a) {
-            if (!geometry_.leaves[leaves_[order[a]]].solid->convex)
-                meet(faces_[order[a]], faces_[order[a]], box(order[a]), true);
-            for (std::size_t b = a + 1; b < order.size() && box(order[b]).lo.x <= box(order[a]).hi.x + margin; ++b) {
-                Box shared = intersect(box(order[a]), box(order[b]));
-                shared.lo -= margin;
-                shared.hi += margin;
-                if (!shared.empty())
-                    meet(faces_[order[a]], faces_[order[b]], shared, false);
-            }
+        std::vector<Box> boxes;
+        boxes.reserve(group_.leaves.size());
+        for (std::size_t i = 0; i < group_.leaves.size(); ++i) {
+            const Box& box = group_.leaves[i]->box;
+            boxes.push_back({box.lo - margin, box.hi + margin});
+            if (!group_.leaves[i]->solid->convex)
+                meet(faces_[i], faces_[i], boxes[i], true);
         }
+        BoxTree(boxes).pairs([&](std::uint32_t i, std::uint32_t j) {
+            paced_();
+            meet(faces_[std::min(i, j)], faces_[std::max(i, j)], intersect(boxes[i], boxes[j]), false);
+        });
     }
 
     static std::vector<const Face*> within(const std::vector<Face>& faces, const Box& box) {
@@ -199,8 +212,7 @@ class Collector {
                         return std::find(b.ids.begin(), b.ids.end(), id) != b.ids.end();
                     }) > 1)
             return;
-        const Plane& p = geometry_.planes.planes()[a.plane];
-        const Plane& q = geometry_.planes.planes()[b.plane];
+        const Plane &p = content_.planes[a.plane].plane, &q = content_.planes[b.plane].plane;
         const double tolerance = content_.points.tolerance();
         glm::dvec3 along = glm::cross(p.normal, q.normal);
         const double length = glm::length(along);
@@ -222,11 +234,10 @@ class Collector {
         content_.planes[b.plane].segments.push_back(segment);
     }
 
-    const solid::Geometry& geometry_;
-    std::span<const LeafId> leaves_;
+    const LeafGroup& group_;
     const InsideRule& rule_;
     base::PacedStop paced_;
-    std::vector<std::vector<Face>> faces_;  ///< In the order of `leaves_`.
+    std::vector<std::vector<Face>> faces_;  ///< By leaf.
     Content content_;
 };
 
@@ -258,9 +269,8 @@ std::vector<std::uint32_t> SegmentTable::chain(std::uint32_t id, const PointTabl
     return inner;
 }
 
-Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves, const InsideRule& rule,
-                         const std::stop_token& stop) {
-    return Collector(geometry, leaves, rule, stop).collect();
+Content collect_segments(const LeafGroup& group, const InsideRule& rule, const std::stop_token& stop) {
+    return Collector(group, rule, stop).collect();
 }
 
 }  // namespace csg::reference

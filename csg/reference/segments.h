@@ -8,9 +8,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "csg/reference/leaf_group.h"
 #include "csg/reference/point_table.h"
 #include "csg/reference/winding.h"
-#include "csg/solid/placed.h"
 
 namespace csg::reference {
 
@@ -42,13 +42,15 @@ class SegmentTable {
     std::unordered_map<std::uint64_t, std::uint32_t> by_ends_;
 };
 
-/// What lies in one plane of the plane table.
+/// What lies in one plane.
 struct PlaneContent {
     struct Border {
         std::uint32_t segment;
         LeafId leaf;
         std::int32_t count;  ///< How much more often its faces cover the left of the segment than the right.
     };
+    std::uint32_t index = 0;  ///< Among the planes of the group.
+    solid::Plane plane;
     std::vector<std::uint32_t> segments;  ///< Sorted, each once; those of the borders among them.
     std::vector<Border> borders;
 };
@@ -57,15 +59,15 @@ struct Content {
     explicit Content(double tolerance) : points(tolerance) {}
     PointTable points;
     SegmentTable segments;
-    std::vector<PlaneContent> planes;  ///< By plane of the plane table.
+    std::vector<PlaneContent> planes;  ///< Those in which there are faces, in the order of their indices.
 };
 
-/// Collects the borders of the faces of `leaves`, and the segments in which faces of two leaves (or, of one that is not
-/// convex, of its own) on different planes meet. Not yet split where they cross. Throws Undecided.
-[[nodiscard]] Content collect_segments(const solid::Geometry& geometry, std::span<const LeafId> leaves,
-                                       const InsideRule& rule, const std::stop_token& stop = {});
+/// Collects the borders of the faces, and the segments in which faces of two leaves (or, of one that is not convex, of
+/// its own) on different planes meet. Not yet split where they cross. Throws Undecided.
+[[nodiscard]] Content collect_segments(const LeafGroup& group, const InsideRule& rule,
+                                       const std::stop_token& stop = {});
 
 /// Splits the segments of each plane where they cross or touch.
-void split_segments(const solid::Geometry& geometry, Content& content, const std::stop_token& stop = {});
+void split_segments(Content& content, const std::stop_token& stop = {});
 
 }  // namespace csg::reference

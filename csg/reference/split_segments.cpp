@@ -17,9 +17,13 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 class Splitter {
   public:
     /// `overlaps`: takes the pairs of segments that have a piece in common.
-    Splitter(Content& content, const PlaneContent& plane, const glm::dvec3& normal,
+    Splitter(Content& content, const PlaneContent& plane,
              std::vector<std::pair<std::uint32_t, std::uint32_t>>& overlaps, const std::stop_token& stop)
-        : content_(content), axes_(normal), tolerance_(content.points.tolerance()), overlaps_(overlaps), paced_(stop) {
+        : content_(content),
+          axes_(plane.plane.normal),
+          tolerance_(content.points.tolerance()),
+          overlaps_(overlaps),
+          paced_(stop) {
         items_.reserve(plane.segments.size());
         for (const std::uint32_t id : plane.segments) {
             const SegmentTable::Segment& s = content.segments[id];
@@ -138,12 +142,12 @@ void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::ui
 
 }  // namespace
 
-void split_segments(const solid::Geometry& geometry, Content& content, const std::stop_token& stop) {
+void split_segments(Content& content, const std::stop_token& stop) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
-    for (std::size_t i = 0; i < content.planes.size(); ++i) {
+    for (const PlaneContent& plane : content.planes) {
         base::end_if_asked(stop);
-        if (content.planes[i].segments.size() > 1)
-            Splitter(content, content.planes[i], geometry.planes.planes()[i].normal, overlaps, stop).split();
+        if (plane.segments.size() > 1)
+            Splitter(content, plane, overlaps, stop).split();
     }
     share_splits(content, std::move(overlaps), stop);
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -138,18 +141,34 @@ void assign_planes(Geometry& geometry, const std::stop_token& stop) {
         int accuracy;
         std::uint32_t leaf, triangle;
     };
+    std::size_t count = 0;
+    for (const PlacedLeaf& leaf : geometry.leaves)
+        count += leaf.triangles.size();
     std::vector<Item> items;
+    items.reserve(count);
+    std::map<int, std::uint32_t, std::greater<>>
+        place;  // Of the next item of this accuracy; first, how many there are.
     for (std::uint32_t l = 0; l < geometry.leaves.size(); ++l) {
         base::end_if_asked(stop);
         PlacedLeaf& leaf = geometry.leaves[l];
         leaf.planes.resize(leaf.triangles.size());
-        for (std::uint32_t t = 0; t < leaf.triangles.size(); ++t)
+        for (std::uint32_t t = 0; t < leaf.triangles.size(); ++t) {
             items.push_back({accuracy(leaf, leaf.triangles[t]), l, t});
+            ++place[items.back().accuracy];
+        }
     }
-    std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.accuracy > b.accuracy; });
+    std::uint32_t next = 0;
+    for (auto& [accuracy, at] : place)
+        at = std::exchange(next, next + at);
     base::PacedStop paced(stop);
-    for (const Item& item : items) {
+    std::vector<std::uint32_t> order(items.size());
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
         paced();
+        order[place[items[i].accuracy]++] = i;
+    }
+    for (const std::uint32_t i : order) {
+        paced();
+        const Item& item = items[i];
         PlacedLeaf& leaf = geometry.leaves[item.leaf];
         const glm::uvec3& t = leaf.triangles[item.triangle];
         leaf.planes[item.triangle] = geometry.planes.add(leaf.points[t.x], leaf.points[t.y], leaf.points[t.z]);

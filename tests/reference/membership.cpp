@@ -22,16 +22,19 @@ int winding_number(std::span<const glm::dvec3> points, std::span<const glm::uvec
 std::size_t count_wrong_points(const csg::Scene& scene, const csg::solid::Geometry& geometry,
                                const csg::reference::Mesh& mesh, const csg::Box& box, std::size_t count) {
     std::mt19937 random(1);
-    csg::reference::ExpressionValue expression(scene);
+    std::vector<char> values;
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < count; ++i) {
         glm::dvec3 p;
         for (int axis = 0; axis < 3; ++axis)
             p[axis] = box.lo[axis] + box.size()[axis] * (static_cast<double>(random()) / 4294967296.0);
-        const bool inside = expression.evaluate([&](csg::LeafId id) {
+        const auto in_leaf = [&](csg::LeafId id) {
             const csg::solid::PlacedLeaf& leaf = geometry.leaves[id];
             return winding_number(leaf.points, leaf.triangles, p) != 0;
-        });
+        };
+        bool inside = false;
+        for (const csg::PartId part : csg::reference::solid_parts(scene))
+            inside |= csg::evaluate(scene, scene.parts[part], in_leaf, values);
         wrong += winding_number(mesh.points, mesh.triangles, p) != (inside ? 1 : 0) ? 1 : 0;
     }
     return wrong;

@@ -46,7 +46,7 @@ TEST_P(RandomMeshes, AreClosedAndWhatThePictureShows) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         csg::reference::BooleanResult result;
         ASSERT_NO_THROW(result = csg::reference::make_mesh(sample.scene, sample.geometry)) << scad_text(model);
-        EXPECT_EQ(result.method, csg::reference::Method::Planes) << result.reason << scad_text(model);
+        EXPECT_NE(result.method, csg::reference::Method::Exact) << result.reason << scad_text(model);
         if (seed % 8 == 1 || seed % 8 == 5) {
             csg::reference::BooleanRequest request;
             request.method = csg::reference::Method::Exact;

@@ -80,6 +80,8 @@ const Heavy kHeavy[] = {
     {"table", "surface(\"table.dat\");", "-o out.stl"},
     {"import", "import(\"large.stl\");", "-o out.stl"},
     // Booleans, pictures, files.
+    {"many_apart", "for (x = [0:99], y = [0:99], z = [0:99]) translate(2 * [x, y, z]) cube(1);", "-o out.stl"},
+    {"many_touching", "for (x = [0:59], y = [0:59], z = [0:59]) translate([x, y, z]) cube(1);", "-o out.off"},
     {"intersection_for", "intersection_for(i = [0:99]) rotate([i * 7, i * 3, 0]) sphere(10, $fn = 120);", "-o out.stl"},
     {"difference",
      "difference() { sphere(10, $fn = 200); for (i = [0:300]) rotate([i * 7, i * 11, i]) translate([9, 0, 0]) "
