@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <regex>
 #include <sstream>
+#include <stdexcept>
 
 #include "gl/error.h"
 
@@ -53,6 +54,17 @@ std::string name_lines(const std::string& log, const std::vector<std::string>& f
     return result;
 }
 
+/// The words that stand where the name of a declared uniform does.
+void add_uniforms(std::string_view text, std::unordered_set<std::string>& names) {
+    constexpr std::string_view kUniform = "uniform ", kSpace = " \t\n", kEnd = " \t\n;[{";
+    for (std::size_t at = text.find(kUniform); at != std::string_view::npos; at = text.find(kUniform, at)) {
+        at = text.find_first_not_of(kSpace, at + kUniform.size());                                   // The type …
+        at = text.find_first_not_of(kSpace, std::min(text.size(), text.find_first_of(kSpace, at)));  // … and the name.
+        at = std::min(at, text.size());
+        names.emplace(text.substr(at, text.find_first_of(kEnd, at) - at));
+    }
+}
+
 GLenum stage_of(std::string_view name) {
     if (name.ends_with(".vert"))
         return GL_VERTEX_SHADER;
@@ -78,10 +90,10 @@ Program::Program(const Functions& gl, const ShaderLibrary& library, std::initial
     std::string head = "#version 450 core\n";
     for (const auto& [name, value] : defines)
         head += fmt::format("#define {} {}\n", name, value);
-    std::string all;
     for (const std::string_view file : files) {
         Assembled assembled;
         append(library, file, assembled);
+        add_uniforms(assembled.text, declared_);
         const std::string text = head + assembled.text;
         const GLuint shader = gl.CreateShader(stage_of(file));
         const char* data = text.c_str();
@@ -98,7 +110,7 @@ Program::Program(const Functions& gl, const ShaderLibrary& library, std::initial
             gl.DeleteProgram(std::exchange(id_, 0));
             throw Error(fmt::format("{} does not compile:\n{}", file, name_lines(log, assembled.files)));
         }
-        all += fmt::format("{} ", file);
+        files_ += fmt::format("{} ", file);
     }
     gl.LinkProgram(id_);
     GLint ok = 0, length = 0;
@@ -108,7 +120,7 @@ Program::Program(const Functions& gl, const ShaderLibrary& library, std::initial
         std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
         gl.GetProgramInfoLog(id_, length, nullptr, log.data());
         gl.DeleteProgram(std::exchange(id_, 0));
-        throw Error(fmt::format("{}does not link:\n{}", all, log));
+        throw Error(fmt::format("{}does not link:\n{}", files_, log));
     }
 }
 
@@ -118,10 +130,12 @@ Program::~Program() {
 }
 
 GLint Program::at(const char* name) const {
-    const auto [it, added] = locations_.try_emplace(name, -1);
-    if (added)
-        it->second = gl_->GetUniformLocation(id_, name);
-    return it->second;
+    if (const auto known = locations_.find(name); known != locations_.end())
+        return known->second;
+    const GLint location = gl_->GetUniformLocation(id_, name);
+    if (location < 0 && !declared_.contains(name))
+        throw std::logic_error(fmt::format("{}declares no uniform '{}'", files_, name));
+    return locations_.emplace(name, location).first->second;
 }
 
 }  // namespace gl

@@ -62,24 +62,26 @@ void Accumulator::resize(glm::ivec2 size) {
     sum_target_.attach({&sum_});
 }
 
-void Accumulator::draw(Style& style, const Picture& picture, const PeelView& peel) {
+base::View sample_view(const Picture& picture, std::size_t sample, const glm::dvec3& lo, const glm::dvec3& hi) {
+    return {picture.camera, picture.size, lo, hi, sample_offsets(picture.samples)[sample]};
+}
+
+void Accumulator::draw(Style& style, const Picture& picture, const Subject& subject) {
     for (std::size_t sample = 0; sample < sample_offsets(picture.samples).size(); ++sample)
-        (void)draw_sample(style, picture, sample, peel);
+        (void)draw_sample(style, picture, sample, subject);
 }
 
 layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample,
-                                              const PeelView& peel) {
+                                              const Subject& subject, const std::stop_token& stop) {
     if (sample == 0) {
         resize(picture.size);
         const std::array<float, 4> zero{};
         gl_.ClearNamedFramebufferfv(sum_target_.id(), GL_COLOR, 0, zero.data());
     }
     samples_ = static_cast<int>(sample) + 1;
-    const base::View view(picture.camera, picture.size, picture.lo, picture.hi,
-                          sample_offsets(picture.samples)[sample]);
-    layers::TextureStack layers = peel(view);
-    style.draw({view, layers, picture.parameters, picture.scheme, picture.transparent_background, sample_target_,
-                picture.stop});
+    const base::View view = sample_view(picture, sample, subject.lo, subject.hi);
+    layers::TextureStack layers = subject.peel(view);
+    style.draw({picture, view, layers, sample_target_, stop});
     sum_target_.bind();
     gl_.Viewport(0, 0, picture.size.x, picture.size.y);
     gl_.Disable(GL_DEPTH_TEST);

@@ -21,32 +21,29 @@ inline constexpr std::array kSampleCounts{1, 4, 8, 16};
 /// the pixel's grid holds one). Other counts give the next larger set; counts above 16 give 16.
 [[nodiscard]] std::span<const glm::dvec2> sample_offsets(int count);
 
-/// What is drawn, and how.
-struct Picture {
-    base::Camera camera;
-    glm::ivec2 size{0};
-    glm::dvec3 lo{0}, hi{0};  ///< The box of the model, as base::View takes it.
-    const Parameters& parameters;
-    const ColorScheme& scheme;
-    bool transparent_background = false;
-    int samples = 1;
-    std::stop_token
-        stop{};  ///< Where it is asked for, drawing throws base::Stopped: begin with the first sample again.
+/// What pictures are drawn of.
+struct Subject {
+    glm::dvec3 lo{0}, hi{0};  ///< The box that encloses it, as base::View takes it.
+    /// Its layers as seen from a view; called once per sample.
+    std::function<layers::TextureStack(const base::View& view)> peel;
 };
 
-/// The layers as seen from a view; called once per sample.
-using PeelView = std::function<layers::TextureStack(const base::View& view)>;
+/// The view of a picture's sample, one of sample_offsets(picture.samples).
+[[nodiscard]] base::View sample_view(const Picture& picture, std::size_t sample, const glm::dvec3& lo,
+                                     const glm::dvec3& hi);
 
 /// Draws pictures sample by sample and keeps their sum. One per context, reused; `gl` must outlive it.
 class Accumulator {
   public:
     explicit Accumulator(const gl::Functions& gl);
 
-    /// All samples.
-    void draw(Style& style, const Picture& picture, const PeelView& peel);
+    /// All samples. `style`: made of the picture's.
+    void draw(Style& style, const Picture& picture, const Subject& subject);
     /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is
-    /// the mean of those drawn so far. Gives the sample's layers, for whoever can use their textures again.
-    layers::TextureStack draw_sample(Style& style, const Picture& picture, std::size_t sample, const PeelView& peel);
+    /// the mean of those drawn so far. Gives the sample's layers, for whoever can use their textures again. Throws
+    /// base::Stopped where `stop` is asked for: begin with the first sample again.
+    layers::TextureStack draw_sample(Style& style, const Picture& picture, std::size_t sample, const Subject& subject,
+                                     const std::stop_token& stop = {});
 
     /// The picture drawn last.
     [[nodiscard]] base::Image image();

@@ -18,6 +18,8 @@ struct ColorScheme {
     glm::vec3 edge_2d{1.0F};          ///< cgal-edge-2d: … and their outlines.
     glm::vec4 highlight{1.0F};        ///< `#`; the same in all schemes.
     glm::vec4 ghost{1.0F};            ///< `%`; the same in all schemes.
+
+    bool operator==(const ColorScheme&) const = default;
 };
 
 /// All schemes in OpenSCAD's order; the first is its default, Cornfield.

@@ -1,17 +1,8 @@
 #include "gl/view.glsl"
 #include "layers/layer_stack.glsl"
 
-// What every pass of a style knows (npr/frame_program.h). Colors are sRGB with straight alpha.
-uniform int layer_count;
-uniform vec3 centre_in_eye;  // eye coordinates of the origin of plane_rows
-uniform vec2 jitter;  // of the sample from the pixel's centre, in pixels
-uniform vec3 background_color;
-uniform vec3 background_stop;
-uniform vec3 face_color;
-uniform vec3 cut_color;
-uniform vec4 highlight_color;
-uniform vec4 ghost_color;
-uniform bool transparent_background;
+// What every pass of a style knows: the uniforms of npr/frame_values.h, whose table declares them.
+#include "npr/frame_values.glsl"
 
 ivec2 picture_size() {
     return textureSize(layer_depths, 0).xy;

@@ -13,13 +13,19 @@ namespace npr {
 /// The shader files of this folder.
 [[nodiscard]] std::span<const gl::ShaderFile> shader_files();
 
+/// What a style adds to the shader files of this folder and those below.
+struct OwnShaders {
+    std::string_view settings{};              ///< "npr/settings.glsl": see SettingsTable.
+    std::span<const gl::ShaderFile> files{};  ///< Of a style that is not in this folder.
+    gl::Defines defines{};
+};
+
 /// A program that may include layers/layer_stack.glsl, gl/view.glsl and npr/frame.glsl. Texture units from 2, storage
 /// blocks from 2 and all image units are free for its own use.
 class FrameProgram {
   public:
     /// File names from the repository's root, such as "npr/styles/shaded.frag". Throws gl::Error.
-    FrameProgram(const gl::Functions& gl, std::initializer_list<std::string_view> files,
-                 const gl::Defines& defines = {});
+    FrameProgram(const gl::Functions& gl, std::initializer_list<std::string_view> files, const OwnShaders& own = {});
 
     /// For the program's own uniforms.
     [[nodiscard]] const gl::Program& program() const { return program_; }

@@ -113,38 +113,43 @@ Parameter Parameter::choice(std::string_view name, std::string_view label, int i
     return {name, label, ParameterKind::Choice, initial, 0, last, std::move(choices)};
 }
 
-Parameters::Parameters(std::span<const Parameter> parameters) : list_(parameters) {
+Parameters::Parameters(std::span<const Parameter> parameters) : first_(parameters.data()) {
     for (const Parameter& p : parameters)
         values_.push_back(p.initial);
 }
 
-int Parameters::find(std::string_view name) const {
-    const auto found = std::find_if(list_.begin(), list_.end(), [&](const Parameter& p) { return p.name == name; });
-    return found == list_.end() ? -1 : static_cast<int>(found - list_.begin());
+std::optional<std::size_t> Parameters::find(std::string_view name) const {
+    const auto all = list();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.name == name; });
+    return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
 }
 
-void Parameters::set(int i, const Value& value) {
-    const Parameter& p = list_[static_cast<std::size_t>(i)];
+std::size_t Parameters::index(std::string_view name) const {
+    if (const auto found = find(name))
+        return *found;
+    const auto all = list();
+    if (all.empty())
+        throw std::invalid_argument(fmt::format("no parameter \"{}\"; this style has none", name));
+    const auto nearest = std::min_element(all.begin(), all.end(), [&](const Parameter& a, const Parameter& b) {
+        return edit_distance(a.name, name) < edit_distance(b.name, name);
+    });
+    throw std::invalid_argument(fmt::format("no parameter \"{}\"; did you mean \"{}\"?", name, nearest->name));
+}
+
+void Parameters::set(std::size_t i, const Value& value) {
+    const Parameter& p = list()[i];
     if (!valid(p, value))
         throw std::invalid_argument(fmt::format("{} takes {}", p.name, takes(p)));
-    values_[static_cast<std::size_t>(i)] = value;
+    values_[i] = value;
 }
 
-void Parameters::set(std::string_view name, std::string_view text) {
-    const int i = find(name);
-    if (i < 0) {
-        if (list_.empty())
-            throw std::invalid_argument(fmt::format("no parameter \"{}\"; this style has none", name));
-        const auto nearest = std::min_element(list_.begin(), list_.end(), [&](const Parameter& a, const Parameter& b) {
-            return edit_distance(a.name, name) < edit_distance(b.name, name);
-        });
-        throw std::invalid_argument(fmt::format("no parameter \"{}\"; did you mean \"{}\"?", name, nearest->name));
-    }
-    const Parameter& p = list_[static_cast<std::size_t>(i)];
+void Parameters::read(std::string_view name, std::string_view text) {
+    const std::size_t i = index(name);
+    const Parameter& p = list()[i];
     const std::optional<Value> value = parse_value(p, text);
     if (!value || !valid(p, *value))
         throw std::invalid_argument(fmt::format("{} takes {}, not \"{}\"", name, takes(p), text));
-    values_[static_cast<std::size_t>(i)] = *value;
+    values_[i] = *value;
 }
 
 std::string text(const Parameter& parameter, const Value& value) {

@@ -1,7 +1,9 @@
 // Parameters of styles as data, from which the command line and the window build their controls.
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,34 +39,36 @@ struct Parameter {
 /// A style's values, in the order of its parameters.
 class Parameters {
   public:
+    /// Of a style that has none.
+    Parameters() = default;
     /// All at their defaults. `parameters` must outlive this.
     explicit Parameters(std::span<const Parameter> parameters);
 
-    [[nodiscard]] std::span<const Parameter> list() const { return list_; }
-    /// -1 where there is no such parameter.
-    [[nodiscard]] int find(std::string_view name) const;
-
-    /// The index must be of a parameter of that kind.
-    [[nodiscard]] float number(int i) const { return std::get<float>(at(i)); }
-    [[nodiscard]] int integer(int i) const { return std::get<int>(at(i)); }
-    [[nodiscard]] bool toggle(int i) const { return std::get<bool>(at(i)); }
-    [[nodiscard]] glm::vec3 color(int i) const { return std::get<glm::vec3>(at(i)); }
-    [[nodiscard]] int choice(int i) const { return std::get<int>(at(i)); }
-    [[nodiscard]] const Value& at(int i) const { return values_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] std::span<const Parameter> list() const { return {first_, values_.size()}; }
+    /// The index of the parameter; none where there is no such.
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
+    /// Value i.
+    [[nodiscard]] const Value& at(std::size_t i) const { return values_[i]; }
 
     /// Throws std::invalid_argument, naming the parameter and what it takes, where `value` is of another kind or out of
     /// range.
-    void set(int i, const Value& value);
-    /// The same from text: a number with a decimal point; on/off, true/false or 1/0; #rgb or #rrggbb; a choice's name.
+    void set(std::size_t i, const Value& value);
     /// Throws std::invalid_argument where there is no such parameter (the nearest name is told), too.
-    void set(std::string_view name, std::string_view text);
+    void set(std::string_view name, const Value& value) { set(index(name), value); }
+    /// The same from text: a number with a decimal point; on/off, true/false or 1/0; #rgb or #rrggbb; a choice's name.
+    void read(std::string_view name, std::string_view text);
+
+    /// The same values of the same list of parameters.
+    bool operator==(const Parameters&) const = default;
 
   private:
-    std::span<const Parameter> list_;
+    [[nodiscard]] std::size_t index(std::string_view name) const;
+
+    const Parameter* first_ = nullptr;
     std::vector<Value> values_;
 };
 
-/// The value as Parameters::set reads it.
+/// The value as Parameters::read takes it; colors are rounded to bytes.
 [[nodiscard]] std::string text(const Parameter& parameter, const Value& value);
 
 }  // namespace npr

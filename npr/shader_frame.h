@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/view_values.h"
+#include "npr/frame_values.h"
 #include "npr/painter/cpu_frame.h"
 #include "npr/srgb.h"
 
@@ -14,16 +15,10 @@ using namespace glm;  // Shader files say vec3, dot and mix.
 
 /// What npr/frame.glsl and the textures are to shaders, under the same names. Each thread has its own copy: members of
 /// shader files are not const. Keeps references into the frame.
-struct Frame {
+struct Frame : FrameValues {
     explicit Frame(const CpuFrame& frame);
 
     base::ViewValues view;
-    int layer_count;
-    vec3 centre_in_eye;
-    vec2 jitter;
-    vec3 background_color, background_stop, face_color, cut_color;
-    vec4 highlight_color, ghost_color;
-    bool transparent_background;
     const layers::LeafRow* leaf_rows;
     const vec4* plane_rows;
     ivec2 size;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "npr/styles/blueprint.h"
-#include "npr/styles/edges.h"
-#include "npr/styles/shaded.h"
-#include "npr/styles/sketch.h"
-#include "npr/styles/xray.h"
-
 namespace npr {
+
+using StyleMaker = StyleInfo();
+// Each in the file of its name in npr/styles/.
+StyleMaker shaded_style, edges_style, blueprint_style, xray_style, sketch_style;
 
 std::span<const StyleInfo> styles() {
     static const std::array all{shaded_style(), edges_style(), blueprint_style(), xray_style(), sketch_style()};
@@ -20,6 +18,18 @@ const StyleInfo* find_style(std::string_view name) {
     const auto all = styles();
     const auto found = std::find_if(all.begin(), all.end(), [&](const StyleInfo& s) { return s.name == name; });
     return found == all.end() ? nullptr : &*found;
+}
+
+void Picture::draw_as(const StyleInfo& info) {
+    style = &info;
+    parameters = Parameters(info.parameters);
+}
+
+Picture default_picture() {
+    Picture picture;
+    picture.draw_as(styles().front());
+    picture.scheme = color_schemes().front();
+    return picture;
 }
 
 }  // namespace npr

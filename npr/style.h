@@ -1,6 +1,7 @@
 // Styles: ways to draw a stack of layers.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -9,19 +10,16 @@
 #include "base/camera.h"
 #include "gl/objects.h"
 #include "layers/texture_stack.h"
-#include "npr/color_scheme.h"
 #include "npr/painter/cpu_frame.h"
-#include "npr/parameter.h"
+#include "npr/picture.h"
 
 namespace npr {
 
 /// One sample per pixel of a picture, to be drawn by a style.
 struct Frame {
+    const Picture& picture;
     const base::View& view;  ///< That `layers` was peeled from, its jitter included.
     const layers::TextureStack& layers;
-    const Parameters& parameters;  ///< Of the style that draws.
-    const ColorScheme& scheme;
-    bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
     /// Of the size of the stack, one RGBA32F attachment: linear light, premultiplied alpha. Undefined before.
     const gl::Framebuffer& target;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the target is undefined then.
@@ -47,15 +45,15 @@ class Style {
     return 0;
 }
 
-/// What is known of a style without a context.
+/// What is known of a style without a context. pixel_style() and lined_style() (npr/styles) make one of little.
 struct StyleInfo {
     std::string_view name;   ///< For the command line.
     std::string_view label;  ///< For the window.
-    std::span<const Parameter> (*parameters)();
+    std::span<const Parameter> parameters;
     /// Compiles the style's programs; throws gl::Error.
-    std::unique_ptr<Style> (*make)(const gl::Functions& gl);
+    std::function<std::unique_ptr<Style>(const gl::Functions& gl)> make;
     /// The same without OpenGL. One at a time paints: it may keep what does not change from frame to frame.
-    Paint (*make_paint)();
+    std::function<Paint()> make_paint;
     /// How many layers the style looks at: the first so many, or all (0). `translucent`: parts of the scene are not
     /// opaque (`%`, `#`, alpha below 1).
     int (*layers)(bool translucent) = all_layers;

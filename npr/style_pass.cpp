@@ -10,8 +10,8 @@ constexpr int kPieceRows = 32;
 
 }  // namespace
 
-StylePass::StylePass(const gl::Functions& gl, std::string_view fragment, const gl::Defines& defines)
-    : gl_(gl), program_(gl, {"peel/fullscreen.vert", fragment}, defines), empty_array_(gl) {}
+StylePass::StylePass(const gl::Functions& gl, std::string_view fragment, const OwnShaders& own)
+    : gl_(gl), program_(gl, {"peel/fullscreen.vert", fragment}, own), empty_array_(gl) {}
 
 void StylePass::draw(const Frame& frame, const gl::Framebuffer& target) {
     program_.use(frame);

@@ -153,7 +153,6 @@ void Lists::draw(const Job& job, const gl::Program& program) const {
     gl_.Disable(GL_DEPTH_TEST);
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     program.set("band_size", job.band_size);
-    program.set("first_row", static_cast<float>(job.first_row));
     program.use();
     leaf_array_.bind();
     draws_.draw(GL_TRIANGLES, job.stop);
@@ -258,6 +257,7 @@ void Lists::peel_rectangle(Job& job, const Rectangle& rectangle) {
     reserve(buffers_.entries, allocated.entries * kEntryBytes);
     buffers_.bind();
     fill_.set("entry_capacity", allocated.entries);
+    fill_.set("first_row", static_cast<float>(job.first_row));
     gl_.Enable(GL_SCISSOR_TEST);
     gl_.Scissor(rectangle.first.x, rectangle.first.y, rectangle.size.x, rectangle.size.y);
     draw(job, fill_);

@@ -8,15 +8,14 @@
 namespace npr {
 
 void CpuAccumulator::paint_sample(const Paint& paint, const Picture& picture, std::size_t sample,
-                                  const PeelToMemory& peel) {
+                                  const CpuSubject& subject, const std::stop_token& stop) {
     if (sample == 0) {
         size_ = picture.size;
         sum_.assign(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), glm::vec4(0));
     }
     samples_ = static_cast<int>(sample) + 1;
-    const base::View view(picture.camera, picture.size, picture.lo, picture.hi,
-                          sample_offsets(picture.samples)[sample]);
-    paint({view, peel(view), picture.parameters, picture.scheme, picture.transparent_background, sum_, picture.stop});
+    const base::View view = sample_view(picture, sample, subject.lo, subject.hi);
+    paint({picture, view, subject.peel(view), sum_, stop});
 }
 
 base::Image CpuAccumulator::image() const {

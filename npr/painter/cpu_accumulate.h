@@ -10,15 +10,21 @@
 
 namespace npr {
 
-/// The layers as seen from a view, which must stand until the next call; called once per sample.
-using PeelToMemory = std::function<const layers::HostStack&(const base::View& view)>;
+/// What pictures are painted of: npr::Subject with layers in main memory.
+struct CpuSubject {
+    glm::dvec3 lo{0}, hi{0};  ///< The box that encloses it, as base::View takes it.
+    /// Its layers as seen from a view, which must stand until the next call; called once per sample.
+    std::function<const layers::HostStack&(const base::View& view)> peel;
+};
 
 /// Paints pictures sample by sample and keeps their sum.
 class CpuAccumulator {
   public:
     /// One sample of sample_offsets(picture.samples); the first (0) begins a new picture. After each the picture is the
-    /// mean of those painted so far.
-    void paint_sample(const Paint& paint, const Picture& picture, std::size_t sample, const PeelToMemory& peel);
+    /// mean of those painted so far. `paint`: made of the picture's style. Throws base::Stopped where `stop` is asked
+    /// for: begin with the first sample again.
+    void paint_sample(const Paint& paint, const Picture& picture, std::size_t sample, const CpuSubject& subject,
+                      const std::stop_token& stop = {});
 
     /// The picture painted last: sRGB with straight alpha.
     [[nodiscard]] base::Image image() const;

@@ -8,18 +8,15 @@
 
 #include "base/camera.h"
 #include "layers/host_stack.h"
-#include "npr/color_scheme.h"
-#include "npr/parameter.h"
+#include "npr/picture.h"
 
 namespace npr {
 
 /// One sample per pixel of a picture, to be painted by a style: what Frame (npr/style.h) is for layers in main memory.
 struct CpuFrame {
+    const Picture& picture;
     const base::View& view;  ///< That `layers` was peeled from, its jitter included.
     const layers::HostStack& layers;
-    const Parameters& parameters;  ///< Of the style that paints.
-    const ColorScheme& scheme;
-    bool transparent_background = false;
     /// By pixel, rows from bottom to top: linear light, premultiplied alpha. The sample is added to what is there.
     std::span<glm::vec4> sum;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the sum is undefined then.

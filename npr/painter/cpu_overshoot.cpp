@@ -42,10 +42,10 @@ void CpuOvershoot::draw(const CpuFrame& frame, const EdgeIndex& edges, const Ske
     base::for_each_index(
         static_cast<int>(edges.edges().size()),
         [&] {
-            return [&, rules = Continuations(frame, edges, settings.overshoot, *this)](int tile) mutable {
+            return [&, rules = Continuations(frame, edges, settings.overshoot_length, *this)](int tile) mutable {
                 for (const CpuEdge& e : edges.edges()[static_cast<std::size_t>(tile)]) {
                     marks_.mark(e.lower, 1U << e.layer);
-                    if (e.layer == 0 && settings.overshoot > 0) {
+                    if (e.layer == 0 && settings.overshoot_length > 0) {
                         rules.draw_on_link(e.lower, e.axis);
                     }
                 }

@@ -82,9 +82,9 @@ struct SketchPixels : shader::Frame, SketchSettings {
 class SketchPainter {
   public:
     void paint(const CpuFrame& frame) {
-        const SketchSettings settings = sketch_settings(frame.parameters, frame.layers.size);
+        const auto settings = settings_of<SketchSettings>(frame.picture);
         noise_.draw(frame, settings);
-        const CpuEdges edges = find_edges(frame, sketch_edges(frame.parameters));
+        const CpuEdges edges = find_edges(frame, settings);
         const EdgeIndex index(frame.layers, edges);
         overshoot_.draw(frame, index, settings);
         paint_tiles(frame, [&] { return SketchPixels(frame, settings, index, overshoot_, noise_); });

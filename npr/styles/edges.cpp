@@ -1,63 +1,33 @@
-#include "npr/styles/edges.h"
-
-#include <array>
-
-#include "npr/edges/edge_parameters.h"
-#include "npr/painter/cpu_paint.h"
+// Surface colors with edges drawn.
 #include "npr/styles/lined_style.h"
 
 namespace npr {
 namespace {
 
-enum : int { kWidth, kCrease, kParts, kInner, kColor, kShade, kLight, kSmooth };
-
-std::span<const Parameter> parameters() {
-    static const std::array list{
-        line_width(1.25F),
-        crease_angle(),
-        part_edges(),
-        Parameter::number("inner", "Strength of inner edges", 0.85F, 0, 1),
-        Parameter::color("edge-color", "Color of edges", {0.12F, 0.11F, 0.10F}),
-        Parameter::number("shade", "Strength of surface colors", 1, 0, 1),
-        Parameter::number("light", "Strength of light on surfaces", 1, 0, 1),
-        Parameter::toggle("smooth", "Smooth lines", true),
-    };
-    return list;
-}
-
-/// Under the names of the shader's uniforms.
-struct Settings {
+struct Settings : EdgeSettings {
     float width{};
     float inner_strength{};
     glm::vec3 edge_color{};
-    float shade{};
-    float light_strength{};
+    float shade{};           ///< 0: paper, 1: surface colors.
+    float light_strength{};  ///< 0: as they are, 1: lit.
     bool smooth_lines{};
+
+    void complete(const Picture& /*picture*/) { visible_only = true; }
+    static const SettingsTable<Settings>& table();
 };
 
-Settings settings_of(const Parameters& p) {
-    Settings s;
-    s.width = p.number(kWidth);
-    s.inner_strength = p.number(kInner);
-    s.edge_color = p.color(kColor);
-    s.shade = p.number(kShade);
-    s.light_strength = p.number(kLight);
-    s.smooth_lines = p.toggle(kSmooth);
-    return s;
-}
-
-EdgeSettings edge_settings(const Parameters& p) {
-    return {p.number(kCrease), p.toggle(kParts), true};
-}
-
-void set_uniforms(const Parameters& parameters, const gl::Program& program) {
-    const Settings s = settings_of(parameters);
-    program.set("width", s.width);
-    program.set("inner_strength", s.inner_strength);
-    program.set("edge_color", s.edge_color);
-    program.set("shade", s.shade);
-    program.set("light_strength", s.light_strength);
-    program.set("smooth_lines", s.smooth_lines);
+const SettingsTable<Settings>& Settings::table() {
+    static const SettingsTable<Settings> all{
+        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::crease_degrees>(crease_angle()),
+        setting<&Settings::parts>(part_edges()),
+        setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.85F, 0, 1)),
+        setting<&Settings::edge_color>(Parameter::color("edge-color", "Color of edges", {0.12F, 0.11F, 0.10F})),
+        setting<&Settings::shade>(Parameter::number("shade", "Strength of surface colors", 1, 0, 1)),
+        setting<&Settings::light_strength>(Parameter::number("light", "Strength of light on surfaces", 1, 0, 1)),
+        setting<&Settings::smooth_lines>(Parameter::toggle("smooth", "Smooth lines", true)),
+    };
+    return all;
 }
 
 using namespace glm;  // As shader files do.
@@ -73,19 +43,10 @@ struct EdgesPixels : LinedFrame, Settings {
     }
 };
 
-void paint(const CpuFrame& frame) {
-    const CpuEdges edges = find_edges(frame, edge_settings(frame.parameters));
-    paint_tiles(frame, [&] { return EdgesPixels(frame, edges, settings_of(frame.parameters)); });
-}
-
 }  // namespace
 
 StyleInfo edges_style() {
-    return {"edges", "Edges", parameters,
-            [](const gl::Functions& gl) -> std::unique_ptr<Style> {
-                return std::make_unique<LinedStyle>(gl, "npr/styles/edges.frag", edge_settings, set_uniforms);
-            },
-            [] { return Paint(paint); }};
+    return lined_style<Settings, EdgesPixels>({"edges", "Edges", "npr/styles/edges.frag"});
 }
 
 }  // namespace npr

@@ -2,13 +2,8 @@
 #include "npr/frame.glsl"
 #include "npr/edges/lines.glsl"
 #include "npr/surface_color.glsl"
+#include "npr/settings.glsl"
 
-uniform float width;
-uniform float inner_strength;
-uniform vec3 edge_color;
-uniform float shade;           // 0: paper, 1: surface colors
-uniform float light_strength;  // 0: as they are, 1: lit
-uniform bool smooth_lines;
 out vec4 result;
 
 // Of the pixel: layers with edges so near that their lines may cover it.

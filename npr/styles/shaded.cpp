@@ -1,7 +1,5 @@
-#include "npr/styles/shaded.h"
-
-#include "npr/painter/cpu_paint.h"
-#include "npr/style_pass.h"
+// OpenSCAD's preview.
+#include "npr/styles/pixel_style.h"
 
 namespace npr {
 namespace {
@@ -10,19 +8,10 @@ int layers(bool translucent) {
     return translucent ? 0 : 1;
 }
 
-class Shaded : public Style {
-  public:
-    explicit Shaded(const gl::Functions& gl) : pass_(gl, "npr/styles/shaded.frag") {}
-    void draw(const Frame& frame) override { pass_.draw(frame); }
-
-  private:
-    StylePass pass_;
-};
-
 using namespace glm;  // As shader files do.
 
 struct ShadedPixels : shader::Frame {
-    using Frame::Frame;
+    ShadedPixels(const CpuFrame& frame, const NoSettings& /*none*/) : Frame(frame) {}
 #include "npr/styles/shaded.glsl"
 
     void begin(int /*tile*/) {}
@@ -34,19 +23,10 @@ struct ShadedPixels : shader::Frame {
     }
 };
 
-void paint(const CpuFrame& frame) {
-    paint_tiles(frame, [&] { return ShadedPixels(frame); });
-}
-
 }  // namespace
 
 StyleInfo shaded_style() {
-    return {"shaded",
-            "Shaded",
-            [] { return std::span<const Parameter>(); },
-            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Shaded>(gl); },
-            [] { return Paint(paint); },
-            layers};
+    return pixel_style<NoSettings, ShadedPixels>({"shaded", "Shaded", "npr/styles/shaded.frag", layers});
 }
 
 }  // namespace npr

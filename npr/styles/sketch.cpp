@@ -1,9 +1,9 @@
-#include "npr/styles/sketch.h"
-
+// Drawn by hand (Nienhaus 2005, chapter 6).
 #include <optional>
 
 #include "npr/edges/edge_map.h"
 #include "npr/edges/overshoot.h"
+#include "npr/style.h"
 #include "npr/style_pass.h"
 #include "npr/styles/cpu_sketch.h"
 #include "npr/styles/sketch_settings.h"
@@ -14,7 +14,8 @@ namespace {
 /// The noise of a picture, kept while it stays the same.
 class Noise {
   public:
-    explicit Noise(const gl::Functions& gl) : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag"), target_(gl) {}
+    explicit Noise(const gl::Functions& gl)
+        : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag", {SketchSettings::table().declarations()}), target_(gl) {}
 
     void draw(const Frame& frame, const SketchSettings& settings) {
         const auto& tables = *frame.layers.table;
@@ -24,11 +25,7 @@ class Noise {
             texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
         if (!(key_ && *key_ == key)) {
             target_.attach({&texture_});
-            const gl::Program& program = pass_.program();
-            program.set("seed", settings.seed);
-            program.set("unit", settings.unit);
-            program.set("on_model", settings.on_model);
-            program.set("correlated", settings.correlated);
+            pass_.set(settings);
             pass_.draw(frame, target_);
             key_ = key;
         }
@@ -46,25 +43,17 @@ class Noise {
 class Sketch : public Style {
   public:
     explicit Sketch(const gl::Functions& gl)
-        : edges_(gl), overshoot_(gl), noise_(gl), pass_(gl, "npr/styles/sketch.frag", {{"OVERSHOOT", "1"}}) {}
+        : edges_(gl),
+          overshoot_(gl),
+          noise_(gl),
+          pass_(gl, "npr/styles/sketch.frag", {SketchSettings::table().declarations(), {}, {{"OVERSHOOT", "1"}}}) {}
 
     void draw(const Frame& frame) override {
-        const SketchSettings s = sketch_settings(frame.parameters, frame.layers.size);
-        noise_.draw(frame, s);
-        edges_.draw(frame, sketch_edges(frame.parameters));
-        overshoot_.draw(frame, edges_, s.overshoot);
-        const gl::Program& program = pass_.program();
-        program.set("unit", s.unit);
-        program.set("seed", s.seed);
-        program.set("width", s.width);
-        program.set("wobble", s.wobble);
-        program.set("strokes", s.strokes);
-        program.set("medium", s.medium);
-        program.set("hatch", s.hatch);
-        program.set("wash", s.wash);
-        program.set("hidden", s.hidden);
-        program.set("ink_color", s.ink_color);
-        program.set("paper_color", s.paper_color);
+        const auto settings = settings_of<SketchSettings>(frame.picture);
+        noise_.draw(frame, settings);
+        edges_.draw(frame, settings);
+        overshoot_.draw(frame, edges_, settings.overshoot_length);
+        pass_.set(settings);
         pass_.draw(frame);
     }
 
@@ -78,7 +67,7 @@ class Sketch : public Style {
 }  // namespace
 
 StyleInfo sketch_style() {
-    return {"sketch", "Sketch", sketch_parameters,
+    return {"sketch", "Sketch", SketchSettings::table().parameters(),
             [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Sketch>(gl); },
             make_sketch_paint};
 }

@@ -3,18 +3,8 @@
 #include "npr/edges/lines.glsl"
 #include "npr/styles/noise.glsl"
 #include "npr/surface_color.glsl"
+#include "npr/settings.glsl"
 
-uniform uint seed;
-uniform float unit;    // pixels in a 512th of the picture's height
-uniform float width;
-uniform float wobble;  // pixels
-uniform int strokes;
-uniform int medium;    // 0: pencil, 1: ink, 2: chalk
-uniform float hatch;
-uniform float wash;
-uniform float hidden;
-uniform vec3 ink_color;
-uniform vec3 paper_color;
 layout(binding = 7) uniform sampler2D noise_of_picture;
 out vec4 result;
 

@@ -1,10 +1,7 @@
 #include "npr/frame.glsl"
 #include "npr/styles/noise.glsl"
+#include "npr/settings.glsl"
 
-uniform uint seed;
-uniform float unit;       // pixels in a 512th of the picture's height
-uniform bool on_model;    // anchored to the model, else to the picture
-uniform bool correlated;  // Perlin noise, else every pixel has its own (chalk)
 out vec4 result;
 
 // Smooth, about -1 to 1, mean 0; features about 1 apart.

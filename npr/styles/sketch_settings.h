@@ -5,31 +5,30 @@
 
 #include "base/camera.h"
 #include "npr/edges/edge_parameters.h"
+#include "npr/settings.h"
 
 namespace npr {
 
-[[nodiscard]] std::span<const Parameter> sketch_parameters();
-
-/// Under the names of the shaders' uniforms. Lengths in pixels.
-struct SketchSettings {
+/// Lengths in pixels.
+struct SketchSettings : EdgeSettings {
     glm::uint seed{};
     float unit{};   ///< A 512th of the picture's height: drawings of all sizes look the same, …
     float width{};  ///< … though with finer lines the larger they are.
     float wobble{};
     int strokes{};
-    float overshoot{};
+    float overshoot_length{};
     int medium{};  ///< 0: pencil, 1: ink, 2: chalk.
     float hatch{};
     float wash{};
     float hidden{};
-    bool on_model{};
-    bool correlated{};
+    bool on_model{};    ///< The noise is anchored to the model, else to the picture.
+    bool correlated{};  ///< Perlin noise, else every pixel has its own (chalk).
     glm::vec3 ink_color{};
     glm::vec3 paper_color{};
-};
 
-[[nodiscard]] SketchSettings sketch_settings(const Parameters& parameters, glm::ivec2 size);
-[[nodiscard]] EdgeSettings sketch_edges(const Parameters& parameters);
+    void complete(const Picture& picture);
+    static const SettingsTable<SketchSettings>& table();
+};
 
 /// The widest stroke.
 [[nodiscard]] constexpr float widest_stroke(const SketchSettings& settings) {

@@ -149,6 +149,20 @@ TEST(Architecture, LibrariesLinkWhatTheirFolderMayInclude) {
     EXPECT_GT(checked, 8);
 }
 
+/// docs/ARCHITECTURE.md, "The picture": whoever only hands a wish on does not name it.
+TEST(Architecture, AWishOfAllStylesIsNamedByThoseWhoReadItOnly) {
+    Names found;
+    for (const std::string& file : files_of(kProgram, kSources)) {
+        if (read_file(kRoot / file).find("transparent_background") != std::string::npos) {
+            found.insert(file);
+        }
+    }
+    EXPECT_EQ(found, (Names{"npr/picture.h", "npr/frame_values.h", "npr/frame_values.cpp", "npr/surface_color.glsl",
+                            "npr/styles/blueprint.glsl", "npr/styles/sketch.glsl",
+                            "ui/command_line/option_declarations.cpp", "ui/viewer/save_form.cpp",
+                            "ui/viewer/view_state.cpp"}));
+}
+
 TEST(Architecture, FilesAreShort) {
     Names all = kProgram;
     all.insert("tests");

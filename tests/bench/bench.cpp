@@ -99,7 +99,7 @@ class Bench {
                 ui::PictureRequest request;
                 request.camera = camera;
                 request.size = glm::ivec2(size);
-                request.style = style(layers);
+                request.draw_as(*npr::find_style(style(layers)));
                 request.layers = layers;
                 request.samples = 1;
                 (void)renderer.render(model, request);

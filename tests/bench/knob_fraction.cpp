@@ -32,7 +32,7 @@ void turn_minimal_fraction(gl::Context& context, const Subject& subject, const K
     ui::PictureRequest request;
     request.camera = subject.camera;
     request.size = glm::ivec2(options.side);
-    request.style = "blueprint";
+    request.draw_as(*npr::find_style("blueprint"));
     request.layers = peel::kAllLayers;
     request.samples = 1;
     for (const goldfeather::EngineKind kind :

@@ -35,10 +35,11 @@ class Constant : public npr::Style {
 class AccumulateTest : public test_support::GlTest {
   protected:
     base::Image draw(npr::Style& style, npr::Accumulator& accumulator, int samples) {
-        const npr::Parameters none{std::span<const npr::Parameter>()};
-        const npr::Picture picture{{},    {5, 3}, glm::dvec3(-1), glm::dvec3(1), none, npr::color_schemes()[0],
-                                   false, samples};
-        accumulator.draw(style, picture, [](const base::View&) { return layers::TextureStack(); });
+        npr::Picture picture;
+        picture.size = {5, 3};
+        picture.samples = samples;
+        accumulator.draw(style, picture,
+                         {glm::dvec3(-1), glm::dvec3(1), [](const base::View&) { return layers::TextureStack(); }});
         return accumulator.image();
     }
 };

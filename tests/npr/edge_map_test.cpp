@@ -73,9 +73,9 @@ class EdgeMapTest : public test_support::GlTest {
         peel::WalkStats stats;
         const layers::TextureStack layers = peeler.peel(*view_, peel_model, peel::kAllLayers, stats);
         const gl::Framebuffer unused(gl());
-        const npr::Parameters none{std::span<const npr::Parameter>()};
+        const npr::Picture picture;
         npr::EdgeMap map(gl());
-        map.draw({*view_, layers, none, npr::color_schemes()[0], false, unused}, settings);
+        map.draw({picture, *view_, layers, unused}, settings);
         edges_ = map.read_back();
     }
 

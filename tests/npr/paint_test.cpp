@@ -5,16 +5,16 @@
 #include <cmath>
 #include <map>
 
-#include "goldfeather/surface_table.h"
-#include "npr/painter/cpu_accumulate.h"
 #include "npr/srgb.h"
+#include "tests/npr/easel.h"
 #include "tests/npr/golden_tolerance.h"
-#include "tests/npr/scene.h"
 #include "tests/support/gl_test.h"
 
 namespace {
 
 using csg::Operation;
+using scene::differing;
+using scene::Easel;
 
 struct View {
     const char* name;
@@ -22,65 +22,6 @@ struct View {
     glm::ivec2 size;
     int samples;
     bool transparent_background;
-};
-
-/// A model with its lists, drawn either way.
-class Easel {
-  public:
-    explicit Easel(const scene::Model& model)
-        : subject_(random_tree::make_tree(model)), lists_(subject_.scene, subject_.geometry) {
-        layers_.table = goldfeather::surface_table(subject_.scene, subject_.geometry);
-    }
-
-    [[nodiscard]] const csg::Box& box() const { return subject_.geometry.box; }
-
-    [[nodiscard]] base::Image paint(const npr::StyleInfo& style, const npr::Parameters& parameters, const View& view,
-                                    unsigned threads = 0) {
-        return paint(style.make_paint(), parameters, view, threads);
-    }
-
-    [[nodiscard]] base::Image paint(const npr::Paint& paint, const npr::Parameters& parameters, const View& view,
-                                    unsigned threads = 0) {
-        npr::CpuAccumulator accumulator;
-        for (std::size_t i = 0; i < npr::sample_offsets(view.samples).size(); ++i) {
-            accumulator.paint_sample(paint, picture(parameters, view), i,
-                                     [&](const base::View& v) -> const layers::HostStack& {
-                                         goldfeather::ListsStats stats;
-                                         goldfeather::peel_lists(lists_, v, 0, threads, layers_, stats);
-                                         return layers_;
-                                     });
-        }
-        return accumulator.image();
-    }
-
-    [[nodiscard]] base::Image draw(const gl::Functions& gl, const npr::StyleInfo& style,
-                                   const npr::Parameters& parameters, const View& view) {
-        peel::PeelModel model(gl, subject_.scene, subject_.geometry, subject_.products,
-                              goldfeather::EngineKind::ListsCpu);
-        peel::Peeler peeler(gl);
-        npr::Accumulator accumulator(gl);
-        accumulator.draw(*style.make(gl), picture(parameters, view), [&](const base::View& v) {
-            peel::WalkStats stats;
-            return peeler.peel(v, model, peel::kAllLayers, stats);
-        });
-        return accumulator.image();
-    }
-
-  private:
-    [[nodiscard]] npr::Picture picture(const npr::Parameters& parameters, const View& view) const {
-        return {view.camera,
-                view.size,
-                box().lo,
-                box().hi,
-                parameters,
-                *npr::find_color_scheme("DeepOcean"),
-                view.transparent_background,
-                view.samples};
-    }
-
-    comparison::Subject subject_;
-    goldfeather::ListsModel lists_;
-    layers::HostStack layers_;
 };
 
 /// Two colours, a cut, a part that is seen through, smooth and sharp edges.
@@ -123,25 +64,19 @@ std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>
     return list;
 }
 
-npr::Parameters parameters(const npr::StyleInfo& style, const std::map<std::string, std::string>& settings) {
-    npr::Parameters result(style.parameters());
+npr::Picture picture(const npr::StyleInfo& style, const std::map<std::string, std::string>& settings,
+                     const View& view) {
+    npr::Picture result;
+    result.draw_as(style);
     for (const auto& [name, value] : settings) {
-        result.set(name, value);
+        result.parameters.read(name, value);
     }
+    result.scheme = *npr::find_color_scheme("DeepOcean");
+    result.camera = view.camera;
+    result.size = view.size;
+    result.samples = view.samples;
+    result.transparent_background = view.transparent_background;
     return result;
-}
-
-/// Pixels that differ by more than `channel` in some channel.
-int differing(const base::Image& a, const base::Image& b, int channel) {
-    int count = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-        bool far = false;
-        for (std::size_t c = i; c < i + 4; ++c) {
-            far = far || std::abs(a.rgba[c] - b.rgba[c]) > channel;
-        }
-        count += far ? 1 : 0;
-    }
-    return count;
 }
 
 /// Share of pixels, for each of a pixel's samples, in which a decision at its threshold (is this a crease, do these
@@ -155,8 +90,8 @@ TEST_P(PaintTest, IsWhatOpenGlDraws) {
     Easel easel(mixed());
     for (const View& view : views(easel.box())) {
         for (const auto& [style, settings] : ways()) {
-            const npr::Parameters p = parameters(*style, settings);
-            const base::Image painted = easel.paint(*style, p, view), drawn = easel.draw(gl(), *style, p, view);
+            const npr::Picture p = picture(*style, settings, view);
+            const base::Image painted = easel.paint(p), drawn = easel.draw(gl(), p);
             ASSERT_EQ(painted.rgba.size(), drawn.rgba.size());
             EXPECT_LE(differing(painted, drawn, golden::tolerance(context_->renderer()).channel),
                       view.samples * kTurned * view.size.x * view.size.y)
@@ -169,10 +104,10 @@ TEST(Paint, TheSameBytesWithAnyNumberOfThreads) {
     Easel easel(mixed());
     const View view = views(easel.box())[0];
     for (const auto& [style, settings] : ways()) {
-        const npr::Parameters p = parameters(*style, settings);
-        const base::Image one = easel.paint(*style, p, view, 1);
-        EXPECT_EQ(differing(one, easel.paint(*style, p, view, 3), 0), 0) << style->name;
-        EXPECT_EQ(differing(one, easel.paint(*style, p, view), 0), 0) << style->name;
+        const npr::Picture p = picture(*style, settings, view);
+        const base::Image one = easel.paint(p, 1);
+        EXPECT_EQ(differing(one, easel.paint(p, 3), 0), 0) << style->name;
+        EXPECT_EQ(differing(one, easel.paint(p), 0), 0) << style->name;
     }
 }
 
@@ -187,9 +122,9 @@ TEST(Paint, AKeptSketchIsPaintedAnewWhenTold) {
                                      {{"seed", "2"}, {"anchor", "model"}},
                                      {{"seed", "2"}, {"medium", "chalk"}},
                                      {{"seed", "1"}}}) {
-            const npr::Parameters p = parameters(sketch, settings);
+            const npr::Picture p = picture(sketch, settings, view);
             for (Easel* each : {&easel, &larger}) {
-                EXPECT_EQ(differing(each->paint(kept, p, view), each->paint(sketch, p, view), 0), 0) << view.name;
+                EXPECT_EQ(differing(each->paint(kept, p), each->paint(p), 0), 0) << view.name;
             }
         }
     }
@@ -199,8 +134,7 @@ TEST(Paint, ASceneOfNothingIsBackground) {
     Easel easel(scene::combine(Operation::Intersection,
                                {scene::box({0, 0, 0}, glm::dvec3(1)), scene::box({2, 0, 0}, glm::dvec3(1))}));
     for (const auto& [style, settings] : ways()) {
-        const npr::Parameters p = parameters(*style, settings);
-        const base::Image clear = easel.paint(*style, p, {"", base::Camera(), {40, 40}, 4, true});
+        const base::Image clear = easel.paint(picture(*style, settings, {"", base::Camera(), {40, 40}, 4, true}));
         EXPECT_EQ(*std::max_element(clear.rgba.begin(), clear.rgba.end()), 0) << style->name;
     }
 }

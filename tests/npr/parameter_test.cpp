@@ -21,7 +21,7 @@ std::vector<Parameter> all_kinds() {
 
 std::string refusal(Parameters& p, std::string_view name, std::string_view text) {
     try {
-        p.set(name, text);
+        p.read(name, text);
     } catch (const std::invalid_argument& e) {
         return e.what();
     }
@@ -31,24 +31,24 @@ std::string refusal(Parameters& p, std::string_view name, std::string_view text)
 TEST(Parameters, DefaultsAndText) {
     const auto list = all_kinds();
     Parameters p(list);
-    EXPECT_EQ(p.number(0), 1.5F);
-    EXPECT_EQ(p.choice(4), 1);
-    p.set("width", "0.25");
-    p.set("layers", "9");
-    p.set("grid", "on");
-    p.set("ink", "#336699");
-    p.set("ground", "blue");
-    EXPECT_EQ(p.number(0), 0.25F);
-    EXPECT_EQ(p.integer(1), 9);
-    EXPECT_TRUE(p.toggle(2));
-    EXPECT_EQ(p.color(3), glm::vec3(0x33, 0x66, 0x99) / 255.0F);
-    EXPECT_EQ(p.choice(4), 0);
-    p.set("ink", "#369");
+    EXPECT_EQ(std::get<float>(p.at(0)), 1.5F);
+    EXPECT_EQ(std::get<int>(p.at(4)), 1);
+    p.read("width", "0.25");
+    p.read("layers", "9");
+    p.read("grid", "on");
+    p.read("ink", "#336699");
+    p.read("ground", "blue");
+    EXPECT_EQ(std::get<float>(p.at(0)), 0.25F);
+    EXPECT_EQ(std::get<int>(p.at(1)), 9);
+    EXPECT_TRUE(std::get<bool>(p.at(2)));
+    EXPECT_EQ(std::get<glm::vec3>(p.at(3)), glm::vec3(0x33, 0x66, 0x99) / 255.0F);
+    EXPECT_EQ(std::get<int>(p.at(4)), 0);
+    p.read("ink", "#369");
     EXPECT_EQ(npr::text(list[3], p.at(3)), "#336699");
-    for (int i = 0; i < 5; ++i) {
+    for (std::size_t i = 0; i < 5; ++i) {
         Parameters again(list);
-        const Parameter& parameter = list[static_cast<std::size_t>(i)];
-        again.set(parameter.name, npr::text(parameter, p.at(i)));
+        const Parameter& parameter = list[i];
+        again.read(parameter.name, npr::text(parameter, p.at(i)));
         EXPECT_EQ(again.at(i), p.at(i)) << parameter.name;
     }
 }
@@ -68,9 +68,11 @@ TEST(Parameters, RefusedValuesChangeNothing) {
     EXPECT_EQ(refusal(p, "ground", "red"), "ground takes one of blue, white, not \"red\"");
     EXPECT_EQ(refusal(p, "witdh", "1"), "no parameter \"witdh\"; did you mean \"width\"?");
     EXPECT_THROW(p.set(0, npr::Value(true)), std::invalid_argument);
+    EXPECT_THROW(p.set("width", npr::Value(true)), std::invalid_argument);
+    EXPECT_THROW(p.set("witdh", npr::Value(1.0F)), std::invalid_argument);
     EXPECT_THROW(p.set(4, npr::Value(2)), std::invalid_argument);
-    for (int i = 0; i < 5; ++i)
-        EXPECT_EQ(p.at(i), list[static_cast<std::size_t>(i)].initial);
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_EQ(p.at(i), list[i].initial);
 }
 
 TEST(Styles, NamesAreUniqueAndDefaultsValid) {
@@ -78,11 +80,11 @@ TEST(Styles, NamesAreUniqueAndDefaultsValid) {
     for (const npr::StyleInfo& style : npr::styles()) {
         EXPECT_TRUE(names.insert(style.name).second) << style.name;
         EXPECT_EQ(npr::find_style(style.name), &style);
-        Parameters p(style.parameters());
+        Parameters p(style.parameters);
         std::set<std::string_view> parameters;
         for (const Parameter& parameter : p.list()) {
             EXPECT_TRUE(parameters.insert(parameter.name).second) << style.name << ' ' << parameter.name;
-            EXPECT_NO_THROW(p.set(p.find(parameter.name), parameter.initial)) << style.name << ' ' << parameter.name;
+            EXPECT_NO_THROW(p.set(parameter.name, parameter.initial)) << style.name << ' ' << parameter.name;
         }
     }
     EXPECT_EQ(npr::styles().front().name, "shaded");

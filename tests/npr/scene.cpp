@@ -39,23 +39,22 @@ base::Image Studio::draw(const Model& model, const Request& request) {
 
 base::Image Studio::draw_with(npr::Style& style, const Model& model, const Request& request) {
     const comparison::Subject subject(random_tree::make_tree(model));
-    npr::Parameters parameters(npr::find_style(request.style)->parameters());
-    for (const auto& [name, value] : request.settings)
-        parameters.set(name, value);
     peel::PeelModel peel_model(gl_, subject.scene, subject.geometry, subject.products);
-    const npr::Picture picture{request.camera ? *request.camera : camera(subject.geometry.box),
-                               request.size,
-                               subject.geometry.box.lo,
-                               subject.geometry.box.hi,
-                               parameters,
-                               *npr::find_color_scheme(request.scheme),
-                               request.transparent_background,
-                               request.samples};
-    const int needed = npr::find_style(request.style)->layers(true);
-    accumulator_.draw(style, picture, [&](const base::View& view) {
-        peel::WalkStats stats;
-        return peeler_.peel(view, peel_model, needed == 0 ? peel::kAllLayers : needed, stats);
-    });
+    npr::Picture picture;
+    picture.draw_as(*npr::find_style(request.style));
+    for (const auto& [name, value] : request.settings)
+        picture.parameters.read(name, value);
+    picture.scheme = *npr::find_color_scheme(request.scheme);
+    picture.camera = request.camera ? *request.camera : camera(subject.geometry.box);
+    picture.size = request.size;
+    picture.samples = request.samples;
+    picture.transparent_background = request.transparent_background;
+    const int needed = picture.style->layers(true);
+    accumulator_.draw(style, picture, {subject.geometry.box.lo, subject.geometry.box.hi, [&](const base::View& view) {
+                                           peel::WalkStats stats;
+                                           return peeler_.peel(view, peel_model,
+                                                               needed == 0 ? peel::kAllLayers : needed, stats);
+                                       }});
     return accumulator_.image();
 }
 

@@ -241,7 +241,7 @@ TEST_P(StyleTest, StrokesOvershootAndStrayFromTheEdge) {
 
 TEST_P(StyleTest, ParametersAtTheirLimits) {
     for (const npr::StyleInfo& info : npr::styles())
-        for (const npr::Parameter& p : info.parameters()) {
+        for (const npr::Parameter& p : info.parameters) {
             if (p.kind != npr::ParameterKind::Number && p.kind != npr::ParameterKind::Integer &&
                 p.kind != npr::ParameterKind::Choice)
                 continue;

@@ -6,10 +6,13 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "base/image.h"
+#include "npr/style.h"
 #include "tests/support/program_test.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -58,7 +61,8 @@ TEST_F(Cli, EglAndOsmesaDrawTheSame) {
 
 TEST_F(Cli, EveryStyleDrawsItsOwnPicture) {
     std::map<std::string, std::string> pictures;
-    for (const std::string style : {"shaded", "edges", "blueprint", "xray", "sketch"}) {
+    for (const npr::StyleInfo& info : npr::styles()) {
+        const std::string style(info.name);
         const Result result = run("m.scad -o " + style + ".png --imgsize=48,48 --style " + style);
         ASSERT_EQ(result.status, 0) << result.err;
         EXPECT_TRUE(pictures.emplace(folder_.read(style + ".png"), style).second)
@@ -67,7 +71,8 @@ TEST_F(Cli, EveryStyleDrawsItsOwnPicture) {
 }
 
 TEST_F(Cli, EveryStyleDoesWithoutOpenGl) {
-    for (const std::string style : {"shaded", "edges", "blueprint", "xray", "sketch"}) {
+    for (const npr::StyleInfo& info : npr::styles()) {
+        const std::string style(info.name);
         const Result result =
             run("m.scad -o " + style + ".png --imgsize=48,48 --context none --stats s.json --style " + style);
         ASSERT_EQ(result.status, 0) << result.err;
@@ -76,6 +81,25 @@ TEST_F(Cli, EveryStyleDoesWithoutOpenGl) {
         EXPECT_NE(figures.find("\"context\": \"none\""), std::string::npos) << style;
     }
     EXPECT_NE(run("m.scad -o x.png --context none --engine goldfeather").status, 0);
+}
+
+TEST_F(Cli, WhatIsWrittenOfStylesNamesAllOfThem) {
+    std::string help, manual, readme;
+    const auto styles = npr::styles();
+    for (const npr::StyleInfo& info : styles) {
+        const bool first = &info == &styles.front(), last = &info == &styles.back();
+        help += fmt::format("{}{}", first ? "" : last ? " or " : ", ", info.name);
+        manual += fmt::format("{}{}{}", first ? "" : last ? " or " : ", ", info.name, first ? " (default)" : "");
+        readme += fmt::format("{}{}", first ? "" : "\\|", info.name);
+    }
+    // The help breaks its lines.
+    const std::string said = std::regex_replace(run("--help").out, std::regex("\\s+"), " ");
+    EXPECT_NE(said.find("--style STYLE " + help + " (" + std::string(styles.front().name) + ")"), std::string::npos);
+    const fs::path root = CSGSCOPE_SOURCE_DIR;
+    EXPECT_NE(test_support::read_file(root / "docs/csgscope.1").find("\n" + manual + ".\n"), std::string::npos)
+        << manual;
+    EXPECT_NE(test_support::read_file(root / "README.md").find("`--style " + readme + "`"), std::string::npos)
+        << readme;
 }
 
 TEST_F(Cli, TheTimeLimitEndsDrawing) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "npr/style.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/options.h"
 #include "ui/pipeline/suggestion.h"
@@ -24,8 +25,8 @@ TEST(Options, DefaultsAreOpenscads) {
     const Options o = read({"a.scad"});
     EXPECT_EQ(o.input, "a.scad");
     EXPECT_TRUE(o.outputs.empty());
-    EXPECT_EQ(o.size, glm::ivec2(512, 512));
-    EXPECT_EQ(o.scheme, "Cornfield");
+    EXPECT_EQ(o.picture.size, glm::ivec2(512, 512));
+    EXPECT_EQ(o.picture_texts.scheme, "Cornfield");
     EXPECT_FALSE(o.camera);
     EXPECT_TRUE(o.preview);
     EXPECT_EQ(o.projection, base::Projection::Perspective);
@@ -52,9 +53,8 @@ TEST(Options, PathsAloneAreTheSame) {
         EXPECT_EQ(o.outputs[i].path, table.outputs[i].path);
         EXPECT_EQ(o.outputs[i].format, table.outputs[i].format);
     }
-    EXPECT_EQ(o.size, table.size);
-    EXPECT_EQ(o.style, table.style);
-    EXPECT_EQ(o.scheme, table.scheme);
+    EXPECT_EQ(o.picture, table.picture);
+    EXPECT_EQ(o.picture_texts, table.picture_texts);
     EXPECT_EQ(o.check_parameters, table.check_parameters);
     EXPECT_EQ(o.trace_parameters, table.trace_parameters);
     EXPECT_EQ(o.trace_depth, table.trace_depth);
@@ -104,11 +104,11 @@ TEST(Options, RenderAndPreviewTakeNoFileForTheirValue) {
 }
 
 TEST(Options, LayersAndSettings) {
-    EXPECT_EQ(read({"--layers", "all", "m.scad"}).layers, 0);
-    EXPECT_EQ(read({"--layers", "3", "m.scad"}).layers, 3);
+    EXPECT_EQ(read({"--layers", "all", "m.scad"}).picture.layers, 0);
+    EXPECT_EQ(read({"--layers", "3", "m.scad"}).picture.layers, 3);
     const Options o = read({"--set", "ground=paper", "--set", "width=1.5", "m.scad"});
-    ASSERT_EQ(o.settings.size(), 2U);
-    EXPECT_EQ(o.settings[1], std::pair(std::string("width"), std::string("1.5")));
+    ASSERT_EQ(o.picture_texts.settings.size(), 2U);
+    EXPECT_EQ(o.picture_texts.settings[1], std::pair(std::string("width"), std::string("1.5")));
 }
 
 TEST(Options, EnginesByName) {
@@ -130,11 +130,44 @@ TEST(Options, EnginesByName) {
 }
 
 TEST(Options, HelpNamesEveryGroup) {
-    const std::string help = read_command_line({"--help"}).text.value_or("");
+    const std::string help = read_command_line({"--help"}, style_names()).text.value_or("");
     for (const char* word : {"Input and output", "Picture", "Camera", "Engine", "--style", "--imgsize", "--stats"}) {
         EXPECT_NE(help.find(word), std::string::npos) << word;
     }
+    EXPECT_FALSE(read_command_line({"--help"}).text.has_value()) << "there are no styles to list";
     EXPECT_EQ(read_command_line({"-v"}).text.value_or("").substr(0, 17), "csgscope version ");
+}
+
+TEST(PictureOptions, AreUnderstoodByTheListsOfStylesAndSchemes) {
+    const Options o = read({"--style", "blueprint", "--set", "width=2.5", "--set", "ground=white", "--colorscheme",
+                            "Sunset", "--layers", "3", "--samples", "8", "--transparent-background", "m.scad"});
+    npr::Picture expected = npr::default_picture();
+    expected.draw_as(*npr::find_style("blueprint"));
+    expected.parameters.set("width", 2.5F);
+    expected.parameters.set("ground", 1);
+    expected.scheme = *npr::find_color_scheme("Sunset");
+    expected.layers = 3;
+    expected.samples = 8;
+    expected.transparent_background = true;
+    EXPECT_EQ(picture_of(o.picture, o.picture_texts), expected);
+    const Options plain = read({"m.scad"});
+    EXPECT_EQ(picture_of(plain.picture, plain.picture_texts), npr::default_picture());
+}
+
+TEST(PictureOptions, WhatDoesNotExistIsRefused) {
+    const auto refusal = [](const PictureTexts& texts) {
+        try {
+            (void)picture_of({}, texts);
+        } catch (const std::runtime_error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal({"bluprint", {}, "Cornfield"}), "no style \"bluprint\". Did you mean \"blueprint\"?");
+    EXPECT_EQ(refusal({"blueprint", {{"width", "wide"}}, "Cornfield"}),
+              "style blueprint: width takes a number from 0.25 to 4, not \"wide\"");
+    EXPECT_EQ(refusal({"shaded", {}, "Cornfeld"}), "no color scheme \"Cornfeld\". Did you mean \"Cornfield\"?");
+    EXPECT_EQ(refusal({}), "");
 }
 
 TEST(Options, BadOnesSayWhatWasExpected) {

@@ -53,7 +53,7 @@ PictureRequest request_of(const Way& way, int side, double distance = 16) {
     request.camera.target = glm::dvec3(2.5);
     request.camera.distance = distance;
     request.size = {side, side};
-    request.style = way.style;
+    request.draw_as(*npr::find_style(way.style));
     request.layers = way.layers;
     request.samples = 1;
     return request;

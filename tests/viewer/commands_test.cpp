@@ -4,7 +4,9 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
+#include <string>
 
 #include "ui/viewer/camera_control.h"
 #include "ui/viewer/session.h"
@@ -34,16 +36,28 @@ TEST(Commands, NoKeyIsNoAction) {
 }
 
 TEST(Commands, StandardViewsHaveOpenscadsKeys) {
+    // Towards the eye.
+    const std::map<std::string, std::pair<int, glm::dvec3>> expected{
+        {"Top", {4, {0, 0, 1}}},   {"Bottom", {5, {0, 0, -1}}}, {"Left", {6, {-1, 0, 0}}},
+        {"Right", {7, {1, 0, 0}}}, {"Front", {8, {0, -1, 0}}},  {"Back", {9, {0, 1, 0}}}};
+    std::size_t found = 0;
     for (const ActionInfo& each : actions()) {
-        const StandardView* view = standard_view(each.action);
-        if (view != nullptr) {
-            EXPECT_STREQ(view->name, each.label);
-            EXPECT_EQ(each.keys[0], (Chord{GLFW_KEY_0 + view->key, GLFW_MOD_CONTROL})) << view->name;
+        EXPECT_EQ(looks_from(each.action), each.from);
+        const auto view = expected.find(each.label);
+        if (view != expected.end()) {
+            ASSERT_TRUE(each.from.has_value()) << each.label;
+            base::Camera camera;
+            camera.rotation = *each.from;
+            EXPECT_EQ(glm::transpose(glm::dmat3(camera.eye_from_world())) * glm::dvec3(0, 0, 1), view->second.second)
+                << each.label;
+            EXPECT_EQ(each.keys[0], (Chord{GLFW_KEY_0 + view->second.first, GLFW_MOD_CONTROL})) << each.label;
+            ++found;
         }
     }
-    EXPECT_EQ(standard_view(Action::ViewAll), nullptr);
-    EXPECT_EQ(standard_view(Action::Reload), nullptr);
-    EXPECT_STREQ(standard_view(Action::Diagonal)->name, "Diagonal");
+    EXPECT_EQ(found, expected.size());
+    EXPECT_EQ(looks_from(Action::Diagonal), base::Camera{}.rotation);
+    EXPECT_EQ(looks_from(Action::ViewAll), std::nullopt);
+    EXPECT_EQ(looks_from(Action::Reload), std::nullopt);
 }
 
 TEST(Commands, KeysAreNamedAsOnTheKeyboard) {

@@ -25,7 +25,7 @@ class Panels : public testing::Test {
         ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
         WindowOptions options;
         options.source.path = folder_.write("model.scad", "");
-        options.picture.style = "blueprint";
+        options.picture.draw_as(*npr::find_style("blueprint"));
         session_ = std::make_unique<Session>(
             options, [](const auto&, const auto&, const auto&) { return good_revision(); }, [] {});
     }
@@ -67,7 +67,7 @@ class Panels : public testing::Test {
     static ImGuiID id(const char* name) { return ImGui::FindWindowByName("Drawing")->GetID(name); }
     ImGuiID parameter_id(const char* name) const {
         ImGuiWindow& window = *ImGui::FindWindowByName("Drawing");
-        const ImGuiID style = window.GetID(static_cast<int>(session_->view().style));
+        const ImGuiID style = window.GetID(static_cast<int>(session_->view().style()));
         return ImHashStr(name, 0, style);
     }
     void click(ImVec2 at) {
@@ -77,8 +77,8 @@ class Panels : public testing::Test {
         frame(at, false);
     }
     const npr::Value& value(const char* name) const {
-        const npr::Parameters& values = session_->view().style_parameters();
-        return values.at(values.find(name));
+        const npr::Parameters& values = session_->view().picture.parameters;
+        return values.at(*values.find(name));
     }
 
     test_support::TemporaryFolder folder_;
@@ -98,14 +98,14 @@ TEST_F(Panels, WithoutInputNothingIsAskedFor) {
 TEST_F(Panels, AButtonChoosesTheStyle) {
     frame({-100, -100}, false);
     click(find("Drawing", id("Shaded")));
-    EXPECT_EQ(session_->view().style_info().name, "shaded");
+    EXPECT_EQ(session_->view().picture.style->name, "shaded");
 }
 
 TEST_F(Panels, AToggleIsTurnedOn) {
     ASSERT_FALSE(std::get<bool>(value("grid")));
     frame({-100, -100}, false);
-    const npr::Parameters& values = session_->view().style_parameters();
-    const auto& grid = values.list()[static_cast<std::size_t>(values.find("grid"))];
+    const npr::Parameters& values = session_->view().picture.parameters;
+    const auto& grid = values.list()[*values.find("grid")];
     click(find("Drawing", parameter_id((std::string(grid.label) + "##grid").c_str())));
     EXPECT_TRUE(std::get<bool>(value("grid")));
 }
@@ -138,14 +138,14 @@ TEST_F(Panels, AChoiceIsMadeInAList) {
 TEST_F(Panels, LayersAreChosenWhereTheStyleDoesNot) {
     frame({-100, -100}, false);
     click(find("Drawing", id("As the style needs")));
-    EXPECT_EQ(session_->view().layers, 0) << "all";
+    EXPECT_EQ(session_->view().picture.layers, 0) << "all";
     frame({-100, -100}, false);
     session_->see_layers(*cube_model(), 4);
     const ImVec2 at = find("Drawing", id("##layers"));
     frame(at, true);
     frame({kPlace.corner.x + 2, at.y}, true);
     frame({kPlace.corner.x + 2, at.y}, false);
-    EXPECT_EQ(session_->view().layers, 1);
+    EXPECT_EQ(session_->view().picture.layers, 1);
 }
 
 TEST_F(Panels, EveryKindOfParameterHasAControl) {
@@ -186,8 +186,21 @@ TEST_F(ConsolePanel, ItsEdgeIsDragged) {
 
 class Form : public Panels {
   protected:
-    void draw(Commands& commands) override { form_.draw({640, 480}, 1, commands); }
-    SaveForm form_{"picture.png", true};
+    void draw(Commands& commands) override { form_.draw(shown_, commands); }
+    static PictureRequest shown() {
+        PictureRequest picture;
+        picture.draw_as(*npr::find_style("edges"));
+        picture.size = {640, 480};
+        picture.samples = 1;
+        return picture;
+    }
+    static PictureRequest first() {
+        PictureRequest picture;
+        picture.transparent_background = true;
+        return picture;
+    }
+    PictureRequest shown_ = shown();
+    SaveForm form_{"picture.png", first()};
 };
 
 TEST_F(Form, ProposesThePictureAndGivesItBack) {
@@ -197,9 +210,10 @@ TEST_F(Form, ProposesThePictureAndGivesItBack) {
     ASSERT_EQ(all_.size(), 1U);
     const auto& write = std::get<WritePicture>(all_[0]);
     EXPECT_EQ(write.path, "picture.png");
-    EXPECT_EQ(write.size, glm::ivec2(640, 480));
-    EXPECT_EQ(write.samples, 4);
-    EXPECT_TRUE(write.transparent_background);
+    PictureRequest expected = shown_;
+    expected.samples = 4;
+    expected.transparent_background = true;
+    EXPECT_EQ(write.picture, expected);
 }
 
 TEST_F(Form, IsClosed) {
@@ -237,12 +251,12 @@ class MenuBar : public Panels {
 
 TEST_F(MenuBar, ChoosesTheEngine) {
     info_.engine = {goldfeather::EngineKind::ListsCpu, "as estimated"};
-    EXPECT_EQ(session_->view().engine, std::nullopt);
+    EXPECT_EQ(session_->view().picture.engine, std::nullopt);
     choose("Engine", "goldfeather");
-    EXPECT_EQ(session_->view().engine, goldfeather::EngineKind::Goldfeather);
+    EXPECT_EQ(session_->view().picture.engine, goldfeather::EngineKind::Goldfeather);
     EXPECT_EQ(session_->view().request({8, 8}).engine, goldfeather::EngineKind::Goldfeather);
     choose("Engine", "Automatic");
-    EXPECT_EQ(session_->view().engine, std::nullopt);
+    EXPECT_EQ(session_->view().picture.engine, std::nullopt);
 }
 
 TEST_F(OtherParts, HelpIsClosedByItsCross) {

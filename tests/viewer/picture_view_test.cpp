@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "gl/error.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/small_model.h"
@@ -158,9 +159,15 @@ TEST_P(PictureViewTest, SavesOrSaysWhyNot) {
 TEST_P(PictureViewTest, AnErrorIsAResult) {
     for (const bool threaded : {false, true}) {
         PictureView view = make(threaded);
-        request_.style = "no such style";
+        static const npr::StyleInfo broken{
+            "broken",
+            "Broken",
+            {},
+            [](const gl::Functions&) -> std::unique_ptr<npr::Style> { throw gl::Error("no such style"); },
+            []() -> npr::Paint { throw gl::Error("no such style"); }};
+        request_.draw_as(broken);
         view.draw(model_, request_, {1, 0}, 1);
-        EXPECT_NE(wait<DrawnStep>(view).error.find("no such style"), std::string::npos);
+        EXPECT_EQ(wait<DrawnStep>(view).error, "no such style");
     }
 }
 

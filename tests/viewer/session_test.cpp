@@ -78,7 +78,7 @@ TEST_F(SessionTest, ShowsTheModelWithEverythingInView) {
     open("good");
     ASSERT_TRUE(reach(DocumentState::Good));
     ASSERT_NE(session_->document().model(), nullptr);
-    EXPECT_EQ(session_->view().camera.target, glm::dvec3(5));
+    EXPECT_EQ(session_->view().picture.camera.target, glm::dvec3(5));
 }
 
 TEST_F(SessionTest, FollowsItsFileAndKeepsTheCamera) {
@@ -86,17 +86,17 @@ TEST_F(SessionTest, FollowsItsFileAndKeepsTheCamera) {
     ASSERT_TRUE(reach(DocumentState::Good));
     const auto model = session_->document().model();
     session_->camera().rotation = {10, 0, 20};
-    const base::Camera camera = session_->view().camera;
+    const base::Camera camera = session_->view().picture.camera;
 
     folder_.replace("model.scad", "bad");
     ASSERT_TRUE(reach(DocumentState::Failed));
     EXPECT_EQ(session_->document().model(), model) << "the last good one";
-    EXPECT_EQ(session_->view().camera, camera);
+    EXPECT_EQ(session_->view().picture.camera, camera);
 
     folder_.write("model.scad", "good");
     ASSERT_TRUE(reach(DocumentState::Good));
     EXPECT_NE(session_->document().model(), model);
-    EXPECT_EQ(session_->view().camera, camera);
+    EXPECT_EQ(session_->view().picture.camera, camera);
     EXPECT_EQ(language_.evaluations(), 3);
 }
 
@@ -133,7 +133,7 @@ TEST_F(SessionTest, AnErrorAtFirstThenTheModelIsBroughtIntoView) {
     ASSERT_TRUE(reach(DocumentState::Failed));
     folder_.replace("model.scad", "good");
     ASSERT_TRUE(reach(DocumentState::Good));
-    EXPECT_EQ(session_->view().camera.target, glm::dvec3(5));
+    EXPECT_EQ(session_->view().picture.camera.target, glm::dvec3(5));
 }
 
 TEST_F(SessionTest, ACameraThatIsGivenStays) {
@@ -142,7 +142,7 @@ TEST_F(SessionTest, ACameraThatIsGivenStays) {
     options.camera.camera->target = {1, 2, 3};
     open("good", options);
     ASSERT_TRUE(reach(DocumentState::Good));
-    EXPECT_EQ(session_->view().camera.target, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(session_->view().picture.camera.target, glm::dvec3(1, 2, 3));
 }
 
 TEST_F(SessionTest, ReloadEvaluatesAnew) {
@@ -156,24 +156,24 @@ TEST_F(SessionTest, CommandsChangeTheView) {
     open("good");
     ASSERT_TRUE(reach(DocumentState::Good));
     session_->perform(Action::Top);
-    EXPECT_EQ(session_->view().camera.rotation, glm::dvec3(0));
+    EXPECT_EQ(session_->view().picture.camera.rotation, glm::dvec3(0));
     session_->perform(Action::Right);
-    EXPECT_EQ(session_->view().camera.rotation, glm::dvec3(90, 0, 90));
+    EXPECT_EQ(session_->view().picture.camera.rotation, glm::dvec3(90, 0, 90));
     session_->perform(Action::ToggleProjection);
-    EXPECT_EQ(session_->view().camera.projection, base::Projection::Orthographic);
-    const double distance = session_->view().camera.distance;
+    EXPECT_EQ(session_->view().picture.camera.projection, base::Projection::Orthographic);
+    const double distance = session_->view().picture.camera.distance;
     session_->perform(Action::ZoomIn);
-    EXPECT_LT(session_->view().camera.distance, distance);
+    EXPECT_LT(session_->view().picture.camera.distance, distance);
     session_->perform(Action::ViewAll);
-    EXPECT_NEAR(session_->view().camera.distance, distance, 1e-9);
+    EXPECT_NEAR(session_->view().picture.camera.distance, distance, 1e-9);
     session_->perform(Action::TurnLeft);
-    EXPECT_NEAR(session_->view().camera.rotation.z, 105, 1e-9) << "as by a drag to the left";
+    EXPECT_NEAR(session_->view().picture.camera.rotation.z, 105, 1e-9) << "as by a drag to the left";
     session_->perform(Action::LookAtOrigin);
-    EXPECT_EQ(session_->view().camera.target, glm::dvec3(0));
+    EXPECT_EQ(session_->view().picture.camera.target, glm::dvec3(0));
     session_->perform(SetSamples{8});
-    EXPECT_EQ(session_->view().samples, 8);
+    EXPECT_EQ(session_->view().picture.samples, 8);
     session_->perform(SetScheme{2});
-    EXPECT_EQ(session_->view().scheme, 2U);
+    EXPECT_EQ(session_->view().picture.scheme, npr::color_schemes()[2]);
     EXPECT_FALSE(session_->perform(Action::Quit)) << "is the window's";
     EXPECT_FALSE(session_->perform(WritePicture{}));
 }
@@ -181,46 +181,46 @@ TEST_F(SessionTest, CommandsChangeTheView) {
 TEST_F(SessionTest, StylesGoRound) {
     open("good");
     for (std::size_t i = 0; i < npr::styles().size(); ++i) {
-        EXPECT_EQ(session_->view().style, i);
+        EXPECT_EQ(session_->view().style(), i);
         session_->perform(Action::NextStyle);
     }
-    EXPECT_EQ(session_->view().style, 0U);
+    EXPECT_EQ(session_->view().style(), 0U);
     session_->perform(Action::PreviousStyle);
-    EXPECT_EQ(session_->view().style, npr::styles().size() - 1);
+    EXPECT_EQ(session_->view().style(), npr::styles().size() - 1);
 }
 
 TEST_F(SessionTest, ParametersAreSetAndReset) {
     open("good");
     session_->perform(SetStyle{npr::styles().size() - 1});
-    const npr::Parameters& values = session_->view().style_parameters();
+    const npr::Parameters& values = session_->view().picture.parameters;
     ASSERT_FALSE(values.list().empty());
     std::size_t toggle = 0;
     while (values.list()[toggle].kind != npr::ParameterKind::Toggle) {
         ++toggle;
         ASSERT_LT(toggle, values.list().size());
     }
-    const bool before = values.toggle(static_cast<int>(toggle));
+    const bool before = std::get<bool>(values.at(toggle));
     session_->perform(SetParameter{toggle, !before});
-    EXPECT_EQ(session_->view().style_parameters().toggle(static_cast<int>(toggle)), !before);
+    EXPECT_EQ(std::get<bool>(values.at(toggle)), !before);
     session_->perform(ResetParameters{});
-    EXPECT_EQ(session_->view().style_parameters().toggle(static_cast<int>(toggle)), before);
+    EXPECT_EQ(std::get<bool>(values.at(toggle)), before);
 }
 
 TEST_F(SessionTest, LayersGoFromOneToAll) {
     open("good");
     ASSERT_TRUE(reach(DocumentState::Good));
     const Model& model = *session_->document().model();
-    EXPECT_EQ(session_->view().layers, -1);
+    EXPECT_EQ(session_->view().picture.layers, -1);
     session_->see_layers(model, 3);
     session_->see_layers(model, 2);
     EXPECT_EQ(session_->layer_count(), 3) << "the most that were seen";
     for (const int expected : {1, 2, 3, 0, 0}) {  // 0: all.
         session_->perform(Action::MoreLayers);
-        EXPECT_EQ(session_->view().layers, expected);
+        EXPECT_EQ(session_->view().picture.layers, expected);
     }
     for (const int expected : {3, 2, 1, 1}) {
         session_->perform(Action::FewerLayers);
-        EXPECT_EQ(session_->view().layers, expected);
+        EXPECT_EQ(session_->view().picture.layers, expected);
     }
     session_->see_layers(*cube_model(), 1);
     EXPECT_EQ(session_->layer_count(), 1) << "of another model";
@@ -230,11 +230,12 @@ TEST_F(SessionTest, LookingAtAPointCentresItAtItsSize) {
     open("good");
     ASSERT_TRUE(reach(DocumentState::Good));
     const glm::dvec3 point{0, 10, 10};
-    const glm::dvec3 back = glm::normalize(session_->view().camera.eye() - session_->view().camera.target);
-    const double depth = glm::dot(session_->view().camera.eye() - point, back);
+    const glm::dvec3 back =
+        glm::normalize(session_->view().picture.camera.eye() - session_->view().picture.camera.target);
+    const double depth = glm::dot(session_->view().picture.camera.eye() - point, back);
     session_->look_at(point);
-    EXPECT_EQ(session_->view().camera.target, point);
-    EXPECT_NEAR(glm::dot(session_->view().camera.eye() - point, back), depth, 1e-9);
+    EXPECT_EQ(session_->view().picture.camera.target, point);
+    EXPECT_NEAR(glm::dot(session_->view().picture.camera.eye() - point, back), depth, 1e-9);
 }
 
 }  // namespace

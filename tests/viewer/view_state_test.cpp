@@ -3,75 +3,80 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
 namespace ui {
 namespace {
 
-TEST(ViewState, ARequestComesBackAsItWas) {
+PictureRequest blueprint() {
     PictureRequest request;
+    request.draw_as(*npr::find_style("blueprint"));
+    request.parameters.set("width", 2.5F);
+    request.parameters.set("ground", 1);
+    return request;
+}
+
+TEST(ViewState, ARequestComesBackAsItWas) {
+    PictureRequest request = blueprint();
     request.size = {320, 200};
     request.camera.distance = 7;
-    request.style = "blueprint";
-    request.settings = {{"width", "2.5"}, {"ground", "white"}};
-    request.scheme = "Sunset";
+    request.scheme = *npr::find_color_scheme("Sunset");
     request.layers = 3;
     request.samples = 8;
     request.engine = goldfeather::EngineKind::Lists;
-    const ViewState state = view_state_of(request);
-    EXPECT_EQ(state.style_info().name, "blueprint");
-    EXPECT_EQ(state.color_scheme().name, "Sunset");
-    EXPECT_TRUE(same_picture(state.request(request.size), request));
+    const ViewState state(request);
+    EXPECT_EQ(npr::styles()[state.style()].name, "blueprint");
+    EXPECT_EQ(state.request(request.size), request);
 }
 
-TEST(ViewState, DefaultsAreNotSettings) {
+TEST(ViewState, ColorsKeepAllTheirBits) {
     PictureRequest request;
-    request.style = "blueprint";
-    EXPECT_TRUE(view_state_of(request).request({10, 10}).settings.empty());
+    request.draw_as(*npr::find_style("edges"));
+    const glm::vec3 color(0.1234567F, 1 / 3.0F, 0.9999F);
+    request.parameters.set("edge-color", color);
+    const PictureRequest back = ViewState(request).request({10, 10});
+    EXPECT_EQ(std::get<glm::vec3>(back.parameters.at(*back.parameters.find("edge-color"))), color);
+}
+
+TEST(ViewState, AWindowHasABackground) {
+    PictureRequest request;
+    request.transparent_background = true;
+    EXPECT_FALSE(ViewState(request).request({10, 10}).transparent_background);
 }
 
 TEST(ViewState, EachStyleKeepsItsParameters) {
-    PictureRequest request;
-    request.style = "blueprint";
-    request.settings = {{"width", "2.5"}};
-    ViewState state = view_state_of(request);
-    const std::size_t blueprint = state.style;
-    state.style = 0;
-    EXPECT_TRUE(state.request({10, 10}).settings.empty());
-    state.style = blueprint;
-    EXPECT_EQ(state.request({10, 10}).settings.size(), 1U);
+    ViewState state(blueprint());
+    const std::size_t style = state.style();
+    state.show_style(1);
+    EXPECT_EQ(state.picture.style, &npr::styles()[1]);
+    EXPECT_EQ(state.picture.parameters, npr::Parameters(npr::styles()[1].parameters));
+    state.show_style(style);
+    EXPECT_EQ(state.picture, blueprint());
+    state.show_style(style);
+    EXPECT_EQ(state.picture, blueprint()) << "shown again";
+    state.reset_parameters();
+    EXPECT_EQ(state.picture.parameters, npr::Parameters(state.picture.style->parameters));
 }
 
-TEST(ViewState, WhatDoesNotExistIsRefused) {
-    PictureRequest request;
-    request.style = "bluprint";
-    EXPECT_THROW((void)view_state_of(request), std::runtime_error);
-    request.style = "blueprint";
-    request.settings = {{"width", "wide"}};
-    EXPECT_THROW((void)view_state_of(request), std::runtime_error);
-    request.settings.clear();
-    request.scheme = "Cornfeld";
-    EXPECT_THROW((void)view_state_of(request), std::runtime_error);
-}
-
-TEST(ViewState, EveryPartOfARequestCounts) {
+TEST(PictureRequest, EveryPartCounts) {
     const PictureRequest a;
     const auto differs = [&](auto&& change) {
         PictureRequest b = a;
         change(b);
-        return !same_picture(a, b);
+        return !(a == b);
     };
-    EXPECT_TRUE(same_picture(a, a));
+    EXPECT_EQ(a, a);
     EXPECT_TRUE(differs([](auto& b) { b.camera.rotation.z += 1e-9; }));
     EXPECT_TRUE(differs([](auto& b) { b.camera.projection = base::Projection::Orthographic; }));
     EXPECT_TRUE(differs([](auto& b) { b.size.y += 1; }));
-    EXPECT_TRUE(differs([](auto& b) { b.style = "edges"; }));
-    EXPECT_TRUE(differs([](auto& b) { b.settings.emplace_back("a", "b"); }));
-    EXPECT_TRUE(differs([](auto& b) { b.scheme = "Sunset"; }));
+    EXPECT_TRUE(differs([](auto& b) { b.draw_as(*npr::find_style("edges")); }));
+    EXPECT_TRUE(differs([](auto& b) { b.scheme = *npr::find_color_scheme("Sunset"); }));
     EXPECT_TRUE(differs([](auto& b) { b.layers = 0; }));
     EXPECT_TRUE(differs([](auto& b) { b.samples = 1; }));
     EXPECT_TRUE(differs([](auto& b) { b.transparent_background = true; }));
     EXPECT_TRUE(differs([](auto& b) { b.engine = goldfeather::EngineKind::ListsCpu; }));
+    PictureRequest other = blueprint();
+    EXPECT_EQ(other, blueprint());
+    other.parameters.set("width", 2.25F);
+    EXPECT_NE(other, blueprint());
 }
 
 }  // namespace

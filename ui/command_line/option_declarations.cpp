@@ -2,7 +2,7 @@
 
 namespace ui {
 
-void declare(CLI::App& app, Options& o, RawOptions& raw) {
+void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styles) {
     // Values may hold commas and begin with '-': every option takes exactly the argument after it.
     const auto text = [&](const char* names, std::string& value, const char* help, const char* type,
                           const char* group) {
@@ -60,14 +60,14 @@ void declare(CLI::App& app, Options& o, RawOptions& raw) {
 
     const char* const picture = "Picture";
     text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
-    text("--style", o.style, "shaded, edges, blueprint, xray or sketch (shaded)", "STYLE", picture);
+    text("--style", o.picture_texts.style, styles.c_str(), "STYLE", picture);
     list("--set", raw.settings, "Set a parameter of the style; may be repeated", "NAME=VALUE", picture);
     text("--colorscheme", raw.scheme, "OpenSCAD's colour scheme (Cornfield)", "NAME", picture);
     text("--layers", raw.layers, "The first N surfaces behind each pixel, or all (what the style needs)", "N|all",
          picture);
     text("--samples", raw.samples,
          "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
-    app.add_flag("--transparent-background", o.transparent_background, "No background")->group(picture);
+    app.add_flag("--transparent-background", o.picture.transparent_background, "No background")->group(picture);
     app.add_flag("--render", raw.render,
                  "Draw the result: $preview false, neither % nor # parts, outlines flat, framed exactly")
         ->group(picture);

@@ -21,7 +21,8 @@ struct RawOptions {
     bool version = false, help_export = false;
 };
 
-/// Declares all options. What needs no interpretation goes to `options`; both must outlive `app`.
-void declare(CLI::App& app, Options& options, RawOptions& raw);
+/// Declares all options. What needs no interpretation goes to `options`; both must outlive `app`. `styles`: as the help
+/// lists them.
+void declare(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles);
 
 }  // namespace ui

@@ -144,7 +144,7 @@ void interpret(Options& o, const RawOptions& raw) {
         (void)split("-D", definition);
     }
     for (const std::string& setting : raw.settings) {
-        o.settings.push_back(split("--set", setting));
+        o.picture_texts.settings.push_back(split("--set", setting));
     }
     if (!raw.size.empty()) {
         const auto n = read_numbers("--imgsize", raw.size, {2}, "width,height");
@@ -154,7 +154,7 @@ void interpret(Options& o, const RawOptions& raw) {
                     fmt::format("--imgsize {}: a side is a whole number from 1 to {}", raw.size, kLargestSide));
             }
         }
-        o.size = {static_cast<int>(n[0]), static_cast<int>(n[1])};
+        o.picture.size = {static_cast<int>(n[0]), static_cast<int>(n[1])};
     }
     o.projection = read_name<base::Projection>("--projection", raw.projection,
                                                {{"p", base::Projection::Perspective},
@@ -167,13 +167,14 @@ void interpret(Options& o, const RawOptions& raw) {
         o.camera->projection = o.projection;
     }
     if (!raw.scheme.empty()) {
-        o.scheme = raw.scheme;
+        o.picture_texts.scheme = raw.scheme;
     }
     if (!raw.layers.empty()) {
-        o.layers = raw.layers == "all" ? 0 : read_integer("--layers", raw.layers, 1, kMostLayers);
+        o.picture.layers =
+            raw.layers == "all" ? npr::kAllLayersWanted : read_integer("--layers", raw.layers, 1, kMostLayers);
     }
     if (!raw.samples.empty()) {
-        o.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
+        o.picture.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
     interpret_engine(o, raw);
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
@@ -185,8 +186,8 @@ void interpret(Options& o, const RawOptions& raw) {
     o.summary_parts = read_summary_parts(raw.summary);
     o.exports = read_export_options(raw.export_options);
     o.preview = raw.render.empty() || !raw.preview.empty();
-    if (raw.samples.empty() && !o.preview && o.style == "shaded") {
-        o.samples = 1;  // As OpenSCAD's.
+    if (raw.samples.empty() && !o.preview && o.picture_texts.style == "shaded") {
+        o.picture.samples = 1;  // As OpenSCAD's.
     }
 }
 
@@ -219,7 +220,7 @@ bool needs_geometry(const Options& options) {
            (told && (options.summary_parts.needs_geometry() || (options.summary_parts.all && options.outputs.empty())));
 }
 
-CommandLine read_command_line(const std::vector<std::string>& arguments) {
+CommandLine read_command_line(const std::vector<std::string>& arguments, const std::string& styles) {
     CommandLine line;
     RawOptions raw;
     if (read_paths(arguments, raw)) {
@@ -229,11 +230,13 @@ CommandLine read_command_line(const std::vector<std::string>& arguments) {
     CLI::App app("csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.", "csgscope");
     app.set_help_flag("-h,--help", "Print this help")->group("Other");
     app.get_formatter()->column_width(34);
-    declare(app, line.options, raw);
+    declare(app, line.options, raw, styles);
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        line.text = app.help();
+        if (!styles.empty()) {
+            line.text = app.help();
+        }
         return line;
     } catch (const CLI::ExtrasError&) {
         std::vector<std::string> names;

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/camera.h"
@@ -11,6 +10,7 @@
 #include "goldfeather/choice.h"
 #include "ui/command_line/export_options.h"
 #include "ui/command_line/outputs.h"
+#include "ui/command_line/picture_options.h"
 #include "ui/command_line/summary_parts.h"
 #include "ui/command_line/usage_error.h"
 
@@ -27,12 +27,8 @@ struct Options {
     bool view_all = false;
     bool autocenter = false;
     base::Projection projection = base::Projection::Perspective;
-    glm::ivec2 size{512, 512};
-    std::string scheme = "Cornfield";
-    std::string style = "shaded";
-    std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters.
-    std::optional<int> layers;                                  ///< 0: all. Absent: what the style needs.
-    int samples = 4;
+    npr::Picture picture;  ///< But for its camera, and for what `style` says; see picture_of.
+    PictureTexts picture_texts;
     goldfeather::EngineOptions engine;
     std::optional<gl::ContextKind> context = gl::ContextKind::Auto;  ///< Absent: no OpenGL.
     std::optional<std::string> statistics;                           ///< File for JSON; "-": standard output.
@@ -49,7 +45,6 @@ struct Options {
     bool check_ranges = false;
     bool by_error = false;  ///< $fe has its meaning.
     bool preview = true;    ///< $preview
-    bool transparent_background = false;
     bool quiet = false;
     bool hard_warnings = false;
     bool summary = false;  ///< Printed.
@@ -69,7 +64,8 @@ struct CommandLine {
     std::optional<std::string> text;
 };
 
-/// Reads the arguments (without the program's name). Throws UsageError.
-[[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments);
+/// Reads the arguments (without the program's name). Throws UsageError. `styles`: as the help lists them, see
+/// style_names; where it is empty, a command line that asks for the help gives neither options nor text.
+[[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments, const std::string& styles = "");
 
 }  // namespace ui

@@ -1,5 +1,6 @@
 #include "ui/command_line/run.h"
 
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 
@@ -31,19 +32,6 @@ namespace ui {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// How to draw, whatever the view and the size.
-PictureRequest picture_of(const Options& options) {
-    PictureRequest request;
-    request.style = options.style;
-    request.settings = options.settings;
-    request.scheme = options.scheme;
-    request.layers = options.layers.value_or(-1);
-    request.samples = options.samples;
-    request.transparent_background = options.transparent_background;
-    request.engine = options.engine.kind;
-    return request;
-}
 
 /// One run: the source, what became of it, and the figures.
 class Run {
@@ -97,7 +85,7 @@ class Run {
         return true;
     }
 
-    void check() const {
+    void check() {
         std::vector<std::string> to_standard_output;
         for (const Output& output : options_.outputs) {
             if (output.path == "-") {
@@ -114,7 +102,7 @@ class Run {
             throw UsageError(
                 fmt::format("only one of {} can go to standard output", fmt::join(to_standard_output, ", ")));
         }
-        check_picture(picture_request({}));
+        picture_ = picture_of(options_.picture, options_.picture_texts);
     }
 
     void build() {
@@ -140,14 +128,7 @@ class Run {
             needs_box(request, language_.evaluation().view) || options_.summary || options_.summary_file;
         // As OpenSCAD: previews go by the boxes of products, results by what is left.
         box_ = framed && !options_.preview ? exact_bounds(*model_, limit_.token()) : model_->box;
-        camera_ = choose_camera(request, language_.evaluation().view, box_);
-    }
-
-    [[nodiscard]] PictureRequest picture_request(const base::Camera& camera) const {
-        PictureRequest request = picture_of(options_);
-        request.camera = camera;
-        request.size = options_.size;
-        return request;
+        picture_.camera = choose_camera(request, language_.evaluation().view, box_);
     }
 
     /// Null where a picture is not to wait for OpenGL before it is known to need it.
@@ -170,14 +151,13 @@ class Run {
         Renderer renderer =
             context ? Renderer(*context, options_.engine, painter()) : Renderer(options_.engine, painter());
         const double context_ms = watch.lap();
-        PictureRequest request = picture_request(camera_);
         const bool lines =
-            extent_of(*model_) == Extent::Flat && model_->flat && request.style == "shaded" && request.samples == 1;
-        request.flat_lines = !lines;
+            extent_of(*model_) == Extent::Flat && is_flat_picture(*model_, picture_) && picture_.samples == 1;
+        const PictureRequest request(lines ? flat_picture(picture_, false) : picture_);
         base::Image image = renderer.render(*model_, request, limit_.token());
         if (lines) {
-            draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), camera_,
-                            npr::find_color_scheme(request.scheme)->edge_2d);
+            draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), picture_.camera,
+                            picture_.scheme.edge_2d);
         }
         if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
@@ -220,8 +200,8 @@ class Run {
         Json all = to_json(model_->statistics);
         const Json model_ms = all["ms"];
         all.erase("ms");
-        all["width"] = options_.size.x;
-        all["height"] = options_.size.y;
+        all["width"] = picture_.size.x;
+        all["height"] = picture_.size.y;
         all["warnings"] = language_.messages().warnings();
         Json ms = {{"evaluate", language_.evaluate_ms()}};
         ms.update(model_ms);
@@ -242,7 +222,7 @@ class Run {
 
     [[nodiscard]] Json summary() const {
         SummaryFigures figures;
-        figures.camera = camera_;
+        figures.camera = picture_.camera;
         figures.box = box_;
         figures.cache = builder_.cache_size();
         figures.milliseconds = 1000 * limit_.spent();
@@ -258,7 +238,7 @@ class Run {
     std::shared_ptr<const Model> model_;
     Geometry geometry_;  ///< Once it was needed.
     csg::Box box_;       ///< Of what is shown.
-    base::Camera camera_;
+    npr::Picture picture_;
     Json picture_json_;
 };
 
@@ -275,10 +255,14 @@ int open_window(const Options& options) {
     window.source.hard_warnings = options.hard_warnings;
     window.source.by_error = options.by_error;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
-    window.picture = picture_of(options);
+    window.picture = PictureRequest(picture_of(options.picture, options.picture_texts));  // Told before a window opens.
+    window.picture.engine = options.engine.kind;
     window.engine = options.engine;
     window.frames_log = options.frames_log;
-    return run_window(window);
+    if (run_window(window) == WindowEnd::StillDrawing) {
+        std::_Exit(0);  // Nobody waits for that picture any more.
+    }
+    return 0;
 }
 
 std::string information(gl::ContextKind kind) {
@@ -302,7 +286,7 @@ int run_or_throw(const std::vector<std::string>& arguments) {
     if (!arguments.empty() && arguments[0] == "compare") {
         return run_compare({arguments.begin() + 1, arguments.end()});
     }
-    CommandLine line = read_command_line(arguments);
+    CommandLine line = read_command_line(arguments, style_names());
     Options& options = line.options;
     if (line.text || options.information) {
         write_output("-", line.text ? *line.text : information(options.context.value_or(gl::ContextKind::Auto)));

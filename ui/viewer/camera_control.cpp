@@ -75,15 +75,4 @@ void toggle_projection(base::Camera& camera) {
                                                                            : base::Projection::Perspective;
 }
 
-std::span<const StandardView> standard_views() {
-    static constexpr std::array<StandardView, 7> kViews{{{"Top", {0, 0, 0}, 4},
-                                                         {"Bottom", {180, 0, 0}, 5},
-                                                         {"Left", {90, 0, 270}, 6},
-                                                         {"Right", {90, 0, 90}, 7},
-                                                         {"Front", {90, 0, 0}, 8},
-                                                         {"Back", {90, 0, 180}, 9},
-                                                         {"Diagonal", {55, 0, 25}, 0}}};
-    return kViews;
-}
-
 }  // namespace ui

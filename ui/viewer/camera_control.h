@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <span>
 
 #include "base/camera.h"
 
@@ -27,14 +26,5 @@ void zoom(base::Camera& camera, double factor, const glm::dvec3& fixed);
 
 /// The other projection; things at the target keep their size, since both use the distance and the field of view.
 void toggle_projection(base::Camera& camera);
-
-struct StandardView {
-    const char* name;
-    glm::dvec3 rotation;  ///< As base::Camera::rotation.
-    int key;              ///< The digit that selects it with Ctrl, as in OpenSCAD.
-};
-
-/// Top, bottom, left, right, front, back, diagonal, in the order of OpenSCAD's menu.
-[[nodiscard]] std::span<const StandardView> standard_views();
 
 }  // namespace ui

@@ -22,13 +22,13 @@ constexpr std::array kActions{
     ActionInfo{Action::ViewAll, "View", "View all", {{GLFW_KEY_V}, {GLFW_KEY_HOME}, {GLFW_KEY_V, kCtrl | kShift}}},
     ActionInfo{Action::ResetView, "View", "Reset view", {{GLFW_KEY_HOME, kShift}}},
     ActionInfo{Action::LookAtOrigin, "View", "Centre on the origin", {{GLFW_KEY_0, kCtrl | kShift}}},
-    ActionInfo{Action::Top, "View", "Top", {{GLFW_KEY_4, kCtrl}, {GLFW_KEY_4}}},
-    ActionInfo{Action::Bottom, "View", "Bottom", {{GLFW_KEY_5, kCtrl}, {GLFW_KEY_5}}},
-    ActionInfo{Action::Left, "View", "Left", {{GLFW_KEY_6, kCtrl}, {GLFW_KEY_6}}},
-    ActionInfo{Action::Right, "View", "Right", {{GLFW_KEY_7, kCtrl}, {GLFW_KEY_7}}},
-    ActionInfo{Action::Front, "View", "Front", {{GLFW_KEY_8, kCtrl}, {GLFW_KEY_8}}},
-    ActionInfo{Action::Back, "View", "Back", {{GLFW_KEY_9, kCtrl}, {GLFW_KEY_9}}},
-    ActionInfo{Action::Diagonal, "View", "Diagonal", {{GLFW_KEY_0, kCtrl}, {GLFW_KEY_0}}},
+    ActionInfo{Action::Top, "View", "Top", {{GLFW_KEY_4, kCtrl}, {GLFW_KEY_4}}, glm::dvec3(0, 0, 0)},
+    ActionInfo{Action::Bottom, "View", "Bottom", {{GLFW_KEY_5, kCtrl}, {GLFW_KEY_5}}, glm::dvec3(180, 0, 0)},
+    ActionInfo{Action::Left, "View", "Left", {{GLFW_KEY_6, kCtrl}, {GLFW_KEY_6}}, glm::dvec3(90, 0, 270)},
+    ActionInfo{Action::Right, "View", "Right", {{GLFW_KEY_7, kCtrl}, {GLFW_KEY_7}}, glm::dvec3(90, 0, 90)},
+    ActionInfo{Action::Front, "View", "Front", {{GLFW_KEY_8, kCtrl}, {GLFW_KEY_8}}, glm::dvec3(90, 0, 0)},
+    ActionInfo{Action::Back, "View", "Back", {{GLFW_KEY_9, kCtrl}, {GLFW_KEY_9}}, glm::dvec3(90, 0, 180)},
+    ActionInfo{Action::Diagonal, "View", "Diagonal", {{GLFW_KEY_0, kCtrl}, {GLFW_KEY_0}}, glm::dvec3(55, 0, 25)},
     ActionInfo{Action::ToggleProjection, "View", "Perspective or orthographic", {{GLFW_KEY_P}, {GLFW_KEY_O}}},
 
     ActionInfo{Action::ZoomIn, "Camera", "Zoom in", {{GLFW_KEY_EQUAL}, {GLFW_KEY_KP_ADD}, {GLFW_KEY_EQUAL, kShift}}},
@@ -101,6 +101,11 @@ std::string text(const Chord& chord) {
 
 std::span<const ActionInfo> actions() {
     return kActions;
+}
+
+std::optional<glm::dvec3> looks_from(Action action) {
+    const auto* found = std::ranges::find(kActions, action, &ActionInfo::action);
+    return found == kActions.end() ? std::nullopt : found->from;
 }
 
 std::optional<Action> action_of(const Chord& chord) {

@@ -12,6 +12,7 @@
 
 #include "goldfeather/choice.h"
 #include "npr/parameter.h"
+#include "ui/pipeline/picture/picture_request.h"
 
 namespace ui {
 
@@ -72,9 +73,7 @@ struct SetEngine {
 };
 struct WritePicture {
     std::filesystem::path path;
-    glm::ivec2 size{0};
-    int samples = 4;
-    bool transparent_background = false;
+    PictureRequest picture;
 };
 
 using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetLayers, SetSamples,
@@ -95,10 +94,14 @@ struct ActionInfo {
     const char* menu;  ///< The menu that it is in.
     const char* label;
     Chord keys[3];  ///< The first is shown in menus.
+    /// base::Camera::rotation, of actions that look from a standard view.
+    std::optional<glm::dvec3> from{};
 };
 
 /// All actions, menu by menu.
 [[nodiscard]] std::span<const ActionInfo> actions();
+/// ActionInfo::from of the action.
+[[nodiscard]] std::optional<glm::dvec3> looks_from(Action action);
 /// The action of a key; none where it has none.
 [[nodiscard]] std::optional<Action> action_of(const Chord& chord);
 

@@ -46,11 +46,11 @@ void style_section(const ViewState& view, const Fonts& fonts, Commands& commands
     heading("Style", fonts);
     button_grid(
         npr::styles().size(), 3, [](std::size_t i) { return std::string(npr::styles()[i].label); },
-        [&](std::size_t i) { return i == view.style; }, [&](std::size_t i) { commands.emplace_back(SetStyle{i}); });
-    const npr::Parameters& values = view.style_parameters();
-    ImGui::PushID(static_cast<int>(view.style));  // Parameters of two styles may have the same name.
+        [&](std::size_t i) { return i == view.style(); }, [&](std::size_t i) { commands.emplace_back(SetStyle{i}); });
+    const npr::Parameters& values = view.picture.parameters;
+    ImGui::PushID(static_cast<int>(view.style()));  // Parameters of two styles may have the same name.
     for (std::size_t i = 0; i < values.list().size(); ++i) {
-        npr::Value value = values.at(static_cast<int>(i));
+        npr::Value value = values.at(i);
         if (draw_parameter(values.list()[i], value)) {
             commands.emplace_back(SetParameter{i, value});
         }
@@ -71,7 +71,7 @@ void swatch(const glm::vec3& color) {
 void scheme_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
     heading("Colour scheme", fonts);
     ImGui::SetNextItemWidth(-1);
-    const std::string shown(view.color_scheme().name);
+    const std::string shown(view.picture.scheme.name);
     if (!ImGui::BeginCombo("##scheme", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
         return;
     }
@@ -82,7 +82,7 @@ void scheme_section(const ViewState& view, const Fonts& fonts, Commands& command
         swatch(scheme.face);
         swatch(scheme.cut);
         ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x);
-        if (ImGui::Selectable(std::string(scheme.name).c_str(), i == view.scheme)) {
+        if (ImGui::Selectable(std::string(scheme.name).c_str(), scheme == view.picture.scheme)) {
             commands.emplace_back(SetScheme{i});
         }
         ImGui::PopID();
@@ -92,7 +92,7 @@ void scheme_section(const ViewState& view, const Fonts& fonts, Commands& command
 
 void layers_section(const Session& session, const Fonts& fonts, Commands& commands) {
     heading("Layers", fonts);
-    const int layers = session.view().layers;
+    const int layers = session.view().picture.layers;
     bool automatic = layers < 0;
     if (ImGui::Checkbox("As the style needs", &automatic)) {
         commands.emplace_back(SetLayers{automatic ? -1 : 0});
@@ -115,7 +115,7 @@ void samples_section(const ViewState& view, const Fonts& fonts, Commands& comman
     button_grid(
         npr::kSampleCounts.size(), npr::kSampleCounts.size(),
         [](std::size_t i) { return std::to_string(npr::kSampleCounts[i]); },
-        [&](std::size_t i) { return npr::kSampleCounts[i] == view.samples; },
+        [&](std::size_t i) { return npr::kSampleCounts[i] == view.picture.samples; },
         [&](std::size_t i) { commands.emplace_back(SetSamples{npr::kSampleCounts[i]}); });
 }
 
@@ -134,14 +134,11 @@ void camera_section(const ViewState& view, const Fonts& fonts, Commands& command
                                                     {"Back", Action::Back},
                                                     {"Reset", Action::ResetView}}};
     heading("Camera", fonts);
-    const auto chosen = [&](std::size_t i) {
-        const StandardView* from = standard_view(kEntries[i].action);
-        return from != nullptr && from->rotation == view.camera.rotation;
-    };
+    const auto chosen = [&](std::size_t i) { return looks_from(kEntries[i].action) == view.picture.camera.rotation; };
     button_grid(
         kEntries.size(), 3, [](std::size_t i) { return std::string(kEntries[i].label); }, chosen,
         [&](std::size_t i) { commands.emplace_back(kEntries[i].action); });
-    const bool orthographic = view.camera.projection == base::Projection::Orthographic;
+    const bool orthographic = view.picture.camera.projection == base::Projection::Orthographic;
     button_grid(
         2, 2, [](std::size_t i) { return std::string(i == 0 ? "Perspective" : "Orthographic"); },
         [&](std::size_t i) { return orthographic == (i == 1); },

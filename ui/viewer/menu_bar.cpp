@@ -12,7 +12,7 @@ namespace {
 void styles_menu(const Session& session, Commands& commands) {
     for (std::size_t i = 0; i < npr::styles().size(); ++i) {
         const std::string label(npr::styles()[i].label);
-        if (ImGui::MenuItem(label.c_str(), nullptr, i == session.view().style)) {
+        if (ImGui::MenuItem(label.c_str(), nullptr, i == session.view().style())) {
             commands.emplace_back(SetStyle{i});
         }
     }
@@ -21,7 +21,7 @@ void styles_menu(const Session& session, Commands& commands) {
 
 /// Which engine draws, and what `auto` goes by.
 void engines_menu(const Session& session, const PictureInfo& picture, Commands& commands) {
-    const auto& wanted = session.view().engine;
+    const auto& wanted = session.view().picture.engine;
     if (ImGui::MenuItem("Automatic", nullptr, !wanted)) {
         commands.emplace_back(SetEngine{});
     }

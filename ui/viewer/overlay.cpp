@@ -65,7 +65,7 @@ void draw_overlay(const Rectangle& place, const Session& session, const PictureI
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({place.corner.x, place.corner.y}, {place.corner.x + place.size.x, place.corner.y + place.size.y});
     if (session.shown().axes) {
-        axes(place, session.view().camera, fonts, scale);
+        axes(place, session.view().picture.camera, fonts, scale);
     }
     float top = 0;
     const Document& document = session.document();

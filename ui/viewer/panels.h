@@ -46,11 +46,11 @@ void draw_help(const Fonts& fonts, Commands& commands);
 /// The form for saving a picture; keeps what was typed.
 class SaveForm {
   public:
-    SaveForm(std::string proposed_path, bool transparent)
-        : path_(std::move(proposed_path)), transparent_(transparent) {}
+    /// `first`: whose background is proposed.
+    SaveForm(std::string proposed_path, const npr::Picture& first);
 
-    /// `picture`: proposed size.
-    void draw(glm::ivec2 picture, int samples, Commands& commands);
+    /// `shown`: the picture on the screen, whose size is proposed.
+    void draw(const PictureRequest& shown, Commands& commands);
     /// Why the last try failed; empty: it did not.
     void set_error(std::string error) { error_ = std::move(error); }
 

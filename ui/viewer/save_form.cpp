@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "npr/accumulate.h"
 #include "ui/viewer/panel_window.h"
@@ -22,10 +23,13 @@ void label(const char* text) {
 
 }  // namespace
 
-void SaveForm::draw(glm::ivec2 picture, int samples, Commands& commands) {
+SaveForm::SaveForm(std::string proposed_path, const npr::Picture& first)
+    : path_(std::move(proposed_path)), transparent_(first.transparent_background) {}
+
+void SaveForm::draw(const PictureRequest& shown, Commands& commands) {
     if (size_.x == 0) {
-        size_ = glm::max(picture, 1);
-        samples_ = std::max(samples, 4);
+        size_ = glm::max(shown.size, 1);
+        samples_ = std::max(shown.samples, 4);
     }
     const float font = ImGui::GetFontSize();
     bool open = true;
@@ -64,7 +68,11 @@ void SaveForm::draw(glm::ivec2 picture, int samples, Commands& commands) {
         ImGui::PopStyleColor();
         if (save && !path_.empty()) {
             error_.clear();
-            commands.emplace_back(WritePicture{path_, size_, samples_, transparent_});
+            PictureRequest picture = shown;
+            picture.size = size_;
+            picture.samples = samples_;
+            picture.transparent_background = transparent_;
+            commands.emplace_back(WritePicture{path_, picture});
         }
     }
     end_floating();

@@ -21,26 +21,19 @@ void turn(base::Camera& camera, double about_x, double about_z) {
 
 }  // namespace
 
-const StandardView* standard_view(Action action) {
-    // The actions are in the order of the views.
-    const int i = static_cast<int>(action) - static_cast<int>(Action::Top);
-    const auto views = standard_views();
-    return i >= 0 && i < static_cast<int>(views.size()) ? &views[static_cast<std::size_t>(i)] : nullptr;
-}
-
 Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<void()> wake)
     : camera_request_(options.camera),
       document_(options.source),
-      view_(view_state_of(options.picture)),
+      view_(options.picture),
       evaluate_(std::move(evaluate)),
       watcher_(options.source.text ? std::string() : options.source.path),
       job_(std::move(wake)) {
-    view_.camera = choose_camera(camera_request_, {}, {});
+    view_.picture.camera = choose_camera(camera_request_, {}, {});
     this->evaluate();
 }
 
 void Session::evaluate() {
-    job_.start([evaluate = evaluate_, source = document_.source(), camera = scad_view(view_.camera)](
+    job_.start([evaluate = evaluate_, source = document_.source(), camera = scad_view(view_.picture.camera)](
                    const std::stop_token& stop) { return evaluate(source, camera, stop); });
 }
 
@@ -66,17 +59,17 @@ void Session::place_camera() {
     if (camera_placed_ || !model || document_.state() == DocumentState::Failed) {
         return;
     }
-    view_.camera = choose_camera(camera_request_, document_.view(), model->box);
+    view_.picture.camera = choose_camera(camera_request_, document_.view(), model->box);
     camera_placed_ = !model->empty();
 }
 
 void Session::look_at(const glm::dvec3& point) {
-    const glm::dvec3 back = glm::normalize(view_.camera.eye() - view_.camera.target);
-    if (view_.camera.projection == base::Projection::Perspective) {
-        const double distance = glm::dot(view_.camera.eye() - point, back);
-        view_.camera.distance = std::max(distance, 1e-6);
+    const glm::dvec3 back = glm::normalize(view_.picture.camera.eye() - view_.picture.camera.target);
+    if (view_.picture.camera.projection == base::Projection::Perspective) {
+        const double distance = glm::dot(view_.picture.camera.eye() - point, back);
+        view_.picture.camera.distance = std::max(distance, 1e-6);
     }
-    view_.camera.target = point;
+    view_.picture.camera.target = point;
 }
 
 bool Session::perform(const Command& command) {
@@ -84,19 +77,19 @@ bool Session::perform(const Command& command) {
         return act(*action);
     }
     if (const auto* style = std::get_if<SetStyle>(&command)) {
-        view_.style = std::min(style->style, npr::styles().size() - 1);
+        view_.show_style(std::min(style->style, npr::styles().size() - 1));
     } else if (const auto* set = std::get_if<SetParameter>(&command)) {
-        view_.style_parameters().set(static_cast<int>(set->parameter), set->value);
+        view_.picture.parameters.set(set->parameter, set->value);
     } else if (std::holds_alternative<ResetParameters>(command)) {
-        view_.style_parameters() = npr::Parameters(view_.style_info().parameters());
+        view_.reset_parameters();
     } else if (const auto* scheme = std::get_if<SetScheme>(&command)) {
-        view_.scheme = std::min(scheme->scheme, npr::color_schemes().size() - 1);
+        view_.picture.scheme = npr::color_schemes()[std::min(scheme->scheme, npr::color_schemes().size() - 1)];
     } else if (const auto* layers = std::get_if<SetLayers>(&command)) {
-        view_.layers = std::max(layers->layers, -1);
+        view_.picture.layers = std::max(layers->layers, npr::kLayersOfStyle);
     } else if (const auto* samples = std::get_if<SetSamples>(&command)) {
-        view_.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
+        view_.picture.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
     } else if (const auto* engine = std::get_if<SetEngine>(&command)) {
-        view_.engine = engine->engine;
+        view_.picture.engine = engine->engine;
     } else {
         return false;
     }
@@ -104,7 +97,7 @@ bool Session::perform(const Command& command) {
 }
 
 bool Session::act(Action action) {
-    base::Camera& camera = view_.camera;
+    base::Camera& camera = view_.picture.camera;
     switch (action) {
         case Action::Reload:
             evaluate();
@@ -130,7 +123,7 @@ bool Session::act(Action action) {
         case Action::Front:
         case Action::Back:
         case Action::Diagonal:
-            camera.rotation = standard_view(action)->rotation;
+            camera.rotation = *looks_from(action);
             break;
         case Action::ToggleProjection:
             toggle_projection(camera);
@@ -197,15 +190,17 @@ void Session::see_layers(const Model& model, int layers) {
 
 void Session::step_style(int by) {
     const std::size_t count = npr::styles().size();
-    view_.style = (view_.style + count + static_cast<std::size_t>(by + static_cast<int>(count))) % count;
+    view_.show_style((view_.style() + count + static_cast<std::size_t>(by + static_cast<int>(count))) % count);
 }
 
 void Session::step_layers(int by) {
     // 1 … n, then all (0); from "what the style needs" to the nearer end.
     const int all = layer_count_ + 1;
-    const int now = view_.layers < 0 ? (by > 0 ? 0 : all + 1) : view_.layers == 0 ? all : view_.layers;
+    const int now = view_.picture.layers < 0    ? (by > 0 ? 0 : all + 1)
+                    : view_.picture.layers == 0 ? all
+                                                : view_.picture.layers;
     const int next = std::clamp(now + by, 1, all);
-    view_.layers = next >= all ? 0 : next;
+    view_.picture.layers = next >= all ? 0 : next;
 }
 
 }  // namespace ui

@@ -13,14 +13,10 @@
 
 namespace ui {
 
-/// The view that the action looks from; null for other actions.
-[[nodiscard]] const StandardView* standard_view(Action action);
-
 /// Lives on the thread of the window; only the evaluation runs elsewhere.
 class Session {
   public:
-    /// Begins to evaluate. `wake` is called from another thread when update() has something new. Throws where style
-    /// or scheme do not exist.
+    /// Begins to evaluate. `wake` is called from another thread when update() has something new.
     Session(const WindowOptions& options, Evaluate evaluate, std::function<void()> wake);
 
     /// Takes what the evaluation and the watcher have to tell; `now` in seconds. True where something is new.
@@ -35,7 +31,7 @@ class Session {
 
     [[nodiscard]] const Document& document() const { return document_; }
     [[nodiscard]] const ViewState& view() const { return view_; }
-    [[nodiscard]] base::Camera& camera() { return view_.camera; }
+    [[nodiscard]] base::Camera& camera() { return view_.picture.camera; }
     [[nodiscard]] const Shown& shown() const { return shown_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
     /// The most layers that were seen of the model, from wherever it was looked at; at least 1.

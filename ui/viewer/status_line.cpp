@@ -31,7 +31,7 @@ Lamp lamp(const Session& session) {
 }
 
 std::string picture_text(const Session& session, const PictureInfo& picture) {
-    const std::string style(session.view().style_info().label);
+    const std::string style(session.view().picture.style->label);
     const std::string coarse = picture.divisor > 1 ? fmt::format(" at 1/{}", picture.divisor) : "";
     return fmt::format("{}    {}×{}{}    {} of {} samples    {:.0f} ms", style, picture.size.x, picture.size.y, coarse,
                        picture.samples, picture.wanted_samples, picture.ms);

@@ -4,11 +4,13 @@
 
 namespace ui {
 
-int run_window(const WindowOptions& options) {
-    check_picture(options.picture);  // Wrong options are told before a window opens.
-    WindowLoop loop(options);
-    loop.run();
-    return 0;
+WindowEnd run_window(const WindowOptions& options) {
+    auto loop = std::make_unique<WindowLoop>(options);
+    const WindowEnd end = loop->run();
+    if (end == WindowEnd::StillDrawing) {
+        (void)loop.release();  // Its end would wait for the thread.
+    }
+    return end;
 }
 
 }  // namespace ui

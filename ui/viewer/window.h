@@ -18,8 +18,16 @@ struct WindowOptions {
     std::string frames_log;  ///< File for one line of JSON per frame; empty: none.
 };
 
-/// Opens the window and returns when it is closed: the exit status 0. Throws std::runtime_error where there is no
-/// display, no OpenGL 4.5, or the options do not fit.
-[[nodiscard]] int run_window(const WindowOptions& options);
+/// How things stand when the window is closed.
+enum class WindowEnd {
+    Done,
+    /// A thread draws still: a model that is made ready for drawing cannot be stopped. The thread and what it draws are
+    /// left alone for ever; the process must end without running down (std::_Exit).
+    StillDrawing,
+};
+
+/// Opens the window and returns when it is closed. Throws std::runtime_error where there is no display or no
+/// OpenGL 4.5.
+[[nodiscard]] WindowEnd run_window(const WindowOptions& options);
 
 }  // namespace ui

@@ -1,7 +1,6 @@
 #include "ui/viewer/window_loop.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <utility>
 #include <variant>
@@ -52,7 +51,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       interface_(window_),
       picture_(*context_, options.engine, context_->software(), GlfwWindow::wake),
       session_(options, make_evaluate(), GlfwWindow::wake),
-      save_form_(proposed_picture(options.source), options.picture.transparent_background) {
+      save_form_(proposed_picture(options.source), options.picture) {
     console_height_ = 150 * window_.interface_scale();
     plan_.set_stoppable(picture_.threaded());
 }
@@ -61,7 +60,7 @@ double WindowLoop::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - opened_).count();
 }
 
-void WindowLoop::run() {
+WindowEnd WindowLoop::run() {
     while (!quit_ && !window_.close_requested()) {
         double rest = kPollSeconds;
         if (frames_to_draw_ > 0) {
@@ -79,10 +78,10 @@ void WindowLoop::run() {
         }
     }
     window_.hide();  // An evaluation may need a moment to stop.
-    finish();
+    return finish();
 }
 
-void WindowLoop::finish() {
+WindowEnd WindowLoop::finish() {
     while (saving_ > 0) {
         (void)window_.wait(kPollSeconds);
         (void)receive();
@@ -91,10 +90,10 @@ void WindowLoop::finish() {
     for (const double end = seconds() + kLastPictureSeconds; picture_.busy();) {
         (void)window_.wait(0.02);
         if (seconds() > end) {
-            // A model that is made ready for drawing cannot be stopped, and nobody waits for its picture any more.
-            std::_Exit(0);
+            return WindowEnd::StillDrawing;
         }
     }
+    return WindowEnd::Done;
 }
 
 void WindowLoop::frame(const Input& input) {
@@ -125,7 +124,7 @@ void WindowLoop::frame(const Input& input) {
     plan_picture(glm::max(picture_size, 1));
     draw_picture();
     picture_.show(0, {corner.x, pixels.y - corner.y - picture_size.y}, picture_size,
-                  session_.view().color_scheme().background);
+                  session_.view().picture.scheme.background);
     interface_.end();
     window_.swap();
     log(watch.lap());
@@ -145,7 +144,7 @@ Layout WindowLoop::draw_interface(Commands& commands) {
         draw_help(fonts, commands);
     }
     if (session_.shown().save_form) {
-        save_form_.draw(info_.size, session_.view().samples, commands);
+        save_form_.draw(session_.view().request(info_.size), commands);
     }
     return layout;
 }
@@ -183,12 +182,9 @@ void WindowLoop::save_picture(const WritePicture& what) {
         save_form_.set_error("There is no model yet.");
         return;
     }
-    PictureRequest request = session_.view().request(what.size);
-    request.samples = what.samples;
-    request.transparent_background = what.transparent_background;
     note_ = "Saving the picture…";
     ++saving_;
-    picture_.save(wanted_model_, request, what.path);
+    picture_.save(wanted_model_, what.picture, what.path);
 }
 
 bool WindowLoop::receive() {
@@ -250,7 +246,7 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     const auto& model = session_.document().model();
     const bool other = model != wanted_model_ || request.style != wanted_.style || request.layers != wanted_.layers ||
                        request.engine != wanted_.engine;
-    if (!other && same_picture(request, wanted_)) {
+    if (!other && request == wanted_) {
         return;
     }
     other ? plan_.replaced(seconds()) : plan_.moved(seconds());
@@ -294,11 +290,11 @@ void WindowLoop::log(double frame_ms) {
     record.divisor = info_.divisor;
     record.size = wanted_.size;
     record.generation = wanted_model_ ? wanted_model_->generation : 0;
-    record.style = session_.view().style_info().name;
+    record.style = session_.view().picture.style->name;
     record.engine = info_.samples > 0 ? goldfeather::name(info_.engine.engine) : "";
     record.state = state_name(session_.document().state());
     record.evaluating = session_.evaluating();
-    record.camera = session_.view().camera;
+    record.camera = session_.view().picture.camera;
     log_.write(record);
 }
 

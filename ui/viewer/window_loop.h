@@ -11,6 +11,7 @@
 #include "ui/viewer/panels.h"
 #include "ui/viewer/picture_view.h"
 #include "ui/viewer/session.h"
+#include "ui/viewer/window.h"
 
 namespace ui {
 
@@ -18,12 +19,12 @@ class WindowLoop {
   public:
     explicit WindowLoop(const WindowOptions& options);
     /// Until the window is closed.
-    void run();
+    WindowEnd run();
 
   private:
     void frame(const Input& input);
-    /// Ends what is under way. A picture that takes too long ends with the process, with status 0.
-    void finish();
+    /// Ends what is under way, but for a picture that takes too long.
+    WindowEnd finish();
     [[nodiscard]] double seconds() const;  ///< Since the window opened.
     [[nodiscard]] Layout draw_interface(Commands& commands);
     void navigate(const Input& input, const Rectangle& picture);

@@ -16,16 +16,15 @@ void CpuRenderer::hold(const Model& model) {
 }
 
 const npr::Paint& CpuRenderer::paint(const npr::StyleInfo& style) {
-    npr::Paint& made = styles_[style.name];
+    npr::Paint& made = styles_[&style];
     if (!made) {
         made = style.make_paint();
     }
     return made;
 }
 
-void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request, int sample,
+void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, int sample,
                               const std::stop_token& stop) {
-    const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
         statistics_ = {};
     }
@@ -33,19 +32,19 @@ void CpuRenderer::draw_sample(const Model& model, const PictureRequest& request,
     hold(model);
     statistics_.upload_ms += watch.lap();
     layers_.table = model_->table;
-    const int layers = checked.layers(model, request);
-    accumulator_.paint_sample(paint(checked.style), checked.picture(model, request, stop),
-                              static_cast<std::size_t>(sample),
-                              [&](const base::View& view) -> const layers::HostStack& {
-                                  statistics_.style_ms += watch.lap();
-                                  goldfeather::ListsStats stats;
-                                  goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats, stop);
-                                  statistics_.peel_ms += watch.lap();
-                                  ++statistics_.samples;
-                                  goldfeather::add(statistics_.walk, stats);
-                                  layers::leave_out_sparse_layers(layers_, minimal_fraction_);
-                                  return layers_;
-                              });
+    const int layers = layers_to_peel(picture, model);
+    const npr::CpuSubject subject{model.geometry.box.lo, model.geometry.box.hi,
+                                  [&](const base::View& view) -> const layers::HostStack& {
+                                      statistics_.style_ms += watch.lap();
+                                      goldfeather::ListsStats stats;
+                                      goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats, stop);
+                                      statistics_.peel_ms += watch.lap();
+                                      ++statistics_.samples;
+                                      goldfeather::add(statistics_.walk, stats);
+                                      layers::leave_out_sparse_layers(layers_, minimal_fraction_);
+                                      return layers_;
+                                  }};
+    accumulator_.paint_sample(paint(*picture.style), picture, static_cast<std::size_t>(sample), subject, stop);
     statistics_.style_ms += watch.lap();
 }
 

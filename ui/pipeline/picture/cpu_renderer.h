@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include "goldfeather/lists_cpu/lists_cpu.h"
 #include "npr/painter/cpu_accumulate.h"
@@ -19,8 +18,8 @@ class CpuRenderer {
     /// `minimal_fraction`: see goldfeather::EngineOptions.
     explicit CpuRenderer(double minimal_fraction) : minimal_fraction_(minimal_fraction) {}
 
-    /// See Renderer.
-    void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
+    /// See Renderer; flat pictures are as they are to be drawn.
+    void draw_sample(const Model& model, const npr::Picture& picture, int sample, const std::stop_token& stop = {});
     [[nodiscard]] base::Image image() const { return accumulator_.image(); }
     [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera);
     /// Its choice of an engine is left to the caller.
@@ -40,7 +39,7 @@ class CpuRenderer {
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` was made of.
     layers::HostStack layers_;      ///< Its memory is used again.
     npr::CpuAccumulator accumulator_;
-    std::map<std::string_view, npr::Paint> styles_;  ///< Made when first used.
+    std::map<const npr::StyleInfo*, npr::Paint> styles_;  ///< Made when first used.
     PictureStatistics statistics_;
 };
 

@@ -24,39 +24,37 @@ void GlRenderer::hold(const Model& model, goldfeather::EngineKind engine) {
 }
 
 npr::Style& GlRenderer::style(const npr::StyleInfo& info) {
-    std::unique_ptr<npr::Style>& made = styles_[std::string(info.name)];
+    std::unique_ptr<npr::Style>& made = styles_[&info];
     if (!made) {
         made = info.make(gl_);
     }
     return *made;
 }
 
-void GlRenderer::draw_sample(const Model& model, const PictureRequest& request, const goldfeather::EngineChoice& engine,
+void GlRenderer::draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineChoice& engine,
                              int sample, const std::stop_token& stop) {
-    const CheckedRequest checked(request, model.flat);
     if (sample == 0) {
         statistics_ = {};
     }
     Stopwatch watch;
     const bool held = holds(model, engine.engine);
     hold(model, engine.engine);
-    npr::Style& style = this->style(checked.style);
+    npr::Style& style = this->style(*picture.style);
     gl_.Finish();
     const double upload = watch.lap();
     statistics_.upload_ms += held ? 0 : upload;
 
-    const int layers = checked.layers(model, request);
-    const npr::Picture picture = checked.picture(model, request, stop);
-    peeler_.give_back(
-        accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), [&](const base::View& view) {
-            (void)watch.lap();
-            layers::TextureStack stack =
-                peeler_.peel(view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk, stop);
-            gl_.Finish();
-            statistics_.peel_ms += watch.lap();
-            ++statistics_.samples;
-            return stack;
-        }));
+    const int layers = layers_to_peel(picture, model);
+    const npr::Subject subject{model.geometry.box.lo, model.geometry.box.hi, [&](const base::View& view) {
+                                   (void)watch.lap();
+                                   layers::TextureStack stack = peeler_.peel(
+                                       view, *model_, layers == 0 ? peel::kAllLayers : layers, statistics_.walk, stop);
+                                   gl_.Finish();
+                                   statistics_.peel_ms += watch.lap();
+                                   ++statistics_.samples;
+                                   return stack;
+                               }};
+    peeler_.give_back(accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), subject, stop));
     gl_.Finish();
     statistics_.style_ms += watch.lap();
     const std::string& fallback = statistics_.walk.fallback;

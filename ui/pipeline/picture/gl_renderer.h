@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "base/image.h"
 #include "gl/context.h"
 #include "npr/accumulate.h"
-#include "npr/color_scheme.h"
 #include "npr/style.h"
 #include "peel/peeler.h"
 #include "ui/pipeline/model.h"
@@ -29,8 +27,8 @@ class GlRenderer {
     /// See goldfeather::EngineOptions.
     GlRenderer(const gl::Context& context, std::size_t memory_budget, double minimal_fraction);
 
-    /// See Renderer. `engine`: the same for all samples of a picture.
-    void draw_sample(const Model& model, const PictureRequest& request, const goldfeather::EngineChoice& engine,
+    /// See Renderer; flat pictures are as they are to be drawn. `engine`: the same for all samples of a picture.
+    void draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineChoice& engine,
                      int sample, const std::stop_token& stop = {});
     void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
     [[nodiscard]] base::Image image() { return accumulator_.image(); }
@@ -46,7 +44,7 @@ class GlRenderer {
     const gl::Functions& gl_;
     peel::Peeler peeler_;
     npr::Accumulator accumulator_;
-    std::map<std::string, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
+    std::map<const npr::StyleInfo*, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
     std::unique_ptr<peel::PeelModel> model_;
     std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
     PictureStatistics statistics_;

@@ -1,50 +1,34 @@
-// What a picture is to be.
+// A picture that is wanted of a model.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
-#include "base/camera.h"
-#include "npr/accumulate.h"
-#include "npr/color_scheme.h"
+#include "goldfeather/choice.h"
 #include "npr/style.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {
 
-struct PictureRequest {
-    base::Camera camera;
-    glm::ivec2 size{512, 512};
-    std::string style = "shaded";
-    std::vector<std::pair<std::string, std::string>> settings;  ///< Style parameters by name; the rest are defaults.
-    std::string scheme = "Cornfield";
-    int layers = -1;  ///< 0: all; below 0: what the style needs.
-    int samples = 4;  ///< Per pixel.
-    bool transparent_background = false;
-    bool flat_lines = true;  ///< Of flat models, where the style draws them: off where draw_flat_lines does.
+/// What the picture is to be, and who is to find its surfaces.
+struct PictureRequest : npr::Picture {
+    PictureRequest() : Picture(npr::default_picture()) {}
+    explicit PictureRequest(npr::Picture picture) : Picture(std::move(picture)) {}
+
     std::optional<goldfeather::EngineKind> engine{};  ///< Absent: as the renderer was told.
+
+    bool operator==(const PictureRequest&) const = default;
 };
 
-/// Throws std::runtime_error where there is no such style, parameter, value or scheme; names the nearest one.
-void check_picture(const PictureRequest& request);
+/// Is the picture of this model drawn as OpenSCAD's render does? So are flat models, shaded.
+[[nodiscard]] bool is_flat_picture(const Model& model, const npr::Picture& picture);
 
-/// The same for the folders below. `style` is valid for ever. Throws as check_picture.
-struct CheckedRequest {
-    const npr::StyleInfo& style;
-    npr::ColorScheme scheme;
-    npr::Parameters parameters;
+/// The picture as it is drawn then: faces without light, with `lines` of two pixels about them (ui::draw_flat_lines
+/// draws others).
+[[nodiscard]] npr::Picture flat_picture(npr::Picture picture, bool lines);
 
-    /// Where the model is `flat` and the style shaded, it is drawn as OpenSCAD's render does: faces without light
-    /// between lines of two pixels.
-    explicit CheckedRequest(const PictureRequest& request, bool flat = false);
-    /// Refers to this and to both arguments.
-    /// How many layers are to be peeled (0: all).
-    [[nodiscard]] int layers(const Model& model, const PictureRequest& request) const;
-    [[nodiscard]] npr::Picture picture(const Model& model, const PictureRequest& request,
-                                       const std::stop_token& stop = {}) const;
-};
+/// How many layers are to be peeled of the model (0: all).
+[[nodiscard]] int layers_to_peel(const npr::Picture& picture, const Model& model);
 
 /// Does anything show what is behind it?
 [[nodiscard]] bool translucent(const csg::Scene& scene);

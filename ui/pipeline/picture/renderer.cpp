@@ -37,15 +37,16 @@ bool Renderer::choose_cpu(const Model& model, std::optional<goldfeather::EngineK
 }
 
 void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop) {
+    const npr::Picture picture = is_flat_picture(model, request) ? flat_picture(request, true) : npr::Picture(request);
     if (sample == 0) {
-        on_cpu_ = choose_cpu(model, request.engine, CheckedRequest(request, model.flat).layers(model, request));
+        on_cpu_ = choose_cpu(model, request.engine, layers_to_peel(picture, model));
     }
     if (on_cpu_) {
-        cpu_.draw_sample(model, request, sample, stop);
+        cpu_.draw_sample(model, picture, sample, stop);
         statistics_ = cpu_.statistics();
         statistics_.engine = choice_;
     } else {
-        with_opengl().draw_sample(model, request, choice_, sample, stop);
+        with_opengl().draw_sample(model, picture, choice_, sample, stop);
         statistics_ = gl_->statistics();
         statistics_.opengl = true;
     }

@@ -1,0 +1,28 @@
+// What every pass of every style knows of its frame, with OpenGL and without.
+#pragma once
+
+#include "npr/settings.h"
+
+namespace npr {
+
+/// Under the names of the uniforms, which npr/frame.glsl declares from the table. Colors are sRGB with straight alpha.
+struct FrameValues {
+    int layer_count{};
+    glm::vec3 centre_in_eye{};  ///< Eye coordinates of the origin of plane_rows.
+    glm::vec2 jitter{};         ///< Of the sample from the pixel's centre, in pixels.
+    glm::vec3 background_color{};
+    glm::vec3 background_stop{};
+    glm::vec3 face_color{};
+    glm::vec3 cut_color{};
+    glm::vec4 highlight_color{};
+    glm::vec4 ghost_color{};
+    bool transparent_background{};
+
+    static const SettingsTable<FrameValues>& table();
+};
+
+/// `centre`: the origin of plane_rows, in the world.
+[[nodiscard]] FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& centre,
+                                       int layers);
+
+}  // namespace npr

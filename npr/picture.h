@@ -1,0 +1,44 @@
+// What a picture is to be.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "base/camera.h"
+#include "npr/color_scheme.h"
+#include "npr/parameter.h"
+
+namespace npr {
+
+struct StyleInfo;
+
+/// As many layers as the style looks at, or all that there are.
+inline constexpr int kLayersOfStyle = -1, kAllLayersWanted = 0;
+
+/// All that is wished of a picture, typed: whoever reads text (the command line) or has controls (the window) fills
+/// this one value, and both painters see it by reference (Frame, CpuFrame).
+///
+/// A new wish that concerns every style is a field here, and its readers. Shaders read it by its name once it has a
+/// field and a line in npr/frame_values.h, too; a wish about what is peeled (a section, what is revealed) is read where
+/// the layers are made, in ui/pipeline/picture. The command line and the window add an option or a control; nothing in
+/// between hands it on.
+struct Picture {
+    const StyleInfo* style = nullptr;  ///< Null only in a picture that is still being made. See draw_as.
+    Parameters parameters;             ///< Of the style.
+    ColorScheme scheme;
+    base::Camera camera;
+    glm::ivec2 size{512, 512};            ///< Pixels.
+    int samples = 4;                      ///< Per pixel, as npr::sample_offsets takes them.
+    int layers = kLayersOfStyle;          ///< The first so many, or one of the constants above.
+    bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
+
+    /// Another style, with its parameters' defaults.
+    void draw_as(const StyleInfo& info);
+
+    /// Whether both ask for the same pixels.
+    bool operator==(const Picture&) const = default;
+};
+
+/// The default style in the default color scheme.
+[[nodiscard]] Picture default_picture();
+
+}  // namespace npr

@@ -1,0 +1,70 @@
+// A model whose pictures both painters draw.
+#pragma once
+
+#include <cstdlib>
+
+#include "goldfeather/surface_table.h"
+#include "npr/painter/cpu_accumulate.h"
+#include "tests/npr/scene.h"
+
+namespace scene {
+
+/// A model with its lists, drawn either way.
+class Easel {
+  public:
+    explicit Easel(const Model& model)
+        : subject_(random_tree::make_tree(model)), lists_(subject_.scene, subject_.geometry) {
+        layers_.table = goldfeather::surface_table(subject_.scene, subject_.geometry);
+    }
+
+    [[nodiscard]] const csg::Box& box() const { return subject_.geometry.box; }
+
+    [[nodiscard]] base::Image paint(const npr::Picture& picture, unsigned threads = 0) {
+        return paint(picture.style->make_paint(), picture, threads);
+    }
+
+    [[nodiscard]] base::Image paint(const npr::Paint& paint, const npr::Picture& picture, unsigned threads = 0) {
+        npr::CpuAccumulator accumulator;
+        const npr::CpuSubject subject{box().lo, box().hi, [&](const base::View& v) -> const layers::HostStack& {
+                                          goldfeather::ListsStats stats;
+                                          goldfeather::peel_lists(lists_, v, 0, threads, layers_, stats);
+                                          return layers_;
+                                      }};
+        for (std::size_t i = 0; i < npr::sample_offsets(picture.samples).size(); ++i) {
+            accumulator.paint_sample(paint, picture, i, subject);
+        }
+        return accumulator.image();
+    }
+
+    [[nodiscard]] base::Image draw(const gl::Functions& gl, const npr::Picture& picture) {
+        peel::PeelModel model(gl, subject_.scene, subject_.geometry, subject_.products,
+                              goldfeather::EngineKind::ListsCpu);
+        peel::Peeler peeler(gl);
+        npr::Accumulator accumulator(gl);
+        accumulator.draw(*picture.style->make(gl), picture, {box().lo, box().hi, [&](const base::View& v) {
+                                                                 peel::WalkStats stats;
+                                                                 return peeler.peel(v, model, peel::kAllLayers, stats);
+                                                             }});
+        return accumulator.image();
+    }
+
+  private:
+    comparison::Subject subject_;
+    goldfeather::ListsModel lists_;
+    layers::HostStack layers_;
+};
+
+/// Pixels that differ by more than `channel` in some channel.
+inline int differing(const base::Image& a, const base::Image& b, int channel) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+        bool far = false;
+        for (std::size_t c = i; c < i + 4; ++c) {
+            far = far || std::abs(a.rgba[c] - b.rgba[c]) > channel;
+        }
+        count += far ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace scene

@@ -1,0 +1,56 @@
+#include "ui/command_line/picture_options.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "npr/style.h"
+#include "ui/pipeline/suggestion.h"
+
+namespace ui {
+
+namespace {
+
+template <typename Named>
+[[noreturn]] void throw_unknown(std::string_view what, std::string_view name, std::span<const Named> known) {
+    std::vector<std::string> names;
+    for (const Named& each : known) {
+        names.emplace_back(each.name);
+    }
+    throw std::runtime_error(fmt::format(
+        "no {} \"{}\".{}", what, name, suggestion(name, names, fmt::format(" There are {}.", fmt::join(names, ", ")))));
+}
+
+}  // namespace
+
+npr::Picture picture_of(npr::Picture picture, const PictureTexts& texts) {
+    const npr::StyleInfo* style = npr::find_style(texts.style);
+    if (style == nullptr) {
+        throw_unknown("style", texts.style, npr::styles());
+    }
+    const npr::ColorScheme* scheme = npr::find_color_scheme(texts.scheme);
+    if (scheme == nullptr) {
+        throw_unknown("color scheme", texts.scheme, npr::color_schemes());
+    }
+    picture.scheme = *scheme;
+    picture.draw_as(*style);
+    for (const auto& [name, value] : texts.settings) {
+        try {
+            picture.parameters.read(name, value);
+        } catch (const std::invalid_argument& error) {
+            throw std::runtime_error(fmt::format("style {}: {}", texts.style, error.what()));
+        }
+    }
+    return picture;
+}
+
+std::string style_names() {
+    const auto styles = npr::styles();
+    std::string names;
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        names += fmt::format("{}{}", i == 0 ? "" : i + 1 < styles.size() ? ", " : " or ", styles[i].name);
+    }
+    return fmt::format("{} ({})", names, styles.front().name);
+}
+
+}  // namespace ui
