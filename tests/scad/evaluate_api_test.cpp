@@ -1,7 +1,10 @@
 // What `evaluate` takes and gives besides the program: definitions, views, files, places, messages.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/scad/evaluate_text.h"
+#include "tests/support/sanitizer.h"
 
 namespace {
 
@@ -53,6 +56,14 @@ TEST(Result, FilesAndCounts) {
     EXPECT_EQ(run.evaluation.files, (std::vector<std::string>{test::kMainFile, "a.scad", "b.scad"}));
     EXPECT_EQ(run.evaluation.warnings, 1U);
     EXPECT_EQ(run.evaluation.errors, 0U);
+}
+
+TEST(Result, OfDeepCallsWhoseArgumentsWait) {
+    const int depth = test_support::kAddressSanitizer ? 6000 : 20000;  // Its stack ends at about 7,700 calls.
+    const test::Run run =
+        test::run("function deep(n, a = [1, 2]) = n == 0 ? 0 : a[0] + deep(n - 1, [a[1], a[0]]) + len(a);\necho(deep(" +
+                  std::to_string(depth) + "));");
+    EXPECT_EQ(run.console, "ECHO: " + std::to_string(depth / 2 * 7) + "\n");
 }
 
 TEST(Result, NothingIsATreeWithoutRoot) {
