@@ -5,12 +5,12 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <random>
 #include <sstream>
 
 #include "csg/reference/mesh_boolean.h"
 #include "tests/reference/membership.h"
 #include "tests/reference/meshes.h"
+#include "tests/reference/random_numbers.h"
 
 namespace {
 
@@ -18,20 +18,7 @@ using csg::reference::BooleanRequest;
 using csg::reference::BooleanResult;
 using csg::reference::Mesh;
 using csg::reference::Method;
-
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
-    double number(double lo, double hi) { return lo + (hi - lo) * (static_cast<double>(engine_() >> 11) * 0x1p-53); }
-    int whole(int lo, int hi) { return static_cast<int>(std::floor(number(lo, hi + 1))); }
-    bool chance(double p) { return number(0, 1) < p; }
-    std::string vector(double lo, double hi) {
-        return fmt::format("[{:.3g},{:.3g},{:.3g}]", number(lo, hi), number(lo, hi), number(lo, hi));
-    }
-
-  private:
-    std::mt19937_64 engine_;
-};
+using meshes::Random;
 
 BooleanResult by(Method method, const csg::Scene& scene, const csg::solid::Geometry& geometry) {
     BooleanRequest request;
