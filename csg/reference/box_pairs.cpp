@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stop.h"
+
 namespace csg::reference {
 
 BoxTree::BoxTree(std::span<const Box> boxes) : boxes_(boxes), order_(boxes.size()) {
@@ -27,6 +29,25 @@ void BoxTree::build(const Node& node) {
     });
     build(node.left());
     build(node.right());
+}
+
+DisjointSets meeting_sets(const BoxTree& tree, const std::stop_token& stop) {
+    DisjointSets sets(tree.size());
+    base::PacedStop paced(stop);
+    tree.pairs([&](std::uint32_t a, std::uint32_t b) {
+        paced();
+        sets.unite(std::max(a, b), std::min(a, b));
+    });
+    return sets;
+}
+
+std::vector<Box> triangle_boxes(std::span<const glm::dvec3> points, std::span<const glm::uvec3> triangles) {
+    std::vector<Box> boxes(triangles.size());
+    for (std::size_t t = 0; t < boxes.size(); ++t) {
+        for (int k = 0; k < 3; ++k)
+            boxes[t] = enclose(boxes[t], points[triangles[t][k]]);
+    }
+    return boxes;
 }
 
 }  // namespace csg::reference

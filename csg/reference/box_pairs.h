@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
+#include "csg/reference/disjoint_sets.h"
 #include "csg/tree/box.h"
 
 namespace csg::reference {
@@ -15,6 +17,8 @@ class BoxTree {
   public:
     /// Keeps the span, which must outlive the tree.
     explicit BoxTree(std::span<const Box> boxes);
+
+    [[nodiscard]] std::size_t size() const { return boxes_.size(); }
 
     /// Calls `visit(i, j)` once for each pair of boxes that meet, touching ones too; the same boxes give the same
     /// order.
@@ -130,5 +134,12 @@ class BoxTree {
     std::size_t first_leaf_ = 1;
     std::vector<Box> bounds_;  ///< By number of node.
 };
+
+/// Boxes that meet, touching ones too, are in one set; so are those that others join. Throws base::Stopped.
+[[nodiscard]] DisjointSets meeting_sets(const BoxTree& tree, const std::stop_token& stop);
+
+/// That of each triangle.
+[[nodiscard]] std::vector<Box> triangle_boxes(std::span<const glm::dvec3> points,
+                                              std::span<const glm::uvec3> triangles);
 
 }  // namespace csg::reference

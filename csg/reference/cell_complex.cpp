@@ -10,8 +10,6 @@
 namespace csg::reference {
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
 class Builder {
   public:
     Builder(const ComplexSpace& space, const std::stop_token& stop) : space_(space), paced_(stop) {}
@@ -50,17 +48,12 @@ class Builder {
     }
 
     void number_regions(DisjointSets& sides) {
-        std::vector<std::uint32_t> number(2 * complex_.cells.size(), kNone);
-        const auto region = [&](std::uint32_t side) {
-            std::uint32_t& n = number[sides.find(side)];
-            if (n == kNone)
-                n = static_cast<std::uint32_t>(complex_.regions++);
-            return n;
-        };
+        SetNumbers region(sides);
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
             complex_.cells[c].above = region(2 * c);
             complex_.cells[c].below = region(2 * c + 1);
         }
+        complex_.regions = region.count();
     }
 
     void find_pieces(DisjointSets& pieces) {

@@ -83,23 +83,27 @@ std::vector<Mesh> components_of(const Mesh& mesh) {
     return components;
 }
 
-Mesh welded(const Mesh& mesh) {
+Mesh welded(std::span<const glm::dvec3> points, std::span<const glm::uvec3> triangles,
+            std::span<const std::uint32_t> sources) {
     Mesh result;
     PointIds ids;
     std::vector<std::uint32_t> number;
-    for (const glm::dvec3& p : mesh.points) {
+    number.reserve(points.size());
+    for (const glm::dvec3& p : points) {
         const auto [id, added] = ids.add(p);
         if (added)
             result.points.push_back(p);
         number.push_back(id);
     }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3& t = mesh.triangles[i];
+    result.triangles.reserve(triangles.size());
+    result.sources.reserve(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const glm::uvec3& t = triangles[i];
         const glm::uvec3 own{number[t.x], number[t.y], number[t.z]};
         if (own.x == own.y || own.y == own.z || own.z == own.x)
             continue;
         result.triangles.push_back(own);
-        result.sources.push_back(mesh.sources.empty() ? 0 : mesh.sources[i]);
+        result.sources.push_back(sources.empty() ? 0 : sources[i]);
     }
     return result;
 }

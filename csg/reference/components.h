@@ -1,6 +1,7 @@
 // Meshes taken apart and put together by their edges.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "csg/reference/mesh.h"
@@ -11,8 +12,10 @@ namespace csg::reference {
 /// nor across a corner. So solids that only touch are apart. Sources are kept.
 [[nodiscard]] std::vector<Mesh> components_of(const Mesh& mesh);
 
-/// The same surface with one point for each place and without triangles that have a corner twice.
-[[nodiscard]] Mesh welded(const Mesh& mesh);
+/// The same surface with one point for each place and without triangles that have a corner twice. `sources`: by
+/// triangle; all are 0 where there are none.
+[[nodiscard]] Mesh welded(std::span<const glm::dvec3> points, std::span<const glm::uvec3> triangles,
+                          std::span<const std::uint32_t> sources = {});
 
 /// Does each directed edge occur as often as its opposite? Of a welded mesh.
 [[nodiscard]] bool balanced(const Mesh& mesh);

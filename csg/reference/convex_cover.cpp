@@ -31,7 +31,7 @@ std::optional<Convex> convex_but_for_rounding(const Mesh& mesh, const MeshFacts&
 
 /// Closed and evenly oriented, more of it outwards than inwards.
 Mesh solid_mesh(const Mesh& mesh, const std::stop_token& stop) {
-    Mesh solid = welded(mesh);
+    Mesh solid = welded(mesh.points, mesh.triangles, mesh.sources);
     if (!balanced(solid))
         solid = combine(ExpressionKind::Union, std::span(&mesh, 1), stop).mesh;
     if (facts(solid).volume < 0) {

@@ -84,15 +84,11 @@ class Collector {
     }
 
     void number_planes(DisjointSets& sets) {
-        constexpr std::uint32_t kNone = ~std::uint32_t{0};
-        std::vector<std::uint32_t> number(all_.faces.size(), kNone);
+        SetNumbers number(sets);
         for (std::uint32_t i = 0; i < all_.faces.size(); ++i) {
-            std::uint32_t& n = number[sets.find(i)];
-            if (n == kNone) {
-                n = static_cast<std::uint32_t>(all_.planes.size());
+            all_.faces[i].plane = number(i);
+            if (number.count() > all_.planes.size())
                 all_.planes.push_back(plane_of(i));
-            }
-            all_.faces[i].plane = n;
         }
     }
 

@@ -117,12 +117,8 @@ void LeafGroups::make_groups(const std::stop_token& stop) {
     if (carried.empty())
         return;
     base::PacedStop paced(stop);
-    DisjointSets sets(carried.size());
     const BoxTree tree(boxes);
-    tree.pairs([&](std::uint32_t a, std::uint32_t b) {
-        paced();
-        sets.unite(std::max(a, b), std::min(a, b));
-    });
+    DisjointSets sets = meeting_sets(tree, stop);
     // Pairs of what is subtracted and a carried unit of each group that it meets.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> copies;
     std::size_t copied = 0;
@@ -148,26 +144,21 @@ void LeafGroups::make_groups(const std::stop_token& stop) {
         for (const std::uint32_t group : met)
             copies.emplace_back(group, other);
     }
-    std::vector<std::uint32_t> number(carried.size(), kNone);
+    SetNumbers number(sets);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // group, unit
     members.reserve(carried.size() + copies.size());
-    std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < carried.size(); ++i) {
-        std::uint32_t& n = number[sets.find(i)];
-        if (n == kNone)
-            n = count++;
-        members.emplace_back(n, carried[i]);
-    }
+    for (std::uint32_t i = 0; i < carried.size(); ++i)
+        members.emplace_back(number(i), carried[i]);
     for (const auto& [at, unit] : copies)
-        members.emplace_back(number[sets.find(at)], unit);
+        members.emplace_back(number(at), unit);
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
-    first_.assign(count + 1, 0);
+    first_.assign(number.count() + 1, 0);
     for (const auto& [group, unit] : members) {
         ++first_[group + 1];
         members_.push_back(unit);
     }
-    for (std::uint32_t g = 0; g < count; ++g)
+    for (std::uint32_t g = 0; g < number.count(); ++g)
         first_[g + 1] += first_[g];
 }
 

@@ -10,20 +10,6 @@ namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-/// Numbers the sets from 0 as they come; gives how many there are.
-std::uint32_t number_sets(DisjointSets& sets, std::size_t count, std::vector<std::uint32_t>& number) {
-    std::uint32_t found = 0;
-    std::vector<std::uint32_t> of_root(count, kNone);
-    number.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        std::uint32_t& n = of_root[sets.find(i)];
-        if (n == kNone)
-            n = found++;
-        number[i] = n;
-    }
-    return found;
-}
-
 /// By triangle.
 std::uint32_t number_shells(const solid::PlacedLeaf& leaf, std::vector<std::uint32_t>& shell_of,
                             const std::stop_token& stop) {
@@ -40,16 +26,11 @@ std::uint32_t number_shells(const solid::PlacedLeaf& leaf, std::vector<std::uint
         points.unite(id[t.y], id[t.x]);
         points.unite(id[t.z], id[t.x]);
     }
-    std::uint32_t count = 0;
-    std::vector<std::uint32_t> of_root(leaf.points.size(), kNone);
+    SetNumbers shell(points);
     shell_of.reserve(leaf.triangles.size());
-    for (const glm::uvec3& t : leaf.triangles) {
-        std::uint32_t& n = of_root[points.find(id[t.x])];
-        if (n == kNone)
-            n = count++;
-        shell_of.push_back(n);
-    }
-    return count;
+    for (const glm::uvec3& t : leaf.triangles)
+        shell_of.push_back(shell(id[t.x]));
+    return shell.count();
 }
 
 }  // namespace
@@ -66,35 +47,32 @@ std::vector<solid::PlacedLeaf> pieces_of(const solid::PlacedLeaf& leaf, double m
     }
     for (Box& box : boxes)
         box = {box.lo - margin, box.hi + margin};
-    DisjointSets sets(shells);
-    base::PacedStop paced(stop);
-    BoxTree(boxes).pairs([&](std::uint32_t a, std::uint32_t b) {
-        paced();
-        sets.unite(std::max(a, b), std::min(a, b));
-    });
+    DisjointSets sets = meeting_sets(BoxTree(boxes), stop);
+    SetNumbers piece(sets);
     std::vector<std::uint32_t> piece_of;
-    const std::uint32_t count = number_sets(sets, shells, piece_of);
-    if (count < 2)
+    for (std::uint32_t i = 0; i < shells; ++i)
+        piece_of.push_back(piece(i));
+    if (piece.count() < 2)
         return {};
     base::end_if_asked(stop);
-    std::vector<solid::PlacedLeaf> pieces(count);
+    std::vector<solid::PlacedLeaf> pieces(piece.count());
     std::vector<std::pair<std::uint32_t, std::uint32_t>> number(leaf.points.size(), {kNone, kNone});  // piece, point
     for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
         const std::uint32_t at = piece_of[shell_of[t]];
-        solid::PlacedLeaf& piece = pieces[at];
+        solid::PlacedLeaf& to = pieces[at];
         glm::uvec3 own;
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t point = leaf.triangles[t][k];
             if (number[point].first != at) {
-                number[point] = {at, static_cast<std::uint32_t>(piece.points.size())};
-                piece.points.push_back(leaf.points[point]);
-                piece.box = enclose(piece.box, leaf.points[point]);
+                number[point] = {at, static_cast<std::uint32_t>(to.points.size())};
+                to.points.push_back(leaf.points[point]);
+                to.box = enclose(to.box, leaf.points[point]);
             }
             own[k] = number[point].second;
         }
-        piece.triangles.push_back(own);
-        piece.planes.push_back(leaf.planes[t]);
-        piece.solid = leaf.solid;
+        to.triangles.push_back(own);
+        to.planes.push_back(leaf.planes[t]);
+        to.solid = leaf.solid;
     }
     return pieces;
 }

@@ -22,15 +22,6 @@ std::vector<Box> boxes_of(const LeafGroup& group) {
     return boxes;
 }
 
-std::vector<Box> boxes_of(const solid::PlacedLeaf& leaf) {
-    std::vector<Box> boxes(leaf.triangles.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (int k = 0; k < 3; ++k)
-            boxes[i] = enclose(boxes[i], leaf.points[leaf.triangles[i][k]]);
-    }
-    return boxes;
-}
-
 /// 1: from behind the triangle, -1: from in front of it, 0: not at all. Nothing where it cannot be told.
 std::optional<int> crosses(const solid::PlacedLeaf& leaf, const glm::uvec3& t, const glm::dvec3& o,
                            const glm::dvec3& d) {
@@ -74,7 +65,8 @@ RayProbe::~RayProbe() = default;
 
 const RayProbe::Triangles& RayProbe::triangles(LeafId leaf) const {
     if (!triangles_[leaf])
-        triangles_[leaf] = std::make_unique<const Triangles>(widened(boxes_of(*group_.leaves[leaf]), tolerance_));
+        triangles_[leaf] = std::make_unique<const Triangles>(
+            widened(triangle_boxes(group_.leaves[leaf]->points, group_.leaves[leaf]->triangles), tolerance_));
     return *triangles_[leaf];
 }
 

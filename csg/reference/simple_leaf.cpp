@@ -7,39 +7,20 @@
 
 #include "base/stop.h"
 #include "csg/reference/box_pairs.h"
+#include "csg/reference/components.h"
 #include "csg/reference/manifold.h"
-#include "csg/reference/point_ids.h"
 
 namespace csg::reference {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// With one point for each place; false where a triangle has no area.
-bool weld(const solid::PlacedLeaf& leaf, Mesh& mesh) {
-    PointIds ids;
-    std::vector<std::uint32_t> number;
-    number.reserve(leaf.points.size());
-    for (const glm::dvec3& p : leaf.points) {
-        const auto [id, added] = ids.add(p);
-        if (added)
-            mesh.points.push_back(p);
-        number.push_back(id);
-    }
-    mesh.triangles.reserve(leaf.triangles.size());
-    for (const glm::uvec3& t : leaf.triangles) {
-        const glm::uvec3 own{number[t.x], number[t.y], number[t.z]};
-        if (own.x == own.y || own.y == own.z || own.z == own.x)
-            continue;
-        const auto at = [&](std::uint32_t i) {
-            return Kernel::Point_3(mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
-        };
-        if (CGAL::collinear(at(own.x), at(own.y), at(own.z)))
-            return false;
-        mesh.triangles.push_back(own);
-    }
-    mesh.sources.assign(mesh.triangles.size(), 0);
-    return true;
+bool all_have_area(const Mesh& mesh) {
+    const auto at = [&](std::uint32_t i) {
+        return Kernel::Point_3(mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
+    };
+    return std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
+                        [&](const glm::uvec3& t) { return CGAL::collinear(at(t.x), at(t.y), at(t.z)); });
 }
 
 /// Whether triangles of a closed manifold mesh meet anywhere but where they share corners.
@@ -145,11 +126,7 @@ class Meeting {
 };
 
 bool meets_itself(const Mesh& mesh, const std::stop_token& stop) {
-    std::vector<Box> boxes(mesh.triangles.size());
-    for (std::size_t t = 0; t < boxes.size(); ++t) {
-        for (int k = 0; k < 3; ++k)
-            boxes[t] = enclose(boxes[t], mesh.points[mesh.triangles[t][k]]);
-    }
+    const std::vector<Box> boxes = triangle_boxes(mesh.points, mesh.triangles);
     const Meeting meeting(mesh);
     base::PacedStop paced(stop);
     bool found = false;
@@ -166,8 +143,8 @@ std::optional<SimpleSurface> simple_surface(const solid::PlacedLeaf& leaf, const
     // What trimming has closed (csg/solid/trim_leaves.h) may overlap itself in a plane; that is found below.
     if (!leaf.solid->closed)
         return {};
-    Mesh mesh;
-    if (!weld(leaf, mesh))
+    Mesh mesh = welded(leaf.points, leaf.triangles);
+    if (!all_have_area(mesh))
         return {};
     if (!leaf.solid->convex)
         separate_sheets(mesh, std::vector<double>());  // those that share but a corner
