@@ -21,6 +21,7 @@
 #include "ui/command_line/time_limit.h"
 #include "ui/pipeline/comparison/errors.h"
 #include "ui/pipeline/comparison/layer_volume.h"
+#include "ui/pipeline/measures.h"
 
 namespace ui {
 
@@ -152,6 +153,7 @@ int compare_with_mesh(const CompareOptions& o) {
 
 int run_compare(const std::vector<std::string>& arguments) {
     CompareOptions options = read_compare_options(arguments);
+    options.runner = std::make_shared<ProgramRunner>(make_measures());
     if (options.input.empty()) {
         return 0;
     }

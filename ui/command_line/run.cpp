@@ -110,7 +110,7 @@ class Run {
         if (!options_.preview) {
             builder_.show(csg::Showing::Result);
         }
-        model_ = builder_.build(language_.evaluation().tree, limit_.token());
+        model_ = builder_.build(language_.evaluation().tree, limit_.token(), language_.evaluation().program);
         for (const std::string& warning : model_->warnings) {
             language_.messages().warn(warning);
         }

@@ -58,9 +58,11 @@ void throw_failures(const std::vector<std::string>& failures) {
 
 }  // namespace
 
-std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, const std::stop_token& stop) {
+std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, const std::stop_token& stop,
+                                                 std::shared_ptr<const csg::scad::LoadedProgram> program) {
     auto model = std::make_shared<Model>();
     model->tree = std::move(tree);
+    model->program = std::move(program);
     model->generation = next_generation();
     Stopwatch watch;
     ModelStatistics& statistics = model->statistics;

@@ -13,6 +13,10 @@
 #include "goldfeather/products.h"
 #include "ui/pipeline/mesh/exact_operations.h"
 
+namespace csg::scad {
+class LoadedProgram;
+}
+
 namespace ui {
 
 /// The model cannot be drawn as asked; the text begins with file:line:column where the place is known.
@@ -31,6 +35,7 @@ struct ModelStatistics {
 /// Immutable, without OpenGL; drawn by any number of renderers.
 struct Model {
     std::shared_ptr<const csg::Tree> tree;
+    std::shared_ptr<const csg::scad::LoadedProgram> program;  ///< Whose text made it; null where none did.
     csg::Scene scene;
     csg::solid::Geometry geometry;
     std::vector<std::vector<goldfeather::Product>> products;  ///< By part; an empty part has none.
@@ -63,7 +68,8 @@ class ModelBuilder {
     /// A part with more products than the budget allows is left to the engines that need none. Throws base::Stopped
     /// where `stop` asked for it.
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree,
-                                                     const std::stop_token& stop = {});
+                                                     const std::stop_token& stop = {},
+                                                     std::shared_ptr<const csg::scad::LoadedProgram> program = {});
 
     /// A flat model (ui/pipeline/mesh/outline.h) as one region of the plane; its warnings and failures are those of the
     /// model. Throws ModelError where nothing is left of it, or its objects cannot be put together, base::Stopped

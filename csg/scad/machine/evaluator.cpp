@@ -6,12 +6,11 @@
 #include <random>
 
 #include "csg/scad/builtin/data_file.h"
+#include "csg/tree/least_fineness.h"
 
 namespace csg::scad {
 
 namespace {
-
-constexpr double kSmallestFineness = 0.01;
 
 std::uint32_t index_of_special(const Program& program, const Resolution& resolution, std::string_view name) {
     const Symbol symbol = program.symbols.find(name);
@@ -24,20 +23,22 @@ Value vector_of(const std::array<double, 3>& v) {
 
 }  // namespace
 
-Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink, const char* stack_limit)
+Evaluator::Evaluator(const Program& program, Compiled& compiled, const Request& request, MessageSink sink,
+                     const char* stack_limit)
     : p_(program),
       request_(request),
       sink_(std::move(sink)),
       stack_limit_(stack_limit),
-      resolver_(program),
-      r_(resolver_.resolution()),
+      r_(compiled.resolver.resolution()),
       is_undef_(find_builtin_function("is_undef")),
       len_(find_builtin_function("len")),
       parent_modules_index_(index_of_special(program, r_, "$parent_modules")),
       fn_index_(index_of_special(program, r_, "$fn")),
       fa_index_(index_of_special(program, r_, "$fa")),
       fs_index_(index_of_special(program, r_, "$fs")),
-      fe_index_(index_of_special(program, r_, "$fe")) {
+      fe_index_(index_of_special(program, r_, "$fe")),
+      resolver_(compiled.resolver),
+      compiled_(compiled) {
     host_.warn = [this](std::string text) { warn(p_[call_].where, std::move(text)); };
     host_.warn_without_place = [this](std::string text) { warn({}, std::move(text)); };
     host_.argument_name = [this](std::size_t i) {
@@ -52,8 +53,6 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
     end_values_at(request.stop);
-    strings_.reserve(p_.symbols.size() + p_.lazy.most.names);
-    function_codes_.assign(p_.functions.size() + p_.lazy.most.functions, nullptr);
     dynamic_.assign(r_.dynamics, Value::unset());
     units_.resize(p_.units.size());
     for (std::uint32_t file = 0; file < p_.sources.size(); ++file) {
@@ -73,9 +72,19 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
     set_special("$vpr", vector_of(request.view.rotation));
     set_special("$vpd", request.view.distance);
     set_special("$vpf", request.view.fov);
+    exchange_code();
+}
+
+void Evaluator::exchange_code() {
+    strings_.swap(compiled_.strings);
+    codes_.swap(compiled_.codes);
+    function_codes_.swap(compiled_.function_codes);
+    literal_codes_.swap(compiled_.literal_codes);
+    std::swap(statement_codes_, compiled_.statement_codes);
 }
 
 Evaluator::~Evaluator() {
+    exchange_code();
     // Closures that hold each other would keep each other alive.
     std::vector<Value> captures;
     for (const Value& value : knotted_) {
@@ -123,9 +132,9 @@ Fineness Evaluator::fineness(const SourceRange& where) {
         fineness.fe = std::max(most, 0.0);
     }
     const auto clamp = [&](const char* name, double& number) {
-        if (number < kSmallestFineness) {
-            warn(where, fmt::format("{} too small - clamping to {:f}", name, kSmallestFineness));
-            number = kSmallestFineness;
+        if (number < kLeastFineness) {
+            warn(where, fmt::format("{} too small - clamping to {:f}", name, kLeastFineness));
+            number = kLeastFineness;
         }
     };
     clamp("$fs", fineness.fs);

@@ -30,10 +30,21 @@ struct SourceFile::Lines {
     std::vector<std::size_t> starts{0};
 };
 
-SourceFile::SourceFile(std::string name, std::string text)
-    : name_(std::move(name)), text_(std::move(text)), lines_(std::make_shared<Lines>()) {}
+namespace {
 
-std::string_view SourceFile::line(std::uint32_t line) const {
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+}  // namespace
+
+SourceFile::SourceFile(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)), lines_(std::make_shared<Lines>()) {
+    if (text_.starts_with(kByteOrderMark)) {
+        text_.erase(0, kByteOrderMark.size());
+        mark_bytes_ = kByteOrderMark.size();
+    }
+}
+
+const std::vector<std::size_t>& SourceFile::line_starts() const {
     std::vector<std::size_t>& starts = lines_->starts;
     std::call_once(lines_->once, [&] {
         for (std::size_t i = 0; i < text_.size(); ++i) {
@@ -42,6 +53,11 @@ std::string_view SourceFile::line(std::uint32_t line) const {
             }
         }
     });
+    return starts;
+}
+
+std::string_view SourceFile::line(std::uint32_t line) const {
+    const std::vector<std::size_t>& starts = line_starts();
     if (line == 0 || line > starts.size()) {
         return {};
     }
@@ -53,9 +69,30 @@ std::string_view SourceFile::line(std::uint32_t line) const {
     return std::string_view(text_).substr(begin, end - begin);
 }
 
-std::uint32_t SourceSet::add(SourceFile file) {
+std::size_t SourceFile::offset(std::uint32_t line, std::uint32_t column) const {
+    const std::vector<std::size_t>& starts = line_starts();
+    if (line == 0 || column == 0 || line > starts.size()) {
+        return line == 0 || column == 0 ? 0 : text_.size();
+    }
+    return std::min(starts[line - 1] + (column - 1), text_.size());
+}
+
+SourceLocation SourceFile::place(std::size_t offset) const {
+    const std::vector<std::size_t>& starts = line_starts();
+    const std::size_t at = std::min(offset, text_.size());
+    const auto next = std::upper_bound(starts.begin(), starts.end(), at);
+    const std::size_t begin = *std::prev(next);
+    return {0, static_cast<std::uint32_t>(next - starts.begin()), static_cast<std::uint32_t>(at - begin) + 1};
+}
+
+std::uint32_t SourceSet::add(SharedSource file) {
     files_.push_back(std::move(file));
     return static_cast<std::uint32_t>(files_.size() - 1);
+}
+
+ByteRange SourceSet::bytes_of(const SourceRange& range) const {
+    const SourceFile& file = *files_[range.file];
+    return {file.offset(range.line, range.column), file.offset(range.end_line, range.end_column)};
 }
 
 namespace {

@@ -20,6 +20,7 @@ enum class TokenKind : std::uint8_t {
     Identifier,  ///< name
     Include,     ///< name: the file, as written
     Use,         ///< name: the file, as written
+    Piece,       ///< Statements that are parsed already (piece.h).
     // Words:
     Module,
     Function,
