@@ -24,9 +24,9 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "gl/program.h"
 #include "npr/picture.h"
 
 namespace npr {
@@ -76,6 +76,9 @@ template <typename T>
     }
 }
 
+/// What a uniform may hold.
+using Uniform = std::variant<float, bool, int, glm::uint, glm::vec2, glm::vec3, glm::vec4>;
+
 template <typename Settings>
 class SettingsTable {
     struct Line {
@@ -85,13 +88,13 @@ class SettingsTable {
               type(glsl_type<std::remove_cvref_t<decltype(std::declval<Settings&>().*kMember)>>()),
               parameter(std::move(setting.parameter)),
               assign([](Settings& s, const Value& value) { assign_to(s.*kMember, value); }),
-              set([](const gl::Program& p, const char* name, const Settings& s) { p.set(name, s.*kMember); }) {}
+              value([](const Settings& s) { return Uniform(s.*kMember); }) {}
 
         std::string uniform;
         std::string_view type;  ///< Of GLSL.
         std::optional<Parameter> parameter;
         void (*assign)(Settings&, const Value&);
-        void (*set)(const gl::Program&, const char* name, const Settings&);
+        Uniform (*value)(const Settings&);
     };
 
   public:
@@ -122,10 +125,11 @@ class SettingsTable {
                 line.assign(result, values.at(i++));
         return result;
     }
-    /// Sets those uniforms that the program has.
-    void set_uniforms(const gl::Program& program, const Settings& settings) const {
+    /// Sets those uniforms that the program (a gl::Program) has.
+    template <typename Program>
+    void set_uniforms(const Program& program, const Settings& settings) const {
         for (const Line& line : lines_)
-            line.set(program, line.uniform.c_str(), settings);
+            std::visit([&](const auto& value) { program.set(line.uniform.c_str(), value); }, line.value(settings));
     }
 
   private:

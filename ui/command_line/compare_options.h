@@ -16,7 +16,7 @@ namespace ui {
 struct CompareOptions {
     std::string input;             ///< Empty: help was asked for, and printed.
     std::string against = "cgal";  ///< Or "openscad", or a file.
-    goldfeather::EngineKind engine = goldfeather::EngineKind::ListsCpu;
+    const goldfeather::EngineInfo* engine = &goldfeather::fallback_engine();
     std::string report;                  ///< Folder; empty: none.
     std::string reference;               ///< A picture; empty: meshes are compared.
     std::optional<base::Camera> camera;  ///< The only view; absent: `views` of them.

@@ -1,5 +1,7 @@
 #include "ui/command_line/option_declarations.h"
 
+#include "goldfeather/engines.h"
+
 namespace ui {
 
 void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styles) {
@@ -80,7 +82,8 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
 
     const char* const engine = "Engine";
-    text("--engine", raw.engine, "auto, goldfeather, lists, lists-cpu or scs (auto)", "NAME", engine);
+    const std::string engines = "auto, " + goldfeather::engine_names() + " (auto)";
+    text("--engine", raw.engine, engines.c_str(), "NAME", engine);
     text("--context", raw.context, "OpenGL from: auto, egl, osmesa or none (auto)", "NAME", engine);
     text("--memory-budget", raw.memory_budget, "Per-pixel state of the engines on OpenGL at once (128)", "MIB", engine);
     text("--minimal-fraction", raw.minimal_fraction,

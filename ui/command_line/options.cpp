@@ -19,10 +19,10 @@ namespace {
 constexpr int kLargestSide = 16384;
 constexpr int kMostLayers = 65535;
 
-std::vector<std::pair<std::string, std::optional<goldfeather::EngineKind>>> engine_names() {
-    std::vector<std::pair<std::string, std::optional<goldfeather::EngineKind>>> names{{"auto", std::nullopt}};
-    for (const goldfeather::EngineKind kind : goldfeather::kEngineKinds) {
-        names.emplace_back(goldfeather::name(kind), kind);
+std::vector<std::pair<std::string, const goldfeather::EngineInfo*>> engine_names() {
+    std::vector<std::pair<std::string, const goldfeather::EngineInfo*>> names{{"auto", nullptr}};
+    for (const goldfeather::EngineInfo& engine : goldfeather::engines()) {
+        names.emplace_back(engine.name, &engine);
     }
     return names;
 }
@@ -59,7 +59,7 @@ void interpret_limits(Options& o, const RawOptions& raw) {
 }
 
 void interpret_engine(Options& o, const RawOptions& raw) {
-    o.engine.kind = read_name<std::optional<goldfeather::EngineKind>>("--engine", raw.engine, engine_names());
+    o.engine.engine = read_name<const goldfeather::EngineInfo*>("--engine", raw.engine, engine_names());
     o.context = read_name<std::optional<gl::ContextKind>>("--context", raw.context,
                                                           {{"auto", gl::ContextKind::Auto},
                                                            {"egl", gl::ContextKind::Egl},

@@ -256,7 +256,7 @@ int open_window(const Options& options) {
     window.source.by_error = options.by_error;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
     window.picture = PictureRequest(picture_of(options.picture, options.picture_texts));  // Told before a window opens.
-    window.picture.engine = options.engine.kind;
+    window.picture.engine = options.engine.engine;
     window.engine = options.engine;
     window.frames_log = options.frames_log;
     if (run_window(window) == WindowEnd::StillDrawing) {

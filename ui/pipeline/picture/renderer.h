@@ -52,8 +52,8 @@ class Renderer {
     [[nodiscard]] const gl::Context* context() const { return context_; }
 
   private:
-    /// Sets choice_; is the CPU to draw it? `engine`: absent where it is for wanted_ to say. `layers`: 0 for all.
-    bool choose_cpu(const Model& model, std::optional<goldfeather::EngineKind> engine, int layers);
+    /// Sets choice_; is the CPU to draw it? `engine`: null where it is for wanted_ to say. `layers`: 0 for all.
+    bool choose_cpu(const Model& model, const goldfeather::EngineInfo* engine, int layers);
     GlRenderer& with_opengl();
 
     goldfeather::EngineOptions wanted_;
