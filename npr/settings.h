@@ -17,7 +17,6 @@
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <optional>
-#include <source_location>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -31,12 +30,16 @@
 
 namespace npr {
 
-/// The name under which the member is declared. C++20 has it in texts for people only.
+/// The name under which the member is declared. C++20 has it in texts for people only: compilers end this function's
+/// with "kMember = &npr::Settings::strength]".
 template <auto kMember>
 consteval std::string_view member_name() {
-    std::string_view text = std::source_location::current().function_name();
+    std::string_view text = __PRETTY_FUNCTION__;
     text = text.substr(0, text.find_first_of("];", text.find("kMember = ")));
-    return text.substr(text.rfind(':') + 1);
+    text = text.substr(text.rfind(':') + 1);
+    if (text.empty() || text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string_view::npos)
+        throw std::logic_error("no name");  // Does not compile.
+    return text;
 }
 
 /// One line of a table: a field, and the parameter that gives it its value.
