@@ -173,7 +173,7 @@ void Evaluator::fail_recursion(const SourceRange& where, std::string_view what, 
                                     : fmt::format("Recursion detected {} '{}'", what, name(callee)));
 }
 
-SourceLocation Evaluator::location(const SourceRange& where) {
+SourceLocation Evaluator::location(const SourceRange& where) const {
     return {where.file < tree_files_.size() ? tree_files_[where.file] : 0, where.line, where.column};
 }
 
@@ -247,6 +247,36 @@ void Evaluator::take_view(ViewSettings& view) {
     take_number("$vpf", view.fov);
 }
 
+void Evaluator::note_statement(const Instantiation& i) {
+    const auto index = static_cast<std::size_t>(&i - p_.instantiations.data());
+    if (index >= noted_.size()) {
+        noted_.resize(p_.instantiations.size());
+    }
+    noted_[index] = 1;
+}
+
+std::vector<Statement> Evaluator::noted_statements() const {
+    std::vector<Statement> statements;
+    for (std::size_t index = 0; index < noted_.size(); ++index) {
+        if (noted_[index] == 0) {
+            continue;
+        }
+        const Instantiation& i = p_.instantiations[index];
+        const SourceFile& file = p_.sources[i.where.file];
+        const auto byte = [&file](std::uint32_t line, std::uint32_t column) {
+            return static_cast<std::uint32_t>(file.mark_bytes() + file.offset(line, column));
+        };
+        statements.push_back({location(i.where), byte(i.where.line, i.where.column),
+                              byte(i.where.end_line, i.where.end_column), name(i.name),
+                              !i.is_if && r_.module_of_instantiation[index].user.id != kNone});
+    }
+    // A file that is read twice has its statements twice.
+    std::ranges::sort(statements, {}, &Statement::where);
+    const auto repeated = std::ranges::unique(statements, {}, &Statement::where);
+    statements.erase(repeated.begin(), repeated.end());
+    return statements;
+}
+
 Tree Evaluator::run(ViewSettings& view) {
     const BlockId block = p_.units[0].block;
     UnitFrame& main = units_[0];
@@ -260,7 +290,7 @@ Tree Evaluator::run(ViewSettings& view) {
         return builder_.finish(kNoNode);
     }
     const NodeId top = builder_.combine(Operation::Group, nodes, {});
-    return builder_.finish(has_root_modifier_ ? find_root(top) : top);
+    return builder_.finish(has_root_modifier_ ? find_root(top) : top, noted_statements());
 }
 
 }  // namespace csg::scad

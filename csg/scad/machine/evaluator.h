@@ -82,7 +82,7 @@ class Evaluator {
     void warn(const SourceRange& where, std::string text);
     void emit(Severity severity, const SourceRange& where, std::string text);
     [[noreturn]] void fail(const SourceRange& where, std::string text);
-    [[nodiscard]] SourceLocation location(const SourceRange& where);
+    [[nodiscard]] SourceLocation location(const SourceRange& where) const;
     /// What `$fn`, `$fa` and `$fs` say now; warns at `where` of values that are too small.
     [[nodiscard]] Fineness fineness(const SourceRange& where);
     /// Restores `$` variables to what they were.
@@ -176,6 +176,11 @@ class Evaluator {
     void set_special(std::string_view name, Value value);
     void exchange_code();
     void take_view(ViewSettings& view);
+    /// The statement has made so many nodes; fails where there are too many now.
+    void count_nodes(const Instantiation& i, std::size_t made);
+    /// Notes that the statement made a node.
+    void note_statement(const Instantiation& i);
+    [[nodiscard]] std::vector<Statement> noted_statements() const;
     NodeId find_root(NodeId top);
 
     class Activation;
@@ -310,6 +315,7 @@ class Evaluator {
     std::uint32_t parent_modules_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
     std::uint32_t fn_index_, fa_index_, fs_index_, fe_index_;
     std::size_t nodes_ = 0;
+    std::vector<char> noted_;  ///< By instantiation; the last may be missing.
     std::map<std::string, DiskState> data_files_;
     Resolver& resolver_;
     Compiled& compiled_;  ///< Its code is here while it grows: `run` asks for it at every call.
