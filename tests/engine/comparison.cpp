@@ -31,7 +31,8 @@ bool same(const truth::Surface& expected, const layers::Surface& actual) {
            holds(expected.planes, actual.plane);
 }
 
-Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_scene(tree)) {
+Subject::Subject(const csg::Tree& tree, bool with_products, const csg::PartRule& rule)
+    : scene(csg::make_scene(tree, csg::Showing::Preview, rule)) {
     csg::solid::SolidCache cache;
     geometry = csg::solid::place(tree, scene, cache);
     std::vector<csg::Box> boxes;

@@ -13,7 +13,7 @@ namespace comparison {
 /// A model made ready for peeling.
 struct Subject {
     /// Without `with_products`, there are none and no part is over budget.
-    explicit Subject(const csg::Tree& tree, bool with_products = true);
+    explicit Subject(const csg::Tree& tree, bool with_products = true, const csg::PartRule& rule = {});
 
     csg::Scene scene;
     csg::solid::Geometry geometry;

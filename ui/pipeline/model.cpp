@@ -68,7 +68,7 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     ModelStatistics& statistics = model->statistics;
     const bool result = showing_ == csg::Showing::Result;
     model->flat = result && csg::is_flat(*model->tree);
-    model->scene = csg::make_scene(*model->tree, showing_);
+    model->scene = csg::make_scene(*model->tree, showing_, parts_);
     model->geometry = csg::solid::place(*model->tree, model->scene, solids_, result ? kFlat : kPreviewThickness, stop);
     solids_.trim();
     statistics.place_ms = watch.lap();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/solid/placed.h"
@@ -65,6 +66,9 @@ class ModelBuilder {
     /// In previews outlines by themselves are slabs of thickness 1, as in OpenSCAD's; in results they are next to flat.
     void show(csg::Showing showing) { showing_ = showing; }
 
+    /// What is a part of the models to come; the whole solid, unless something else is said.
+    void divide(csg::PartRule parts) { parts_ = std::move(parts); }
+
     /// A part with more products than the budget allows is left to the engines that need none. Throws base::Stopped
     /// where `stop` asked for it.
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree,
@@ -83,6 +87,7 @@ class ModelBuilder {
   private:
     goldfeather::Budget budget_;
     csg::Showing showing_ = csg::Showing::Preview;
+    csg::PartRule parts_;
     csg::solid::SolidCache solids_{exact_operations()};
 };
 
