@@ -37,6 +37,7 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
         return;
     }
     Stopwatch watch;
+    builder.divide(source.parts);
     auto model = builder.build(evaluation.tree, stop, evaluation.program);
     revision.build_ms = watch.lap();
     for (const auto* texts : {&model->warnings, &model->failures}) {

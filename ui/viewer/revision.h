@@ -24,6 +24,7 @@ struct Source {
     bool preview = true;                   ///< $preview
     bool hard_warnings = false;            ///< A warning is an error.
     bool by_error = false;                 ///< $fe has its meaning.
+    csg::PartRule parts{};
 };
 
 struct Revision {

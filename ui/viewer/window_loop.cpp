@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ui/viewer/camera_control.h"
+#include "ui/pipeline/picture/pick.h"
 
 namespace ui {
 
@@ -208,8 +208,8 @@ void WindowLoop::receive(const SavedPicture& saved) {
 }
 
 void WindowLoop::receive(const PickedPoint& picked) {
-    if (picked.point) {
-        session_.look_at(*picked.point);
+    if (picked.surface) {
+        session_.look_at(picked.surface->point);
     }
 }
 

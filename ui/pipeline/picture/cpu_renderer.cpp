@@ -47,17 +47,11 @@ void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, c
     statistics_.style_ms += watch.lap();
 }
 
-std::optional<glm::dvec3> CpuRenderer::pick(const Model& model, const base::Camera& camera,
-                                            const goldfeather::EngineInfo& engine) {
+std::shared_ptr<const layers::HostStack> CpuRenderer::pick(const Model& model, const base::View& view, int layers,
+                                                           const goldfeather::EngineInfo& engine) {
     hold(model, engine);
-    const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
     goldfeather::WalkStats ignored;
-    const float depth = scene_->draw(view, 1, ignored).host->at(0, 0, 0).depth;
-    if (!(depth > 0)) {
-        return std::nullopt;
-    }
-    const base::View::Ray ray = view.ray(0, 0);
-    return ray.origin + view.distance(depth) * ray.direction;
+    return scene_->draw(view, layers, ignored).host;
 }
 
 }  // namespace ui

@@ -3,7 +3,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 
 #include "goldfeather/engine_set.h"
 #include "layers/host_stack.h"
@@ -23,8 +22,9 @@ class CpuRenderer {
     void draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineInfo& engine, int sample,
                      const std::stop_token& stop = {});
     [[nodiscard]] base::Image image() const { return accumulator_.image(); }
-    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera,
-                                                 const goldfeather::EngineInfo& engine);
+    /// The first surfaces of a view of one pixel (0: all).
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,
+                                                                const goldfeather::EngineInfo& engine);
     /// Its choice of an engine is left to the caller.
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 

@@ -72,19 +72,12 @@ void GlRenderer::draw_sample(const Model& model, const npr::Picture& picture, co
         fallback.empty() ? engine : goldfeather::EngineChoice{&goldfeather::fallback_engine(), fallback};
 }
 
-std::optional<glm::dvec3> GlRenderer::pick(const Model& model, const base::Camera& camera,
-                                           const goldfeather::EngineChoice& engine) {
-    // Whatever engine the model is held for does.
-    hold(model, scene_ && generation_ == model.generation ? *engine_ : *engine.engine);
-    const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
+std::shared_ptr<const layers::HostStack> GlRenderer::pick(const Model& model, const base::View& view, int layers,
+                                                          const goldfeather::EngineChoice& engine) {
+    // Whatever engine the model is held for does, as long as the first layer is all that is wanted.
+    hold(model, layers == 1 && scene_ && generation_ == model.generation ? *engine_ : *engine.engine);
     goldfeather::WalkStats ignored;
-    const layers::Stack stack = scene_->draw(view, 1, ignored);
-    const float depth = layers::in_main_memory(gl_, stack)->at(0, 0, 0).depth;
-    if (!(depth > 0)) {
-        return std::nullopt;
-    }
-    const base::View::Ray ray = view.ray(0, 0);
-    return ray.origin + view.distance(depth) * ray.direction;
+    return layers::in_main_memory(gl_, scene_->draw(view, layers, ignored));
 }
 
 }  // namespace ui

@@ -3,7 +3,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,8 +33,9 @@ class GlRenderer {
                      int sample, const std::stop_token& stop = {});
     void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
     [[nodiscard]] base::Image image() { return accumulator_.image(); }
-    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera,
-                                                 const goldfeather::EngineChoice& engine);
+    /// The first surfaces of a view of one pixel (0: all).
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,
+                                                                const goldfeather::EngineChoice& engine);
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 
   private:

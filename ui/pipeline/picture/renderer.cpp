@@ -57,11 +57,14 @@ base::Image Renderer::image() {
     return on_cpu_ ? cpu_.image() : gl_->image();
 }
 
-std::optional<glm::dvec3> Renderer::pick(const Model& model, const base::Camera& camera) {
+std::vector<PickedSurface> Renderer::pick(const Model& model, const base::Camera& camera, int layers) {
     const goldfeather::EngineChoice of_picture = choice_;
-    const bool on_cpu = choose_cpu(model, nullptr, 1);
+    const bool on_cpu = choose_cpu(model, nullptr, layers);
     const goldfeather::EngineChoice choice = std::exchange(choice_, of_picture);
-    return on_cpu ? cpu_.pick(model, camera, *choice.engine) : with_opengl().pick(model, camera, choice);
+    const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
+    const auto stack =
+        on_cpu ? cpu_.pick(model, view, layers, *choice.engine) : with_opengl().pick(model, view, layers, choice);
+    return picked(model, view, *stack);
 }
 
 base::Image Renderer::render(const Model& model, const PictureRequest& request, const std::stop_token& stop) {
