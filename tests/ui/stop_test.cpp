@@ -42,8 +42,8 @@ struct Way {
 
 std::vector<Way> ways() {
     using goldfeather::find_engine;
-    return {{std::nullopt, "shaded", 0, 384},
-            {std::nullopt, "blueprint", 0, 384},
+    return {{nullptr, "shaded", 0, 384},
+            {nullptr, "blueprint", 0, 384},
             {nullptr, "sketch", 0, 384},
             {find_engine("lists-cpu"), "sketch", 0, 384},
             {find_engine("lists"), "shaded", 0, 256},
@@ -87,7 +87,7 @@ class Alarm {
 class StopTest : public test_support::GlTest {
   protected:
     [[nodiscard]] Renderer renderer(const Way& way) const {
-        return way.engine ? Renderer(*context_, *way.engine, Painter::OpenGl) : Renderer({}, Painter::Cpu);
+        return way.engine ? Renderer(*context_, way.engine, Painter::OpenGl) : Renderer({}, Painter::Cpu);
     }
 };
 
