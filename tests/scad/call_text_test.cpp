@@ -1,6 +1,7 @@
 // Which bytes of the text a call, its arguments and their literals are.
 #include "csg/scad/syntax/call_text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/scad/evaluate_text.h"
@@ -24,9 +25,10 @@ std::string shown(const Program& program, const std::optional<CallText>& call) {
     }
     std::string text = cut(program, call->file, call->bytes) + " =";
     for (const auto& argument : call->arguments) {
-        text += " {" + cut(program, call->file, argument.bytes) + "|" + cut(program, call->file, argument.value) + ":";
+        text += fmt::format(" {{{}|{}:", cut(program, call->file, argument.bytes),
+                            cut(program, call->file, argument.value));
         for (const auto& literal : argument.literals) {
-            text += " " + cut(program, call->file, literal.bytes);
+            text += fmt::format(" {}", cut(program, call->file, literal.bytes));
         }
         text += "}";
     }
@@ -77,7 +79,7 @@ TEST(CallText, LiteralAtAByte) {
     std::string all;
     for (std::size_t at = 0; at < text.size(); ++at) {
         const auto literal = literal_at(parsed.program, 0, at);
-        all += literal ? cut(parsed.program, 0, literal->bytes) + "," : ".";
+        all += literal ? fmt::format("{},", cut(parsed.program, 0, literal->bytes)) : ".";
     }
     EXPECT_EQ(all, "....-12,-12,-12,-12,..\"x\",\"x\",\"x\",\"x\",......true,true,true,true,true,3,3,.");
 }

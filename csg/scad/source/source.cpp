@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 
+#include "csg/scad/source/characters.h"
 #include "csg/scad/source/paths.h"
 
 namespace csg::scad {
@@ -47,10 +48,11 @@ SourceFile::SourceFile(std::string name, std::string text)
 const std::vector<std::size_t>& SourceFile::line_starts() const {
     std::vector<std::size_t>& starts = lines_->starts;
     std::call_once(lines_->once, [&] {
-        for (std::size_t i = 0; i < text_.size(); ++i) {
-            if (text_[i] == '\n' || (text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'))) {
-                starts.push_back(i + 1);
-            }
+        const char* const begin = text_.data();
+        const char* const end = begin + text_.size();
+        for (const char* at = end_of_line(begin, end); at != end; at = end_of_line(at, end)) {
+            at += at[0] == '\r' && end - at > 1 && at[1] == '\n' ? 2 : 1;
+            starts.push_back(static_cast<std::size_t>(at - begin));
         }
     });
     return starts;

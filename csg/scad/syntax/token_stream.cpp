@@ -7,7 +7,12 @@ namespace csg::scad {
 namespace {
 
 bool is_last(const Token& token) {
-    return token.kind == TokenKind::End || token.kind == TokenKind::Error;
+    return token.kind <= TokenKind::Error;
+}
+
+/// Nothing is read behind it yet.
+bool is_barrier(const Token& token) {
+    return token.kind <= TokenKind::Piece;
 }
 
 const MessageSink kSilence;
@@ -72,7 +77,7 @@ const Token& TokenStream::take() {
 /// before it is put in its place, so that messages keep their order.
 void TokenStream::read_next() {
     Token& after = tokens_[(at_ + 1) % kKept];
-    if (is_last(current()) || current().kind == TokenKind::Piece) {
+    if (is_barrier(current())) {
         after = current();
     } else {
         read(after);
@@ -96,6 +101,9 @@ void TokenStream::read(Token& token) {
             continue;
         }
         token = lexers_.back().take();
+        if (token.kind > TokenKind::Use) {
+            return;
+        }
         if (token.kind == TokenKind::End && lexers_.size() + cursors_.size() > 1) {
             lexers_.pop_back();
             open_.pop_back();
