@@ -24,7 +24,7 @@ PartRule rule_of(std::uint64_t seed) {
 class Parts : public comparison::EngineTest {
   protected:
     [[nodiscard]] Subject divided(const csg::Tree& tree, const PartRule& rule) {
-        return Subject(tree, engine().needs_products(), rule);
+        return Subject(tree, engine().capabilities().needs_products, rule);
     }
 };
 
@@ -79,7 +79,7 @@ TEST_P(Parts, AreTheWholeTogether) {
         options.modifiers = false;
         const random_tree::Model model = random_tree::make_model(random, options);
         const csg::Tree tree = random_tree::make_tree(model);
-        const Subject whole(tree, engine().needs_products()), parts = divided(tree, rule_of(seed));
+        const Subject whole(tree, engine().capabilities().needs_products), parts = divided(tree, rule_of(seed));
         if (whole.over_budget + parts.over_budget > 0)
             continue;
         const base::Camera camera = random_tree::make_camera(random, whole.geometry.box.lo, whole.geometry.box.hi);
@@ -88,7 +88,7 @@ TEST_P(Parts, AreTheWholeTogether) {
         try {
             one = engine().peel(whole, view);
             many = engine().peel(parts, view);
-        } catch (const comparison::OtherEngine&) {
+        } catch (const goldfeather::EngineObstacle&) {
             ++given_up;  // Lists that are too long for this OpenGL.
             continue;
         }
@@ -130,7 +130,7 @@ TEST_P(Parts, ThatTouchKeepBothFaces) {
     camera.fov = 1;
     for (const auto& [model, rule] : {std::pair(two, depth(1)), std::pair(cut, depth(2))}) {
         const csg::Tree tree = random_tree::make_tree(model);
-        const Subject whole(tree, engine().needs_products()), parts = divided(tree, rule);
+        const Subject whole(tree, engine().capabilities().needs_products), parts = divided(tree, rule);
         ASSERT_EQ(parts.scene.parts.size(), 2u);
         const base::View view = parts.view(camera, {1, 1});
         const auto one = engine().peel(whole, view), many = engine().peel(parts, view);
@@ -148,7 +148,7 @@ TEST_P(Parts, ThatTouchKeepBothFaces) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, Parts, testing::Values("goldfeather_egl", "lists_egl", "lists_cpu"),
+INSTANTIATE_TEST_SUITE_P(Engines, Parts, testing::ValuesIn(comparison::engine_names({gl::ContextKind::Egl})),
                          comparison::engine_name);
 
 }  // namespace

@@ -72,9 +72,10 @@ std::string call_text(const PickReport& report, const Step& step) {
     if (source == report.sources.size()) {
         return text + step.statement->name;
     }
-    const std::string_view written =
-        std::string_view(report.sources[source].text())
-            .substr(step.statement->begin_byte, step.statement->end_byte - step.statement->begin_byte);
+    const csg::scad::SourceFile& in = report.sources[source];
+    const std::size_t begin = step.statement->begin_byte - in.mark_bytes();
+    const auto written =
+        std::string_view(in.text()).substr(begin, step.statement->end_byte - step.statement->begin_byte);
     bool blank = false;
     std::size_t characters = text.size();
     for (const char c : written) {
