@@ -91,6 +91,14 @@ TEST(Occurrences, BytesAreCountedInTheText) {
     EXPECT_EQ(loaded.calls(1), (Calls{"sphere(2)@4:1"}));
 }
 
+TEST(Occurrences, AByteOrderMarkCountsInTheFile) {
+    const Loaded loaded("\xEF\xBB\xBFunion() cube(1);");
+    ASSERT_EQ(loaded.tree().statements().size(), 2u);
+    EXPECT_EQ(loaded.tree().statements()[0].begin_byte, 3u);
+    EXPECT_EQ(loaded.tree().statements()[1].begin_byte, 11u);
+    EXPECT_EQ(loaded.tree().statements()[1].end_byte, 18u);
+}
+
 TEST(Occurrences, UserModulesAreTold) {
     const Loaded loaded("module box() cube(1);\nbox();\nunion() box();\n");
     for (const csg::Statement& statement : loaded.tree().statements())

@@ -197,6 +197,9 @@ TEST_F(Pick, SaysItForPeople) {
               "     translate([0, 0, 2])        plate.scad:3:3\n"
               "     cylinder(d = d, h = 12)     plate.scad:3:24\n");
     EXPECT_EQ(look("plate.scad", -20, 10).out, "Behind pixel 5,5 of 11 × 11: nothing\n");
+    folder_.write("marked.scad", "\xEF\xBB\xBF\tcube(  4,\n center = true );");
+    EXPECT_NE(look("marked.scad", 0, 0).out.find("     cube( 4, center = true )  marked.scad:1:2\n"), std::string::npos)
+        << look("marked.scad", 0, 0).out;
     folder_.write("empty.scad", "");
     EXPECT_EQ(look("empty.scad", 0, 0).out, "Behind pixel 5,5 of 11 × 11: nothing\n");
 }
