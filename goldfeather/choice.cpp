@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 
 namespace goldfeather {
@@ -21,48 +20,39 @@ double estimated_depth(std::span<const csg::Box> leaf_boxes, const csg::Box& sce
     return whole > 0 ? 2 * sum / whole : 0;
 }
 
-double estimated_cost(EngineKind kind, const EngineConditions& c) {
-    // Measured on a software renderer, where drawing the leaves once and a core's own work are in one currency. With a
-    // GPU only the numbers of passes are known; drawing is taken to cost it a thirtieth of what it costs the CPU.
-    constexpr double kCpuPerGpu = 30;
-    const double never = std::numeric_limits<double>::infinity();
-    // Surfaces looked at until the layers are found: walks end there, and most of what a ray meets is behind the first
-    // two surfaces of a layer.
-    const double walked = c.layers == kAllLayers ? c.depth : std::min(c.depth, 2.0 * c.layers);
-    switch (kind) {
-        case EngineKind::ListsCpu:
-            return (1.5 + 0.1 * walked) * (c.software_renderer ? 1 : kCpuPerGpu);
-        case EngineKind::Lists:
-            return 2 + 8 + walked;  // Two passes, and a walk along each list.
-        case EngineKind::Goldfeather:
-            // A pass an event and its resolve: rays differ in depth, and the deepest decides.
-            return c.over_budget ? never : (2 + 2 * walked) * 3;
-        case EngineKind::Scs:
-            return never;  // Not all scenes, and one layer only: never chosen.
-    }
-    return never;
+double estimated_cost(const EngineInfo& engine, const EngineConditions& conditions) {
+    const bool impossible = engine.cost == nullptr || (engine.capabilities.needs_products && conditions.over_budget);
+    return impossible ? std::numeric_limits<double>::infinity() : engine.cost(conditions);
 }
 
-EngineChoice choose_engine(std::optional<EngineKind> wanted, const EngineConditions& conditions) {
-    if (wanted) {
-        return {*wanted, "as asked for"};
+EngineChoice choose_engine(const EngineInfo* wanted, const EngineConditions& conditions) {
+    if (wanted != nullptr) {
+        return {wanted, "as asked for"};
     }
-    constexpr std::array kKinds{EngineKind::ListsCpu, EngineKind::Lists, EngineKind::Goldfeather};
-    const EngineKind least = *std::min_element(kKinds.begin(), kKinds.end(), [&](EngineKind a, EngineKind b) {
-        return estimated_cost(a, conditions) < estimated_cost(b, conditions);
-    });
-    std::string reason =
+    EngineChoice choice{
+        &fallback_engine(),
         fmt::format("OpenGL is computed by {}; estimated for {}:", conditions.software_renderer ? "the CPU" : "a GPU",
                     conditions.layers == kAllLayers ? "all layers"
                     : conditions.layers == 1        ? "one layer"
-                                                    : fmt::format("{} layers", conditions.layers));
-    for (const EngineKind kind : kKinds) {
-        reason += kind == EngineKind::Goldfeather && conditions.over_budget
-                      ? fmt::format(" {}: too many products;", name(kind))
-                      : fmt::format(" {} {:.1f},", name(kind), estimated_cost(kind, conditions));
+                                                    : fmt::format("{} layers", conditions.layers))};
+    double least = std::numeric_limits<double>::infinity();
+    // The last of the table need the least: at equal cost they are chosen.
+    const std::span<const EngineInfo> all = engines();
+    for (auto engine = all.rbegin(); engine != all.rend(); ++engine) {
+        if (engine->cost == nullptr) {
+            continue;
+        }
+        const double cost = estimated_cost(*engine, conditions);
+        choice.reason += std::isinf(cost) ? fmt::format(" {}: too many products;", engine->name)
+                                          : fmt::format(" {} {:.1f},", engine->name, cost);
+        if (cost < least) {
+            least = cost;
+            choice.engine = &*engine;
+        }
     }
-    reason.pop_back();
-    return {least, reason + " draws of all leaves"};
+    choice.reason.pop_back();
+    choice.reason += " draws of all leaves";
+    return choice;
 }
 
 }  // namespace goldfeather

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/stop.h"
+#include "goldfeather/engine.h"
 
 namespace goldfeather {
 namespace {
@@ -32,14 +33,18 @@ std::string LeafBuffers::obstacle(const gl::Functions& gl, const csg::solid::Geo
                              : fmt::format("its leaves have {} triangles, and this OpenGL takes {}", triangles, most);
 }
 
-LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry, const glm::dvec3& local_centre)
+LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry)
     : gl_(gl),
+      frame_(local_frame(geometry)),
       planes_(geometry.planes.planes()),
       vertices_(gl),
       triangle_ids_(gl),
       plane_depths_(gl),
       positions_(gl),
       triangles_(gl) {
+    if (const std::string reason = obstacle(gl, geometry); !reason.empty()) {
+        throw EngineObstacle(reason);
+    }
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec2> ids;
     for (csg::LeafId id = 0; id < geometry.leaves.size(); ++id) {
@@ -47,7 +52,7 @@ LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& ge
         Range range{static_cast<std::uint32_t>(vertices.size()), 0};
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
             for (int corner = 0; corner < 3; ++corner)
-                vertices.emplace_back(leaf.points[leaf.triangles[t][corner]] - local_centre);
+                vertices.emplace_back(leaf.points[leaf.triangles[t][corner]] - frame_.centre);
             ids.emplace_back(leaf.planes[t].index, id);
         }
         range.vertex_count = static_cast<std::uint32_t>(vertices.size()) - range.first_vertex;

@@ -9,27 +9,29 @@
 #include "base/camera.h"
 #include "csg/solid/placed.h"
 #include "gl/program.h"
+#include "goldfeather/local_frame.h"
 
 namespace goldfeather {
 
 /// Bytes that a shader can reach in one storage block of this OpenGL; what lies behind them is lost without an error.
 [[nodiscard]] std::size_t most_bytes_of_a_block(const gl::Functions& gl);
 
-/// Triangles of all leaves, leaf after leaf, three vertices each, in local coordinates (world minus `local_centre`:
-/// doubles become floats here and nowhere else).
+/// Triangles of all leaves, leaf after leaf, three vertices each, in local coordinates (local_frame; doubles become
+/// floats here and nowhere else).
 class LeafBuffers {
   public:
     /// Why a scene cannot be held: it has more triangles than a storage block has room for. Empty where it can.
     [[nodiscard]] static std::string obstacle(const gl::Functions& gl, const csg::solid::Geometry& geometry);
 
-    /// There must be no obstacle.
-    LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry, const glm::dvec3& local_centre);
+    /// Throws EngineObstacle where there is an obstacle.
+    LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry);
 
     struct Range {
         std::uint32_t first_vertex = 0;
         std::uint32_t vertex_count = 0;
     };
     [[nodiscard]] const std::vector<Range>& ranges() const { return ranges_; }  ///< By LeafId.
+    [[nodiscard]] const LocalFrame& frame() const { return frame_; }
     [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }
 
     /// Computes the depth functions of all planes (in double precision) and projects all triangles for `view` with
@@ -46,6 +48,7 @@ class LeafBuffers {
 
   private:
     const gl::Functions& gl_;
+    LocalFrame frame_;
     std::vector<csg::solid::Plane> planes_;
     std::vector<Range> ranges_;
     std::size_t triangle_count_ = 0;

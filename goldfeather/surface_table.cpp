@@ -1,5 +1,7 @@
 #include "goldfeather/surface_table.h"
 
+#include "goldfeather/local_frame.h"
+
 namespace goldfeather {
 
 namespace {
@@ -23,10 +25,9 @@ layers::PartKind kind_of(const csg::Part& part) {
 std::shared_ptr<const layers::SurfaceTable> surface_table(const csg::Scene& scene,
                                                           const csg::solid::Geometry& geometry) {
     auto table = std::make_shared<layers::SurfaceTable>();
-    if (!geometry.box.empty()) {
-        table->local_centre = geometry.box.centre();
-        table->diagonal = geometry.box.diagonal();
-    }
+    const LocalFrame frame = local_frame(geometry);
+    table->local_centre = frame.centre;
+    table->diagonal = frame.diagonal;
     table->leaves.reserve(scene.leaves.size());
     for (const csg::LeafInstance& leaf : scene.leaves) {
         table->leaves.push_back({{leaf.color.r, leaf.color.g, leaf.color.b, leaf.color.a},

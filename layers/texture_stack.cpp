@@ -56,6 +56,10 @@ HostStack read_back(const gl::Functions& gl, const TextureStack& stack) {
     return host;
 }
 
+std::shared_ptr<const HostStack> in_main_memory(const gl::Functions& gl, const Stack& stack) {
+    return stack.host ? stack.host : std::make_shared<const HostStack>(read_back(gl, *stack.textures));
+}
+
 void bind(const TextureStack& stack) {
     stack.depth.bind(0);
     stack.surface.bind(1);

@@ -7,6 +7,7 @@
 #include "gl/objects.h"
 #include "gl/shader_file.h"
 #include "layers/host_stack.h"
+#include "layers/stack.h"
 #include "layers/surface_table.h"
 
 namespace layers {
@@ -36,6 +37,9 @@ void grow(const gl::Functions& gl, TextureStack& stack, int layers);
 
 /// Waits for the GPU and copies all but the table.
 [[nodiscard]] HostStack read_back(const gl::Functions& gl, const TextureStack& stack);
+
+/// The stack itself, where it is in main memory, or a copy.
+[[nodiscard]] std::shared_ptr<const HostStack> in_main_memory(const gl::Functions& gl, const Stack& stack);
 
 /// Binds `stack` for shaders that include layers/layer_stack.glsl: texture units 0 and 1, storage blocks 0 and 1.
 void bind(const TextureStack& stack);

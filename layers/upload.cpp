@@ -27,6 +27,14 @@ Upload::Rectangle Upload::united(const Rectangle& a, const Rectangle& b) {
     return {glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
 }
 
+TextureStack Upload::textures(const Stack& stack) {
+    if (stack.host) {
+        return upload(*stack.host);
+    }
+    forget();
+    return std::move(*stack.textures);
+}
+
 TextureStack Upload::upload(const HostStack& from) {
     std::vector<Rectangle> holds = rectangles(from);
     TextureStack stack;

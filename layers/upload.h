@@ -16,6 +16,8 @@ class Upload {
     /// `gl` must outlive the object.
     explicit Upload(const gl::Functions& gl) : gl_(gl) {}
 
+    /// The stack in textures, without its table: as it is, or uploaded.
+    [[nodiscard]] TextureStack textures(const Stack& stack);
     /// A stack without its table.
     [[nodiscard]] TextureStack upload(const HostStack& stack);
     /// Keeps the textures of the stack uploaded last for the next one. Another stack is dropped.

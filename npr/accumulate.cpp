@@ -9,21 +9,6 @@
 namespace npr {
 namespace {
 
-/// Sample i of n: row i of the pixel's n by n grid, and the column given.
-template <std::size_t n>
-constexpr std::array<glm::dvec2, n> rooks(const std::array<int, n>& columns) {
-    std::array<glm::dvec2, n> offsets{};
-    for (std::size_t i = 0; i < n; ++i)
-        offsets[i] = glm::dvec2((columns[i] + 0.5) / static_cast<double>(n) - 0.5,
-                                (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5);
-    return offsets;
-}
-
-constexpr std::array kOne{glm::dvec2(0.0)};
-constexpr auto kFour = rooks<4>({1, 3, 0, 2});
-constexpr auto kEight = rooks<8>({3, 6, 1, 4, 7, 2, 5, 0});
-constexpr auto kSixteen = rooks<16>({6, 12, 2, 9, 15, 4, 11, 0, 7, 13, 3, 10, 1, 8, 14, 5});
-
 gl::ShaderLibrary shaders() {
     gl::ShaderLibrary library;
     library.add(peel::shader_files());
@@ -32,16 +17,6 @@ gl::ShaderLibrary shaders() {
 }
 
 }  // namespace
-
-std::span<const glm::dvec2> sample_offsets(int count) {
-    if (count <= 1)
-        return kOne;
-    if (count <= 4)
-        return kFour;
-    if (count <= 8)
-        return kEight;
-    return kSixteen;
-}
 
 Accumulator::Accumulator(const gl::Functions& gl)
     : gl_(gl),
@@ -60,10 +35,6 @@ void Accumulator::resize(glm::ivec2 size) {
     resolved_ = gl::Texture();
     sample_target_.attach({&sample_});
     sum_target_.attach({&sum_});
-}
-
-base::View sample_view(const Picture& picture, std::size_t sample, const glm::dvec3& lo, const glm::dvec3& hi) {
-    return {picture.camera, picture.size, lo, hi, sample_offsets(picture.samples)[sample]};
 }
 
 void Accumulator::draw(Style& style, const Picture& picture, const Subject& subject) {

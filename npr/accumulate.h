@@ -1,25 +1,17 @@
 // Antialiasing: samples at several places in the pixel, each of its own stack of layers, averaged in linear light.
 #pragma once
 
-#include <array>
 #include <functional>
-#include <span>
 #include <stop_token>
 
 #include "base/camera.h"
 #include "base/image.h"
 #include "gl/objects.h"
 #include "gl/program.h"
+#include "npr/samples.h"
 #include "npr/style.h"
 
 namespace npr {
-
-/// How many samples a pixel may have.
-inline constexpr std::array kSampleCounts{1, 4, 8, 16};
-
-/// Offsets from the pixel's centre, in pixels: 1 (the centre), 4 (rotated grid), 8 or 16 (each row and each column of
-/// the pixel's grid holds one). Other counts give the next larger set; counts above 16 give 16.
-[[nodiscard]] std::span<const glm::dvec2> sample_offsets(int count);
 
 /// What pictures are drawn of.
 struct Subject {
@@ -27,10 +19,6 @@ struct Subject {
     /// Its layers as seen from a view; called once per sample.
     std::function<layers::TextureStack(const base::View& view)> peel;
 };
-
-/// The view of a picture's sample, one of sample_offsets(picture.samples).
-[[nodiscard]] base::View sample_view(const Picture& picture, std::size_t sample, const glm::dvec3& lo,
-                                     const glm::dvec3& hi);
 
 /// Draws pictures sample by sample and keeps their sum. One per context, reused; `gl` must outlive it.
 class Accumulator {

@@ -17,26 +17,29 @@
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <optional>
-#include <source_location>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "gl/program.h"
 #include "npr/picture.h"
 
 namespace npr {
 
-/// The name under which the member is declared. C++20 has it in texts for people only.
+/// The name under which the member is declared. C++20 has it in texts for people only: compilers end this function's
+/// with "kMember = &npr::Settings::strength]".
 template <auto kMember>
 consteval std::string_view member_name() {
-    std::string_view text = std::source_location::current().function_name();
+    std::string_view text = __PRETTY_FUNCTION__;
     text = text.substr(0, text.find_first_of("];", text.find("kMember = ")));
-    return text.substr(text.rfind(':') + 1);
+    text = text.substr(text.rfind(':') + 1);
+    if (text.empty() || text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string_view::npos)
+        throw std::logic_error("no name");  // Does not compile.
+    return text;
 }
 
 /// One line of a table: a field, and the parameter that gives it its value.
@@ -76,6 +79,9 @@ template <typename T>
     }
 }
 
+/// What a uniform may hold.
+using Uniform = std::variant<float, bool, int, glm::uint, glm::vec2, glm::vec3, glm::vec4>;
+
 template <typename Settings>
 class SettingsTable {
     struct Line {
@@ -85,13 +91,13 @@ class SettingsTable {
               type(glsl_type<std::remove_cvref_t<decltype(std::declval<Settings&>().*kMember)>>()),
               parameter(std::move(setting.parameter)),
               assign([](Settings& s, const Value& value) { assign_to(s.*kMember, value); }),
-              set([](const gl::Program& p, const char* name, const Settings& s) { p.set(name, s.*kMember); }) {}
+              value([](const Settings& s) { return Uniform(s.*kMember); }) {}
 
         std::string uniform;
         std::string_view type;  ///< Of GLSL.
         std::optional<Parameter> parameter;
         void (*assign)(Settings&, const Value&);
-        void (*set)(const gl::Program&, const char* name, const Settings&);
+        Uniform (*value)(const Settings&);
     };
 
   public:
@@ -122,10 +128,11 @@ class SettingsTable {
                 line.assign(result, values.at(i++));
         return result;
     }
-    /// Sets those uniforms that the program has.
-    void set_uniforms(const gl::Program& program, const Settings& settings) const {
+    /// Sets those uniforms that the program (a gl::Program) has.
+    template <typename Program>
+    void set_uniforms(const Program& program, const Settings& settings) const {
         for (const Line& line : lines_)
-            line.set(program, line.uniform.c_str(), settings);
+            std::visit([&](const auto& value) { program.set(line.uniform.c_str(), value); }, line.value(settings));
     }
 
   private:

@@ -1,5 +1,7 @@
 // Colors of surfaces as in OpenSCAD's preview. Valid in shaders and, within a struct with the same names, in C++.
 
+#include "peel/composite.glsl"
+
 // Ambient light and two lights from opposite sides, fixed to the eye; flat, as the facets are.
 float light(vec3 normal) {
     vec3 direction = vec3(-0.57735027f, 0.57735027f, 0.57735027f);

@@ -39,7 +39,7 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
     all.child_count = count;
     scene.expressions.push_back(all);
     if (count > 0)
-        scene.parts.push_back({PartKind::Solid, 0, count, 0, count});
+        scene.parts.push_back({PartKind::Solid, 0, count, 0, count, "", {}});
     geometry.planes = solid::PlaneTable(solid::coincidence_tolerance(largest));
     for (solid::PlacedLeaf& leaf : geometry.leaves) {
         for (const glm::uvec3& t : leaf.triangles)

@@ -11,6 +11,7 @@
 
 #include "csg/scad/builtin/measures.h"
 #include "csg/scad/source/diagnostics.h"
+#include "csg/scad/source/disk_state.h"
 #include "csg/tree/tree.h"
 
 namespace csg::scad {
@@ -32,12 +33,17 @@ struct View {
 };
 
 struct Request {
-    std::string path;                      ///< The main file; also names it in messages.
-    std::optional<std::string> text;       ///< Taken in place of the file's text where given.
-    std::vector<std::string> definitions;  ///< `name=expression`, as of -D; they override the file's assignments.
+    // What decides which program it is (program/loaded_program.h): a load looks at these.
+
+    std::string path;                 ///< The main file; also names it in messages.
+    std::optional<std::string> text;  ///< Taken in place of the file's text where given.
     SourceReader reader = read_source_file;
     std::vector<std::string> search_path = search_path_from_environment();
     FileMaker make_missing{};  ///< Asked for files that the program names and that are not there; may be empty.
+
+    // What differs from run to run; a run also uses `reader` and `make_missing`, for the files that it imports.
+
+    std::vector<std::string> definitions;  ///< `name=expression`, as of -D; they override the file's assignments.
     Limits limits;
     std::stop_token stop;          ///< Asked often; a stopped evaluation ends with an error soon.
     double time = 0;               ///< $t
@@ -59,6 +65,8 @@ struct ViewSettings {
     std::optional<double> fov;
 };
 
+class LoadedProgram;
+
 struct Evaluation {
     std::shared_ptr<const Tree> tree;  ///< Null where there was an error; a tree without root for an empty model.
     bool ok = false;                   ///< The same as "tree is set".
@@ -70,13 +78,17 @@ struct Evaluation {
     std::vector<std::string> files;
     std::size_t errors = 0;
     std::size_t warnings = 0;
-    std::shared_ptr<const SourceSet> sources;  ///< For rendering messages.
+    std::shared_ptr<const SourceSet> sources;      ///< For rendering messages.
+    std::shared_ptr<const LoadedProgram> program;  ///< What ran; null where the main file could not be read.
+    /// Where there is a cache (program/program_cache.h): all files that were looked for, those too that are not there,
+    /// and how they were before they were read; in the order in which they were looked for.
+    std::vector<std::pair<std::string, DiskState>> looked_for;
 };
 
 /// Takes messages with the texts they refer to; see `render` and `render_openscad`.
 using EvaluationSink = std::function<void(const Message&, const SourceSet&)>;
 
-/// Parses and evaluates. Never throws; whatever went wrong is a message. Runs on a thread of its own with
+/// Parses and evaluates, once. Never throws; whatever went wrong is a message. Runs on a thread of its own with
 /// `limits.stack_bytes` of stack and waits for it; `sink` is called from that thread.
 [[nodiscard]] Evaluation evaluate(const Request& request, const EvaluationSink& sink);
 

@@ -12,6 +12,7 @@
 #include "csg/solid/triangulate.h"
 #include "csg/tree/degrees.h"
 #include "csg/tree/finite.h"
+#include "csg/tree/least_fineness.h"
 
 namespace csg::solid {
 namespace {
@@ -178,7 +179,6 @@ void build(const Shape&, Solid&) {}
 /// So many that no edge is further from the circle than `error`; not fewer than five, and not more than the least $fa
 /// and $fs give.
 int segments_by_error(double r, double error) {
-    constexpr double kLeastFineness = 0.01;
     const double least = 5;
     const double most = std::max(std::min(360 / kLeastFineness, r * 2 * std::numbers::pi / kLeastFineness), least);
     const double cosine = 1 - error / r;

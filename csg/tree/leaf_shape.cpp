@@ -66,6 +66,15 @@ struct Hasher {
     }
 };
 
+template <typename T>
+bool same(const T& a, const T& b) {
+    return a == b;
+}
+template <typename T>
+bool same(const std::shared_ptr<T>& a, const std::shared_ptr<T>& b) {
+    return a == b || *a == *b;
+}
+
 bool is_outline_file(std::string_view name) {
     if (name.size() < 4)
         return false;
@@ -91,6 +100,11 @@ std::uint64_t mix(std::uint64_t seed, const Fineness& f) {
 
 std::uint64_t content_hash(const LeafShape& shape) {
     return std::visit(Hasher{csg::mix(std::uint64_t{0x1eaf}, std::uint64_t{shape.index()})}, shape);
+}
+
+bool same_shape(const LeafShape& a, const LeafShape& b) {
+    return a.index() == b.index() &&
+           std::visit([&b](const auto& shape) { return same(shape, std::get<std::decay_t<decltype(shape)>>(b)); }, a);
 }
 
 }  // namespace csg

@@ -127,6 +127,9 @@ using LeafShape = std::variant<Cube, Sphere, Cylinder, std::shared_ptr<const Pol
 /// A hash of kind and parameters; equal shapes have equal hashes in every run.
 [[nodiscard]] std::uint64_t content_hash(const LeafShape& shape);
 
+/// Whether kind and parameters are equal: those of shared shapes, not where they are kept.
+[[nodiscard]] bool same_shape(const LeafShape& a, const LeafShape& b);
+
 /// As those of hash.h.
 [[nodiscard]] std::uint64_t mix(std::uint64_t seed, const Fineness& fineness);
 

@@ -23,6 +23,7 @@ struct LinearExtrude {
     glm::dvec2 scale{1.0};  ///< Of the top.
     unsigned convexity = 1;
     Fineness fineness;
+    bool operator==(const LinearExtrude&) const = default;
 };
 
 /// Turns outlines about the z axis: their y becomes z.
@@ -31,6 +32,7 @@ struct RotateExtrude {
     double start = 180;
     unsigned convexity = 2;
     Fineness fineness;
+    bool operator==(const RotateExtrude&) const = default;
 };
 
 /// Moves outlines outwards, or inwards where the distance is negative.
@@ -39,21 +41,28 @@ struct Offset {
     Corner corner = Corner::Round;
     double distance = 1;
     Fineness fineness;
+    bool operator==(const Offset&) const = default;
 };
 
 /// Outlines without their holes.
-struct Fill {};
+struct Fill {
+    bool operator==(const Fill&) const = default;
+};
 
 /// The shadow of solids on the plane z = 0, or their cut by it.
 struct Projection {
     bool cut = false;
     int convexity = 0;
+    bool operator==(const Projection&) const = default;
 };
 
-struct Hull {};
+struct Hull {
+    bool operator==(const Hull&) const = default;
+};
 
 struct Minkowski {
     int convexity = 0;
+    bool operator==(const Minkowski&) const = default;
 };
 
 /// Scales to given dimensions; a dimension of 0 stays, or follows the others where `automatic`.
@@ -61,11 +70,13 @@ struct Resize {
     glm::dvec3 size{0.0};
     std::array<bool, 3> automatic{};
     int convexity = 0;
+    bool operator==(const Resize&) const = default;
 };
 
 /// render(): for pictures no more than a group.
 struct Render {
     int convexity = 1;
+    bool operator==(const Render&) const = default;
 };
 
 /// A roof over outlines, rising at 45 degrees from their edges.
@@ -73,6 +84,7 @@ struct Roof {
     std::string method = "voronoi";  ///< Or "straight".
     unsigned convexity = 1;
     Fineness fineness;
+    bool operator==(const Roof&) const = default;
 };
 
 using MeshOperation =

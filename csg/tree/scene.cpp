@@ -1,73 +1,78 @@
 #include "csg/tree/scene.h"
 
-#include <deque>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "csg/tree/dimension.h"
+#include "csg/tree/scene_walk.h"
 
 namespace csg {
 namespace {
 
-/// A subtree to be drawn as one part, with what it inherits from above.
-struct PartRoot {
-    PartKind kind;
-    NodeId node;
-    glm::dmat4 to_world;
+/// The colour of the first operands, where it is but one.
+Rgba material_color(const Scene& scene, const Part& part) {
     Rgba color;
-};
-
-/// A node on the way down; `built` collects the expressions of the children that are done.
-struct Frame {
-    NodeId node;
-    glm::dmat4 to_world;
-    Rgba color;
-    bool top_level;  ///< Only unions between here and the part's root.
-    std::uint32_t next_child = 0;
-    std::vector<std::uint32_t> built;
-};
+    bool first = true;
+    std::vector<std::uint32_t> stack{part.root};
+    while (!stack.empty()) {
+        const Expression& e = scene.expressions[stack.back()];
+        stack.pop_back();
+        if (e.kind == ExpressionKind::Leaf) {
+            const Rgba& own = scene.leaves[e.leaf].color;
+            if (!first && own != color)
+                return {};
+            color = own;
+            first = false;
+            continue;
+        }
+        const auto children = scene.children(e);
+        const bool one = e.kind != ExpressionKind::Union && !children.empty();
+        stack.insert(stack.end(), children.begin(), one ? children.begin() + 1 : children.end());
+    }
+    return color;
+}
 
 class SceneMaker {
   public:
-    SceneMaker(const Tree& tree, Showing showing)
-        : tree_(tree), showing_(showing), dimensions_(dimensions(tree)), marked_(marked_below(tree)) {}
+    SceneMaker(const Tree& tree, Showing showing) : walk_(tree, showing) {}
 
-    Scene make() {
-        if (tree_.root() == kNoNode)
+    Scene make(const PartRule& rule) {
+        if (tree().root() == kNoNode)
             return {};
-        waiting_.push_back({PartKind::Solid, tree_.root(), glm::dmat4(1.0), Rgba{}});
-        while (!waiting_.empty()) {
-            const PartRoot root = waiting_.front();
-            waiting_.pop_front();
-            build(root);
+        if (rule.kind == PartRule::Kind::Model) {
+            build({PartKind::Solid, "model", {{tree().root()}}});
+        } else {
+            for (const PartPlan& plan : split_parts(walk_, rule))
+                build(plan);
         }
+        while (!walk_.waiting.empty()) {
+            const PartPlan plan = std::move(walk_.waiting.front());
+            walk_.waiting.pop_front();
+            build(plan);
+        }
+        scene_.occurrences = std::move(walk_.occurrences);
+        scene_.occurrences.shrink_to_fit();
         return std::move(scene_);
     }
 
   private:
-    void build(const PartRoot& from) {
+    [[nodiscard]] const Tree& tree() const { return walk_.tree(); }
+
+    void build(const PartPlan& plan) {
         Part part;
-        part.kind = from.kind;
+        part.kind = plan.kind;
         part.first_expression = static_cast<std::uint32_t>(scene_.expressions.size());
         part.first_leaf = static_cast<LeafId>(scene_.leaves.size());
-        std::vector<Frame> stack;
-        stack.push_back(enter(from.node, from.to_world, from.color, true));
-        for (;;) {
-            Frame& frame = stack.back();
-            const auto children = is_leaf(frame.node) ? std::span<const NodeId>() : tree_.children(frame.node);
-            if (frame.next_child < children.size()) {
-                const NodeId child = children[frame.next_child++];
-                if (set_aside(child, frame, from.kind))
-                    continue;
-                const bool top = frame.top_level && is_union(frame.node);
-                stack.push_back(enter(child, frame.to_world, frame.color, top));
-                continue;
-            }
-            const std::uint32_t expression = leave(frame);
-            stack.pop_back();
-            if (stack.empty())
-                break;
-            stack.back().built.push_back(expression);
+        std::vector<OpenCut> open{{kNoCut, {}}};
+        for (const Piece& piece : plan.pieces) {
+            bring_open(open, piece.cut, plan);
+            const std::uint32_t expression = build_piece(piece, plan);
+            open.back().built.push_back(expression);
         }
+        bring_open(open, kNoCut, plan);
+        (void)united(open.back().built);
         part.root = static_cast<std::uint32_t>(scene_.expressions.size() - 1);
         part.leaf_count = static_cast<LeafId>(scene_.leaves.size()) - part.first_leaf;
         if (part.leaf_count == 0) {
@@ -75,105 +80,136 @@ class SceneMaker {
             scene_.expressions.resize(part.first_expression);
             return;
         }
-        scene_.parts.push_back(part);
+        part.name = unique_name(plan);
+        part.color = material_color(scene_, part);
+        scene_.parts.push_back(std::move(part));
     }
 
-    /// By node: something below it has a colour or a modifier of its own to show.
-    static std::vector<char> marked_below(const Tree& tree) {
-        std::vector<char> marked(tree.size(), 0);
-        for (NodeId id = 0; id < tree.size(); ++id) {
-            for (const NodeId child : tree.children(id)) {
-                const Modifiers& modifiers = tree.node(child).modifiers;
-                if (marked[child] != 0 || modifiers.background || modifiers.highlight ||
-                    tree.node(child).operation == Operation::Color)
-                    marked[id] = 1;
-            }
+    /// A cut whose first operand is being put together.
+    struct OpenCut {
+        CutId cut;
+        std::vector<std::uint32_t> built;
+    };
+
+    [[nodiscard]] unsigned depth(CutId cut) const { return cut == kNoCut ? 0 : walk_.cuts[cut].depth; }
+
+    /// Ends cuts and begins others until `cut` is the innermost that is open.
+    void bring_open(std::vector<OpenCut>& open, CutId cut, const PartPlan& plan) {
+        std::vector<CutId> way;
+        CutId common = cut;
+        while (depth(common) >= open.size() || open[depth(common)].cut != common) {  // open[0] is outside of all.
+            way.push_back(common);
+            common = walk_.cuts[common].outer;
         }
-        return marked;
+        while (open.size() > depth(common) + 1)
+            end_cut(open, plan);
+        for (auto next = way.rbegin(); next != way.rend(); ++next)
+            open.push_back({*next, {}});
     }
 
-    /// Drawn as one: a shape, what makes a mesh of its children, and differences and intersections in the plane where
-    /// nothing below has a colour or a modifier. A result in the plane is but one leaf.
-    [[nodiscard]] bool is_leaf(NodeId id) const {
-        if (showing_ == Showing::Result && id == tree_.root() && dimensions_[id] == Dimension::Flat)
-            return true;
-        const Operation op = tree_.node(id).operation;
-        if (op == Operation::Mesh)
-            return !std::holds_alternative<Render>(tree_.mesh(id));
-        return op == Operation::Leaf || ((op == Operation::Difference || op == Operation::Intersection) &&
-                                         dimensions_[id] == Dimension::Flat && marked_[id] == 0);
-    }
-
-    [[nodiscard]] bool is_union(NodeId id) const {
-        const Operation op = tree_.node(id).operation;
-        return op == Operation::Group || op == Operation::Union || op == Operation::Transform ||
-               op == Operation::Color || (op == Operation::Mesh && !is_leaf(id));
-    }
-
-    Frame enter(NodeId id, const glm::dmat4& to_world, const Rgba& color, bool top_level) const {
-        Frame frame{id, to_world, color, top_level, 0, {}};
-        if (is_leaf(id))
-            return frame;
-        const Operation op = tree_.node(id).operation;
-        if (op == Operation::Transform)
-            frame.to_world = to_world * tree_.matrix(id);
-        else if (op == Operation::Color && !color.given())
-            frame.color = tree_.color(id);
-        return frame;
-    }
-
-    /// True where `child` is not part of the expression being built, but of a part of its own.
-    bool set_aside(NodeId child, const Frame& parent, PartKind kind) {
-        const Node& node = tree_.node(child);
-        if (showing_ == Showing::Result && (node.modifiers.background || dimensions_[child] == Dimension::Flat))
-            return true;
-        if (node.modifiers.background) {
-            if (kind != PartKind::Highlight)  // there it was queued when the solid was built
-                waiting_.push_back({PartKind::Background, child, parent.to_world, parent.color});
-            return true;
+    /// The first operand is done: the others, and all together.
+    void end_cut(std::vector<OpenCut>& open, const PartPlan& plan) {
+        const OpenCut done = std::move(open.back());
+        open.pop_back();
+        const CutId id = done.cut;
+        std::vector<std::uint32_t> operands{united(done.built)};
+        const Frame frame = walk_.cuts[id].frame;
+        const auto children = tree().children(frame.node);
+        walk_.quiet = walk_.cuts[id].copied;
+        for (std::uint32_t c = frame.next_child; c < children.size(); ++c) {
+            const Piece operand = walk_.child(frame, children[c], c);
+            if (!walk_.set_aside(operand, frame, plan.kind))
+                operands.push_back(build_piece(operand, plan));
         }
-        if (node.modifiers.highlight && showing_ == Showing::Preview && kind != PartKind::Highlight &&
-            kind != PartKind::Background)
-            waiting_.push_back({PartKind::Highlight, child, parent.to_world, parent.color});
-        if (kind == PartKind::Solid && node.operation == Operation::Color && !parent.color.given() &&
-            tree_.color(child).a < 1 && parent.top_level && is_union(parent.node)) {
-            waiting_.push_back({PartKind::Translucent, child, parent.to_world, parent.color});
-            return true;
-        }
-        return false;
+        walk_.quiet = false;
+        walk_.cuts[id].copied = true;
+        open.back().built.push_back(combined(frame.node, operands));
     }
 
-    std::uint32_t leave(const Frame& frame) {
-        const Operation op = tree_.node(frame.node).operation;
+    [[nodiscard]] std::uint32_t united(const std::vector<std::uint32_t>& built) {
+        return built.size() == 1 ? built[0] : add(ExpressionKind::Union, built);
+    }
+
+    [[nodiscard]] std::uint32_t combined(NodeId node, const std::vector<std::uint32_t>& built) {
+        if (built.size() == 1)
+            return built[0];
+        const Operation op = tree().node(node).operation;
+        return add(op == Operation::Difference     ? ExpressionKind::Difference
+                   : op == Operation::Intersection ? ExpressionKind::Intersection
+                                                   : ExpressionKind::Union,
+                   built);
+    }
+
+    [[nodiscard]] std::uint32_t add(ExpressionKind kind, const std::vector<std::uint32_t>& built) {
         Expression e;
-        if (is_leaf(frame.node)) {
-            e.kind = ExpressionKind::Leaf;
-            e.leaf = static_cast<LeafId>(scene_.leaves.size());
-            scene_.leaves.push_back({frame.node, frame.to_world, frame.color, tree_.node(frame.node).where,
-                                     static_cast<PartId>(scene_.parts.size())});
-        } else {
-            if (frame.built.size() == 1)
-                return frame.built[0];
-            e.kind = op == Operation::Difference     ? ExpressionKind::Difference
-                     : op == Operation::Intersection ? ExpressionKind::Intersection
-                                                     : ExpressionKind::Union;
-            e.first_child = static_cast<std::uint32_t>(scene_.expression_children.size());
-            e.child_count = static_cast<std::uint32_t>(frame.built.size());
-            scene_.expression_children.insert(scene_.expression_children.end(), frame.built.begin(), frame.built.end());
-        }
+        e.kind = kind;
+        e.first_child = static_cast<std::uint32_t>(scene_.expression_children.size());
+        e.child_count = static_cast<std::uint32_t>(built.size());
+        scene_.expression_children.insert(scene_.expression_children.end(), built.begin(), built.end());
         scene_.expressions.push_back(e);
         return static_cast<std::uint32_t>(scene_.expressions.size() - 1);
     }
 
-    const Tree& tree_;
-    const Showing showing_;
-    const std::vector<Dimension> dimensions_;
-    const std::vector<char> marked_;
+    /// The expression of a subtree, its leaves among the scene's.
+    [[nodiscard]] std::uint32_t build_piece(const Piece& piece, const PartPlan& plan) {
+        std::vector<Frame> stack;
+        stack.push_back(walk_.enter(piece));
+        for (;;) {
+            Frame& frame = stack.back();
+            const auto children = walk_.is_leaf(frame.node) ? std::span<const NodeId>() : tree().children(frame.node);
+            if (frame.next_child < children.size()) {
+                const std::uint32_t index = frame.next_child++;
+                const Piece child = walk_.child(frame, children[index], index);
+                if (!walk_.set_aside(child, frame, plan.kind))
+                    stack.push_back(walk_.enter(child));
+                continue;
+            }
+            const std::uint32_t expression = leave(frame);
+            stack.pop_back();
+            if (stack.empty())
+                return expression;
+            stack.back().built.push_back(expression);
+        }
+    }
+
+    [[nodiscard]] std::uint32_t leave(const Frame& frame) {
+        if (!walk_.is_leaf(frame.node))
+            return combined(frame.node, frame.built);
+        Expression e;
+        e.kind = ExpressionKind::Leaf;
+        e.leaf = static_cast<LeafId>(scene_.leaves.size());
+        scene_.leaves.push_back({frame.node, frame.occurrence, frame.to_world, frame.color,
+                                 tree().node(frame.node).where, static_cast<PartId>(scene_.parts.size())});
+        scene_.expressions.push_back(e);
+        return static_cast<std::uint32_t>(scene_.expressions.size() - 1);
+    }
+
+    [[nodiscard]] std::string unique_name(const PartPlan& plan) {
+        std::string base = plan.name;
+        if (base.empty() && plan.kind == PartKind::Solid)
+            base = "part " + std::to_string(scene_.parts.size() + 1);
+        else if (base.empty())
+            base = name(plan.kind);
+        for (;;) {
+            const std::size_t number = ++numbers_[base];
+            std::string name = number == 1 ? base : base + " " + std::to_string(number);
+            if (names_.insert(name).second)
+                return name;
+        }
+    }
+
+    SceneWalk walk_;
     Scene scene_;
-    std::deque<PartRoot> waiting_;
+    std::unordered_set<std::string> names_;
+    std::unordered_map<std::string, std::size_t> numbers_;  ///< How many of a name there are.
 };
 
 }  // namespace
+
+const char* name(PartKind kind) {
+    static constexpr const char* kNames[]{"solid", "translucent", "background", "highlight"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
 
 std::vector<Box> expression_boxes(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes) {
     std::vector<Box> boxes(part.root - part.first_expression + 1);
@@ -210,8 +246,16 @@ Box bounds(const Scene& scene, const Part& part, std::span<const Box> leaf_boxes
     return expression_boxes(scene, part, leaf_boxes).back();
 }
 
-Scene make_scene(const Tree& tree, Showing showing) {
-    return SceneMaker(tree, showing).make();
+Scene make_scene(const Tree& tree, Showing showing, const PartRule& rule) {
+    return SceneMaker(tree, showing).make(rule);
+}
+
+std::vector<OccurrenceId> path_to(const Scene& scene, OccurrenceId occurrence) {
+    std::vector<OccurrenceId> path;
+    for (; occurrence != kNoOccurrence; occurrence = scene.occurrences[occurrence].parent)
+        path.push_back(occurrence);
+    std::reverse(path.begin(), path.end());
+    return path;
 }
 
 bool is_flat(const Tree& tree) {

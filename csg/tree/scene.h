@@ -5,23 +5,35 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "csg/tree/box.h"
+#include "csg/tree/part_rule.h"
 #include "csg/tree/tree.h"
 
 namespace csg {
 
-using LeafId = std::uint32_t;  ///< Index of a leaf occurrence, in document order.
+using LeafId = std::uint32_t;  ///< Index of a leaf occurrence: part by part, in document order.
 using PartId = std::uint32_t;
+using OccurrenceId = std::uint32_t;
+inline constexpr OccurrenceId kNoOccurrence = ~OccurrenceId{0};
+
+/// One place of a node in the model. Nodes of the tree are shared; this is one of the ways down to one of them.
+struct Occurrence {
+    OccurrenceId parent = kNoOccurrence;  ///< The node above; it stands before this one. None: this is the root.
+    NodeId node = kNoNode;
+    std::uint32_t child = 0;  ///< Which of the parent's children it is.
+};
 
 /// One occurrence of a leaf of the tree: of a shape, of an operation that makes a mesh (render() makes none), or of a
 /// difference or an intersection in the plane, which is drawn as one flat leaf (of a whole tree in the plane where the
-/// result is shown). Leaves are numbered in document order.
+/// result is shown).
 struct LeafInstance {
-    NodeId node = kNoNode;     ///< The leaf in the tree: a shape, or a node that is one mesh.
-    glm::dmat4 to_world{1.0};  ///< Leaf coordinates to world coordinates.
-    Rgba color;                ///< As given by the outermost color(); `given()` is false where there is none.
+    NodeId node = kNoNode;                    ///< The leaf in the tree: a shape, or a node that is one mesh.
+    OccurrenceId occurrence = kNoOccurrence;  ///< Of that node; none in scenes that no tree made.
+    glm::dmat4 to_world{1.0};                 ///< Leaf coordinates to world coordinates.
+    Rgba color;  ///< As given by the outermost color(); `given()` is false where there is none.
     SourceLocation where;
     PartId part = 0;
 };
@@ -43,13 +55,22 @@ enum class PartKind : std::uint8_t {
     Highlight,    ///< `#`, drawn over what it belongs to.
 };
 
-/// A subtree drawn as one object.
+/// "solid", "translucent", "background", "highlight".
+[[nodiscard]] const char* name(PartKind kind);
+
+/// What is drawn as one object: a subtree, or the pieces that a rule puts together.
 struct Part {
     PartKind kind = PartKind::Solid;
     std::uint32_t first_expression = 0;  ///< The part's expressions are a range of Scene::expressions, …
     std::uint32_t root = 0;              ///< … and this, its last, is the root.
     LeafId first_leaf = 0;               ///< The part's leaves are a range of Scene::leaves.
     LeafId leaf_count = 0;
+    /// No two parts have the same: "model" where it is all of the solid, else after a module, a colour or the order:
+    /// "cover", "cover 2", "#ff8000", "part 3".
+    std::string name;
+    /// That of its material, which is that of the first operands, with its opacity; `given()` is false where there is
+    /// none, or more than one.
+    Rgba color;
 };
 
 struct Scene {
@@ -57,6 +78,7 @@ struct Scene {
     std::vector<Expression> expressions;
     std::vector<std::uint32_t> expression_children;
     std::vector<Part> parts;
+    std::vector<Occurrence> occurrences;  ///< Of the leaves and of all above them, parents first.
 
     [[nodiscard]] std::span<const std::uint32_t> children(const Expression& e) const {
         return std::span(expression_children).subspan(e.first_child, e.child_count);
@@ -72,8 +94,14 @@ enum class Showing : std::uint8_t {
 /// Flattens `tree`: transforms are multiplied through, colours inherited (the outermost wins, as in OpenSCAD), shared
 /// subtrees become occurrences, `%` subtrees parts of their own, `#` subtrees are repeated as highlight parts,
 /// translucent subtrees of the top-level union parts of their own. Groups that hold one child are that child.
-/// The first part, if any, is the Solid one. A tree without geometry gives no parts.
-[[nodiscard]] Scene make_scene(const Tree& tree, Showing showing = Showing::Preview);
+/// The first part, if any, is a Solid one, of several where `rule` says so. A tree without geometry gives no parts.
+[[nodiscard]] Scene make_scene(const Tree& tree, Showing showing = Showing::Preview, const PartRule& rule = {});
+
+/// The way from the root down to an occurrence, which comes last.
+[[nodiscard]] std::vector<OccurrenceId> path_to(const Scene& scene, OccurrenceId occurrence);
+
+/// "#ff8000"; with the opacity behind it where that is below 1.
+[[nodiscard]] std::string color_name(const Rgba& color);
 
 /// Whether what the tree makes is an outline in the plane.
 [[nodiscard]] bool is_flat(const Tree& tree);

@@ -1,6 +1,7 @@
 // Where something stands in a source text.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 namespace csg {
@@ -13,7 +14,8 @@ struct SourceLocation {
     std::uint32_t column = 0;
 
     [[nodiscard]] bool known() const { return line != 0; }
-    bool operator==(const SourceLocation&) const = default;
+    /// By file, line and column.
+    auto operator<=>(const SourceLocation&) const = default;
 };
 
 }  // namespace csg

@@ -82,6 +82,23 @@ NodeId TreeBuilder::mesh(const MeshOperation& operation, std::span<const NodeId>
     return keep(n, children, tree_.meshes_, operation);
 }
 
+bool TreeBuilder::same_content(const Node& a, const Node& b) const {
+    if (a.operation != b.operation || a.modifiers != b.modifiers)
+        return false;
+    switch (a.operation) {
+        case Operation::Transform:
+            return tree_.matrices_[a.payload] == tree_.matrices_[b.payload];
+        case Operation::Color:
+            return tree_.colors_[a.payload] == tree_.colors_[b.payload];
+        case Operation::Leaf:
+            return same_shape(tree_.shapes_[a.payload], tree_.shapes_[b.payload]);
+        case Operation::Mesh:
+            return tree_.meshes_[a.payload] == tree_.meshes_[b.payload];
+        default:
+            return true;
+    }
+}
+
 NodeId TreeBuilder::add(Node node, std::span<const NodeId> children) {
     Tree& t = tree_;
     std::uint64_t h = mix(node.hash, static_cast<std::uint64_t>(node.operation));
@@ -99,8 +116,8 @@ NodeId TreeBuilder::add(Node node, std::span<const NodeId> children) {
     for (; buckets_[slot] != kNoNode; slot = (slot + 1) & mask) {
         const NodeId id = buckets_[slot];
         const Node& other = t.nodes_[id];
-        if (other.hash == node.hash && other.operation == node.operation && other.where == node.where &&
-            std::ranges::equal(t.children(id), children))
+        if (other.hash == node.hash && other.where == node.where && std::ranges::equal(t.children(id), children) &&
+            same_content(other, node))
             return id;
     }
     node.first_child = static_cast<std::uint32_t>(t.child_ids_.size());
@@ -122,7 +139,14 @@ void TreeBuilder::grow() {
     }
 }
 
-Tree TreeBuilder::finish(NodeId root) {
+const Statement* Tree::statement(NodeId id) const {
+    const auto found = std::ranges::lower_bound(statements_, nodes_[id].where, {}, &Statement::where);
+    return found != statements_.end() && found->where == nodes_[id].where ? &*found : nullptr;
+}
+
+Tree TreeBuilder::finish(NodeId root, std::vector<Statement> statements) {
+    std::ranges::sort(statements, {}, &Statement::where);
+    tree_.statements_ = std::move(statements);
     tree_.root_ = root;
     buckets_.clear();
     return std::exchange(tree_, Tree{});

@@ -10,6 +10,7 @@
 #include "csg/tree/leaf_shape.h"
 #include "csg/tree/mesh_operation.h"
 #include "csg/tree/source_location.h"
+#include "csg/tree/statement.h"
 
 namespace csg {
 
@@ -72,6 +73,10 @@ class Tree {
     [[nodiscard]] const MeshOperation& mesh(NodeId id) const { return meshes_[nodes_[id].payload]; }
     /// Source file names, indexed by SourceLocation::file.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+    /// The calls that made the nodes, in the order of SourceLocation; none where no text did.
+    [[nodiscard]] std::span<const Statement> statements() const { return statements_; }
+    /// The call that made a node; null where none is known, as of the root's group. Takes a binary search.
+    [[nodiscard]] const Statement* statement(NodeId id) const;
 
   private:
     friend class TreeBuilder;
@@ -82,6 +87,7 @@ class Tree {
     std::vector<LeafShape> shapes_;
     std::vector<MeshOperation> meshes_;
     std::vector<std::string> files_;
+    std::vector<Statement> statements_;
     NodeId root_ = kNoNode;
 };
 
@@ -105,11 +111,13 @@ class TreeBuilder {
     [[nodiscard]] const Node& node(NodeId id) const { return tree_.nodes_[id]; }
     [[nodiscard]] std::span<const NodeId> children(NodeId id) const { return tree_.children(id); }
 
-    /// Hands the tree over; the builder is empty afterwards.
-    [[nodiscard]] Tree finish(NodeId root);
+    /// Hands the tree over; the builder is empty afterwards. `statements`: those of the nodes, in any order, each once.
+    [[nodiscard]] Tree finish(NodeId root, std::vector<Statement> statements = {});
 
   private:
     NodeId add(Node node, std::span<const NodeId> children);
+    /// Whether two nodes are equal in all but hash, place and children, which have been compared.
+    [[nodiscard]] bool same_content(const Node& a, const Node& b) const;
     /// Adds a node and what it has beside its children; `payloads` are the tree's of its kind.
     template <typename T>
     NodeId keep(Node node, std::span<const NodeId> children, std::vector<T>& payloads, T payload);

@@ -1,4 +1,4 @@
-// Per-pixel state of the walk along the ray; see goldfeather/goldfeather/engine.h.
+// Per-pixel state of the walk along the ray; see goldfeather/goldfeather/goldfeather.h.
 
 struct PixelState {
     float current;  // depth of the event that the next geometry pass toggles; 0: this pixel is done

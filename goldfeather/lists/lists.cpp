@@ -64,11 +64,9 @@ Lists::Lists(const gl::Functions& gl, std::size_t memory_budget)
 }
 
 layers::TextureStack Lists::peel(const base::View& view, const csg::solid::Geometry& geometry, LeafBuffers& leaves,
-                                 ListsScene& scene, std::shared_ptr<const layers::SurfaceBuffers> tables,
-                                 int max_layers, WalkStats& stats, const std::stop_token& stop) {
+                                 ListsScene& scene, int max_layers, WalkStats& stats, const std::stop_token& stop) {
     layers::TextureStack stack;
     stack.size = view.size();
-    stack.table = std::move(tables);
     const bool all = max_layers == kAllLayers;
     Job job{view,  leaves, scene,
             stack, stats,  all ? std::numeric_limits<std::uint32_t>::max() : static_cast<std::uint32_t>(max_layers),
@@ -110,7 +108,7 @@ layers::TextureStack Lists::peel(const base::View& view, const csg::solid::Geome
         windings_tested_ = true;
     }
     scene.blist.set_flags(flags);
-    view_block_.update(view, stack.table->local_centre, stack.table->diagonal);
+    view_block_.update(view, leaves.frame().centre, leaves.frame().diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();

@@ -38,13 +38,12 @@ class Lists {
     explicit Lists(const gl::Functions& gl, std::size_t memory_budget = kDefaultMemoryBudget);
 
     /// Fills a stack with the first `max_layers` surfaces of the whole scene (kAllLayers: all of them). `leaves` holds
-    /// the leaves of `geometry`, `tables` what the ids stand for. Throws gl::Error where a single pixel has more
+    /// the leaves of `geometry`. Throws gl::Error where a single pixel has more
     /// surfaces than OpenGL can hold, or where two passes over the same triangles disagree; base::Stopped where `stop`
     /// asked for it.
     [[nodiscard]] layers::TextureStack peel(const base::View& view, const csg::solid::Geometry& geometry,
-                                            LeafBuffers& leaves, ListsScene& scene,
-                                            std::shared_ptr<const layers::SurfaceBuffers> tables, int max_layers,
-                                            WalkStats& stats, const std::stop_token& stop = {});
+                                            LeafBuffers& leaves, ListsScene& scene, int max_layers, WalkStats& stats,
+                                            const std::stop_token& stop = {});
 
   private:
     /// Pixels of a band, from its lower left corner.

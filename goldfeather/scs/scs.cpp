@@ -134,19 +134,17 @@ std::vector<Scs::PlannedProduct> Scs::plan(const base::View& view, const PartPro
     return planned;
 }
 
-layers::TextureStack Scs::peel(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
-                               std::shared_ptr<const layers::SurfaceBuffers> tables, WalkStats& stats,
+layers::TextureStack Scs::peel(const base::View& view, LeafBuffers& leaves, const PartProducts& part, WalkStats& stats,
                                const std::stop_token& stop) {
     layers::TextureStack stack;
     stack.size = view.size();
-    stack.table = std::move(tables);
     grow(gl_, stack, 1);
     const std::vector<PlannedProduct> products = plan(view, part, stats);
     stack.complete = products.empty();
     if (products.empty()) {
         return stack;
     }
-    view_block_.update(view, stack.table->local_centre, stack.table->diagonal);
+    view_block_.update(view, leaves.frame().centre, leaves.frame().diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();

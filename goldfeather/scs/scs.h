@@ -37,8 +37,7 @@ class Scs {
     /// Fills a stack with the first surfaces of the part; there must be no obstacle. `leaves` holds the scene's leaves,
     /// `tables` what the ids stand for. Throws base::Stopped where `stop` asked for it.
     [[nodiscard]] layers::TextureStack peel(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
-                                            std::shared_ptr<const layers::SurfaceBuffers> tables, WalkStats& stats,
-                                            const std::stop_token& stop = {});
+                                            WalkStats& stats, const std::stop_token& stop = {});
 
   private:
     struct Rectangle;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/image.h"
-#include "npr/accumulate.h"
 #include "npr/painter/cpu_frame.h"
+#include "npr/samples.h"
 
 namespace npr {
 

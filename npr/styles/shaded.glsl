@@ -2,15 +2,13 @@
 // names, in C++.
 vec4 shaded(ivec2 pixel) {
     vec3 ray = pixel_ray(pixel);
-    vec3 color = vec3(0.0f);  // premultiplied
-    float through = 1.0f;
-    for (int i = 0; i < layer_count && through > 0.0f; ++i) {
-        Surface s = layer_surface(pixel, i, ray);
-        if (!s.hit)
-            break;
-        vec4 c = surface_color(s);
-        color += through * c.a * vec3(c);
-        through *= 1.0f - c.a;
+    Composite seen = nothing_seen();
+    while (goes_on(seen, layer_count, 0.0f)) {
+        Surface s = layer_surface(pixel, seen.layer, ray);
+        vec4 c = vec4(0.0f);
+        if (s.hit)
+            c = surface_color(s);
+        seen = behind(seen, s.hit, c);
     }
-    return before_background(color, through, pixel);
+    return before_background(seen.color, seen.through, pixel);
 }

@@ -37,16 +37,17 @@ float visible_lines(vec2 at, uint lines, float thick) {
     ivec2 p = nearest_pixel(at);
     vec3 ray = pixel_ray(p);
     float ink = 0.0f;
-    float through = 1.0f;
-    for (int i = 0; i < layer_count && lines >> edge_layer(i) != 0u && through > 0.05f; ++i) {
-        if ((lines >> edge_layer(i) & 1u) != 0u) {
-            Edge edge = edge_at(at, i, thick);
-            ink = max(ink, through * max(edge.profile, 0.72f * edge.inner));
+    Composite seen = nothing_seen();
+    while (goes_on(seen, layer_count, 0.05f) && lines >> edge_layer(seen.layer) != 0u) {
+        if ((lines >> edge_layer(seen.layer) & 1u) != 0u) {
+            Edge edge = edge_at(at, seen.layer, thick);
+            ink = max(ink, seen.through * max(edge.profile, 0.72f * edge.inner));
         }
-        Surface s = layer_surface(p, i, ray);
-        if (!s.hit)
-            break;
-        through *= 1.0f - seen_color(s).a;
+        Surface s = layer_surface(p, seen.layer, ray);
+        vec4 tint = vec4(0.0f);
+        if (s.hit)
+            tint = seen_color(s);
+        seen = behind(seen, s.hit, tint);
     }
     return ink;
 }
@@ -102,32 +103,33 @@ struct Shade {
 
 Shade shade_of(ivec2 pixel, vec4 noise, float grain) {
     Shade shade;
-    shade.tone = vec3(0.0f);
-    shade.through = 1.0f;
     shade.ink = 0.0f;
     shade.depth = 0.0f;
     bool light_on_dark = luminance(ink_color) > luminance(paper_color);
     ivec2 shade_at = nearest_pixel(displaced(pixel, mat2(-2.3f, 1.1f, -1.3f, -2.0f), noise));
     vec3 ray = pixel_ray(shade_at);
-    for (int i = 0; i < layer_count && shade.through > 0.0f; ++i) {
-        Surface s = layer_surface(shade_at, i, ray);
-        if (!s.hit)
-            break;
-        if (i == 0)
+    Composite seen = nothing_seen();
+    while (goes_on(seen, layer_count, 0.0f)) {
+        Surface s = layer_surface(shade_at, seen.layer, ray);
+        if (seen.layer == 0)
             shade.depth = s.depth;
-        vec4 tint = seen_color(s);
-        if (tint.a <= 0.0f)
-            continue;
-        float lit = sketch_light(s);
-        vec3 lit_tint = light_on_dark ? vec3(tint) * (0.35f + 0.75f * lit)
-                                      : mix(vec3(tint), vec3(1.0f), 0.15f) * (0.62f + 0.42f * lit);
-        shade.tone += shade.through * tint.a * min(lit_tint, 1.0f);
-        float shadow = light_on_dark ? lit : 1.0f - lit;
-        vec2 at = vec2(pixel) + 0.5f + jitter + 0.5f * wobble * vec2(noise.z, noise.w);
-        float strokes_here = hatch > 0.0f ? hatching(at, s.normal, shadow) : 0.0f;
-        shade.ink = max(shade.ink, shade.through * hatch * deposit(strokes_here, 0.75f + 0.35f * noise.w, grain));
-        shade.through *= 1.0f - tint.a;
+        vec4 tint = vec4(0.0f);
+        if (s.hit)
+            tint = seen_color(s);
+        if (tint.a > 0.0f) {
+            float lit = sketch_light(s);
+            vec3 lit_tint = light_on_dark ? vec3(tint) * (0.35f + 0.75f * lit)
+                                          : mix(vec3(tint), vec3(1.0f), 0.15f) * (0.62f + 0.42f * lit);
+            float shadow = light_on_dark ? lit : 1.0f - lit;
+            vec2 at = vec2(pixel) + 0.5f + jitter + 0.5f * wobble * vec2(noise.z, noise.w);
+            float strokes_here = hatch > 0.0f ? hatching(at, s.normal, shadow) : 0.0f;
+            shade.ink = max(shade.ink, seen.through * hatch * deposit(strokes_here, 0.75f + 0.35f * noise.w, grain));
+            tint = vec4(min(lit_tint, 1.0f), tint.a);
+        }
+        seen = behind(seen, s.hit, tint);
     }
+    shade.tone = seen.color;
+    shade.through = seen.through;
     return shade;
 }
 

@@ -25,29 +25,24 @@ vec4 xray(ivec2 pixel) {
     vec3 ray = pixel_ray(pixel);
     vec3 direction = normalize(ray);
     int layers = most_layers > 0 ? min(most_layers, layer_count) : layer_count;
-    vec3 color = vec3(0.0f);  // premultiplied
-    float through = 1.0f;
+    Composite seen = nothing_seen();
     float strength = 1.0f;
     vec3 ink = vec3(0.12f);
-    bool hit = true;
-    // Behind the last surface there may still be the outer half of a line that bounds a neighbour's surface.
-    for (int i = 0; i < layers && hit && through > 0.004f; ++i) {
-        Surface s = layer_surface(pixel, i, ray);
-        hit = s.hit;
+    while (goes_on(seen, layers, 0.004f)) {
+        Surface s = layer_surface(pixel, seen.layer, ray);
         vec4 c = vec4(0.0f);
         float fog = 0.0f;
-        if (hit) {
-            vec4 base = layer_color(s, i);
+        if (s.hit) {
+            vec4 base = layer_color(s, seen.layer);
             fog = cue * remoteness(s);
             ink = 0.22f * vec3(base);
             c = vec4(mix(min(vec3(base) * light(s.normal), 1.0f), background_color, fog),
                      base.a * wall_opacity(s, direction));
         }
-        if (line_near(i))
-            c = with_line(c, ink, strength * (1.0f - fog) * line_ink(i));
-        color += through * c.a * vec3(c);
-        through *= 1.0f - c.a;
+        if (line_near(seen.layer))
+            c = with_line(c, ink, strength * (1.0f - fog) * line_ink(seen.layer));
+        seen = behind(seen, s.hit, c);
         strength *= falloff;
     }
-    return before_background(color, through, pixel);
+    return before_background(seen.color, seen.through, pixel);
 }

@@ -27,9 +27,9 @@ const std::map<std::string, Names> kMayInclude = {
     {"csg/reference", {"csg/tree", "csg/solid"}},
     {"gl", {}},
     {"layers", {"gl"}},
-    {"goldfeather", {"csg/tree", "csg/solid", "gl", "layers"}},
-    {"peel", {"goldfeather", "layers", "gl"}},
-    {"npr", {"peel", "layers", "gl"}},
+    {"peel", {"gl", "layers"}},
+    {"npr", {"gl", "layers", "peel"}},
+    {"goldfeather", {"csg/tree", "csg/solid", "gl", "layers", "peel"}},
     {"ui/pipeline",
      {"csg/tree", "csg/scad", "csg/solid", "csg/reference", "gl", "layers", "goldfeather", "peel", "npr"}},
     {"ui/viewer", {"csg/tree", "csg/scad", "csg/solid", "gl", "layers", "goldfeather", "peel", "npr", "ui/pipeline"}},
@@ -46,12 +46,43 @@ const std::map<std::string, std::string> kFolderOfLibrary = {
     {"csg_reference", "csg/reference"},
     {"csgscope_gl", "gl"},
     {"layers", "layers"},
-    {"goldfeather", "goldfeather"},
     {"peel", "peel"},
+    {"goldfeather", "goldfeather"},
     {"npr", "npr"},
     {"ui_pipeline", "ui/pipeline"},
     {"csgscope_viewer", "ui/viewer"},
     {"ui_command_line", "ui/command_line"},
+};
+
+/// What the files under a path may not reach, not even through files that they include. Shader files that are C++ too
+/// need no OpenGL.
+struct OutOfReach {
+    std::string from;
+    Names never;
+};
+const std::vector<OutOfReach> kOutOfReach = {
+    // Styles know nothing of CSG, nor do stacks of layers.
+    {"layers/", {"csg/", "goldfeather/"}},
+    {"peel/", {"csg/", "goldfeather/"}},
+    {"npr/", {"csg/", "goldfeather/"}},
+    // What draws without OpenGL includes none.
+    {"base/", {"gl/"}},
+    {"csg/", {"gl/"}},
+    {"layers/host_stack", {"gl/"}},
+    {"layers/stack.h", {"gl/"}},
+    {"goldfeather/engine", {"gl/"}},
+    {"goldfeather/choice", {"gl/"}},
+    {"goldfeather/products", {"gl/"}},
+    {"goldfeather/surface_table", {"gl/"}},
+    {"goldfeather/lists_cpu/", {"gl/"}},
+    {"npr/painter/", {"gl/"}},
+    {"npr/picture", {"gl/"}},
+    {"npr/samples", {"gl/"}},
+    {"npr/shader_frame", {"gl/"}},
+    {"ui/pipeline/comparison/", {"gl/"}},
+    {"ui/pipeline/mesh/", {"gl/"}},
+    // Nor do meshes know of pictures.
+    {"csg/", {"layers/", "peel/", "npr/", "goldfeather/", "ui/"}},
 };
 
 /// The longest key of kMayInclude that is a folder of `path`, relative to the root; "" where there is none.
@@ -99,6 +130,53 @@ TEST(Architecture, IncludesGoDownOnly) {
         }
     }
     EXPECT_GT(checked, 50);
+}
+
+/// Files by the file that includes them first, of all that `file` includes, and what these include.
+std::map<std::string, std::string> reached_from(const std::string& file) {
+    static const std::regex include("(?:^|\n)[ \t]*#[ \t]*include[ \t]+\"([^\"]+)\"");
+    static std::map<std::string, std::vector<std::string>> included;
+    const auto includes_of = [](const std::string& name) -> const std::vector<std::string>& {
+        const auto [at, is_new] = included.try_emplace(name);
+        if (is_new && fs::exists(kRoot / name)) {
+            const std::string text = read_file(kRoot / name);
+            for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i) {
+                at->second.push_back((*i)[1]);
+            }
+        }
+        return at->second;
+    };
+    std::map<std::string, std::string> reached;
+    std::vector<std::string> open{file};
+    while (!open.empty()) {
+        const std::string from = open.back();
+        open.pop_back();
+        for (const std::string& to : includes_of(from)) {
+            if (reached.try_emplace(to, from).second) {
+                open.push_back(to);
+            }
+        }
+    }
+    return reached;
+}
+
+TEST(Architecture, IncludesDoNotReachRoundTheWalls) {
+    for (const auto& [prefix, never] : kOutOfReach) {
+        int checked = 0;
+        for (const std::string& file : files_of(kProgram, {".cpp", ".h"})) {
+            if (!file.starts_with(prefix)) {
+                continue;
+            }
+            ++checked;
+            for (const auto& [reached, through] : reached_from(file)) {
+                EXPECT_FALSE(reached.ends_with(".h") &&
+                             std::any_of(never.begin(), never.end(),
+                                         [&](const auto& wall) { return reached.starts_with(wall); }))
+                    << file << " may not reach " << reached << ", as it does through " << through;
+            }
+        }
+        EXPECT_GT(checked, 0) << prefix;
+    }
 }
 
 TEST(Architecture, ProgramDoesNotIncludeTests) {
@@ -157,10 +235,10 @@ TEST(Architecture, AWishOfAllStylesIsNamedByThoseWhoReadItOnly) {
             found.insert(file);
         }
     }
-    EXPECT_EQ(found, (Names{"npr/picture.h", "npr/frame_values.h", "npr/frame_values.cpp", "npr/surface_color.glsl",
-                            "npr/styles/blueprint.glsl", "npr/styles/sketch.glsl",
-                            "ui/command_line/option_declarations.cpp", "ui/viewer/save_form.cpp",
-                            "ui/viewer/view_state.cpp"}));
+    EXPECT_EQ(found,
+              (Names{"npr/picture.h", "npr/frame_values.h", "npr/frame_values.cpp", "npr/surface_color.glsl",
+                     "npr/styles/blueprint.glsl", "npr/styles/sketch.glsl", "ui/command_line/option_declarations.cpp",
+                     "ui/viewer/save_form.cpp", "ui/viewer/view_state.cpp"}));
 }
 
 TEST(Architecture, FilesAreShort) {

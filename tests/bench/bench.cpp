@@ -8,7 +8,9 @@
 #include <iostream>
 #include <utility>
 
-#include "layers/host_stack.h"
+#include "goldfeather/engine_set.h"
+#include "goldfeather/surface_table.h"
+#include "layers/upload.h"
 #include "tests/bench/floor.h"
 #include "tests/bench/report.h"
 #include "tests/bench/subject.h"
@@ -21,8 +23,7 @@
 namespace bench {
 namespace {
 
-constexpr std::array kEngines{goldfeather::EngineKind::ListsCpu, goldfeather::EngineKind::Lists,
-                              goldfeather::EngineKind::Goldfeather};
+constexpr std::array kEngines{"lists-cpu", "lists", "goldfeather"};
 
 struct Settings {
     std::string models = "models", engine, json, markdown, context = "auto";
@@ -43,10 +44,16 @@ std::vector<std::string> model_names(const Settings& settings) {
     return names;
 }
 
+/// A model made ready for an engine.
+struct Prepared {
+    const goldfeather::EngineInfo& engine;
+    std::unique_ptr<goldfeather::PreparedScene> scene;
+};
+
 class Bench {
   public:
     Bench(const Settings& settings, const gl::Context& context)
-        : settings_(settings), context_(context), gl_(context.functions()), peeler_(gl_) {
+        : settings_(settings), context_(context), gl_(context.functions()), engines_({&gl_}), upload_(gl_) {
         report_.renderer = context.renderer();
         report_.opengl = context.version();
         report_.repeat = settings.repeat;
@@ -61,20 +68,22 @@ class Bench {
         preparation.normalize = model->statistics.normalize_ms;
         const base::Camera camera = ui::choose_camera({}, evaluation.view, model->box);
         bool first = true;
-        for (const goldfeather::EngineKind engine : kEngines) {
-            if (!settings_.engine.empty() && settings_.engine != goldfeather::name(engine)) {
+        for (const char* const name_of_engine : kEngines) {
+            if (!settings_.engine.empty() && settings_.engine != name_of_engine) {
                 continue;
             }
             (void)watch.lap();
-            peel::PeelModel peel_model(gl_, model->scene, model->geometry, model->products, engine);
+            const goldfeather::EngineInfo& engine = *goldfeather::find_engine(name_of_engine);
+            const layers::SurfaceBuffers table(gl_, *goldfeather::surface_table(model->scene, model->geometry));
+            const Prepared prepared{engine, engines_.prepare({model->scene, model->geometry, model->products}, engine)};
             gl_.Finish();
             if (std::exchange(first, false)) {
                 preparation.upload = watch.lap();
                 report_.preparations.push_back(preparation);
             }
-            ui::Renderer renderer(context_, engine);
+            ui::Renderer renderer(context_, &engine);
             for (const int size : settings_.sizes) {
-                measure(name, *model, peel_model, renderer, camera, size);
+                measure(name, *model, prepared, renderer, camera, size);
             }
         }
     }
@@ -83,16 +92,15 @@ class Bench {
 
   private:
     /// Floor, engine and frame for all numbers of layers, in turn: their ratios are what counts.
-    void measure(const std::string& name, const ui::Model& model, peel::PeelModel& peel_model, ui::Renderer& renderer,
+    void measure(const std::string& name, const ui::Model& model, const Prepared& prepared, ui::Renderer& renderer,
                  const base::Camera& camera, int size) {
         const base::View view(camera, glm::ivec2(size), model.geometry.box.lo, model.geometry.box.hi);
         Floor floor(gl_, model.geometry, glm::ivec2(size));
         const std::size_t count = settings_.layers.size();
-        std::vector<peel::WalkStats> stats(count);
-        std::vector<layers::HostStack> cpu_layers(count);  // Their memory is used again from frame to frame.
+        std::vector<goldfeather::WalkStats> stats(count);
         std::vector<std::function<void()>> works{[&] { floor.draw(view); }};
         for (std::size_t i = 0; i < count; ++i) {
-            works.emplace_back([&, i] { peel(peel_model, view, settings_.layers[i], cpu_layers[i], stats[i]); });
+            works.emplace_back([&, i] { peel(prepared, view, settings_.layers[i], stats[i]); });
         }
         for (const int layers : settings_.layers) {
             works.emplace_back([&, layers] {
@@ -109,7 +117,7 @@ class Bench {
         for (std::size_t i = 0; i < count; ++i) {
             Row row;
             row.model = name;
-            row.engine = goldfeather::name(peel_model.engine);
+            row.engine = prepared.engine.name;
             row.size = size;
             row.layers = settings_.layers[i];
             row.leaves = model.statistics.leaves;
@@ -130,16 +138,11 @@ class Bench {
     static const char* style(int layers) { return layers == 1 ? "shaded" : "blueprint"; }
 
     /// On software OpenGL lists of the CPU end in main memory, as in frames that the CPU paints.
-    void peel(peel::PeelModel& model, const base::View& view, int layers, layers::HostStack& cpu_layers,
-              peel::WalkStats& stats) {
+    void peel(const Prepared& prepared, const base::View& view, int layers, goldfeather::WalkStats& stats) {
         stats = {};
-        if (model.engine == goldfeather::EngineKind::ListsCpu && context_.software()) {
-            goldfeather::ListsStats lists;
-            goldfeather::peel_lists(model.lists, view, layers, 0, cpu_layers, lists);
-            stats.passes = 1;
-            stats.layers = lists.layers;
-        } else {
-            (void)peeler_.peel(view, model, layers, stats);
+        const layers::Stack stack = prepared.scene->draw(view, layers, stats);
+        if (prepared.engine.capabilities.needs_opengl || !context_.software()) {
+            (void)upload_.textures(stack);
             gl_.Finish();
         }
     }
@@ -147,7 +150,8 @@ class Bench {
     const Settings& settings_;
     const gl::Context& context_;
     const gl::Functions& gl_;
-    peel::Peeler peeler_;
+    goldfeather::EngineSet engines_;
+    layers::Upload upload_;
     Report report_;
 };
 

@@ -94,7 +94,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
         all->prepare(view);
         const std::vector<Time> times =
             interleaved(2 * repeat_, {[&] { floor.draw(view); }, [&] { (void)one->draw(view, 1); },
-                                      [&] { (void)all->draw(view, peel::kAllLayers); }});
+                                      [&] { (void)all->draw(view, goldfeather::kAllLayers); }});
         Compared& row = add("floor");
         row.drawn = true;
         row.time = times[0];
@@ -106,7 +106,7 @@ std::vector<Compared> Comparison::run(const Subject& subject, int side) {
             continue;
         }
         const auto drawer = drawers_.make(name, model);
-        for (const int layers : {1, peel::kAllLayers}) {
+        for (const int layers : {1, goldfeather::kAllLayers}) {
             if (layers != 1 && name != "lists") {
                 continue;
             }

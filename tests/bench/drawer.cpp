@@ -1,14 +1,11 @@
 #include "tests/bench/drawer.h"
 
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace bench {
 
 namespace {
-
-using goldfeather::EngineKind;
 
 /// Models with more leaves, or literals over all products, take minutes with engines that need a pass a layer or a
 /// literal.
@@ -23,72 +20,43 @@ double distance(const base::View& view, float depth) {
     return depth > 0 ? view.distance(static_cast<double>(depth)) : std::numeric_limits<double>::infinity();
 }
 
-/// Lists on the CPU end in main memory, where styles are painted from them.
-class CpuDrawer final : public Drawer {
+/// One of our engines. Stacks of those that need no OpenGL stay in main memory, where styles are painted from them.
+class EngineDrawer final : public Drawer {
   public:
-    explicit CpuDrawer(const ui::Model& model) : lists_(model.scene, model.geometry) {}
-    void prepare(const base::View& view) override { view_.emplace(view); }
-    bool draw(const base::View& view, int layers) override {
-        goldfeather::ListsStats stats;
-        goldfeather::peel_lists(lists_, view, layers, 0, layers_, stats);
-        return true;
-    }
-    std::vector<int> counts() override { return layers_.counts; }
-    std::vector<double> distances() override {
-        std::vector<double> result;
-        for (const float depth : layers_.planes[0].depth) {
-            result.push_back(distance(*view_, depth));
-        }
-        return result;
-    }
-
-  private:
-    goldfeather::ListsModel lists_;
-    layers::HostStack layers_;
-    std::optional<base::View> view_;
-};
-
-class GlDrawer final : public Drawer {
-  public:
-    GlDrawer(gl::Context& context, peel::Peeler& peeler, const ui::Model& model, EngineKind kind)
-        : context_(context),
-          peeler_(peeler),
-          model_(context.functions(), model.scene, model.geometry, model.products, kind) {}
+    EngineDrawer(gl::Context& context, goldfeather::EngineSet& engines, const ui::Model& model,
+                 const goldfeather::EngineInfo& engine)
+        : context_(context), scene_(engines.prepare({model.scene, model.geometry, model.products}, engine)) {}
     void prepare(const base::View& view) override {
         context_.make_current();
         view_.emplace(view);
     }
     bool draw(const base::View& view, int layers) override {
         context_.make_current();
-        peel::WalkStats stats;
-        peeler_.give_back(std::move(stack_));
-        stack_ = peeler_.peel(view, model_, layers, stats);
+        goldfeather::WalkStats stats;
+        stack_ = {};  // Its memory is used again.
+        stack_ = scene_->draw(view, layers, stats);
         context_.functions().Finish();
         return stats.fallback.empty();
     }
-    std::vector<int> counts() override {
-        const layers::HostStack host = read();
-        return host.counts;
-    }
+    std::vector<int> counts() override { return read()->counts; }
     std::vector<double> distances() override {
-        const layers::HostStack host = read();
+        const auto host = read();
         std::vector<double> result;
-        for (const float depth : host.planes.front().depth) {
+        for (const float depth : host->planes.front().depth) {
             result.push_back(distance(*view_, depth));
         }
         return result;
     }
 
   private:
-    [[nodiscard]] layers::HostStack read() {
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> read() {
         context_.make_current();
-        return layers::read_back(context_.functions(), stack_);
+        return layers::in_main_memory(context_.functions(), stack_);
     }
 
     gl::Context& context_;
-    peel::Peeler& peeler_;
-    peel::PeelModel model_;
-    layers::TextureStack stack_;
+    std::unique_ptr<goldfeather::PreparedScene> scene_;
+    layers::Stack stack_;
     std::optional<base::View> view_;
 };
 
@@ -121,7 +89,7 @@ class OpenCsgDrawer final : public Drawer {
 
 }  // namespace
 
-DrawerSet::DrawerSet(gl::Context& context, int largest) : context_(context), peeler_(context.functions()) {
+DrawerSet::DrawerSet(gl::Context& context, int largest) : context_(context), engines_({&context.functions()}) {
     auto made = opencsg::create(glm::ivec2(largest));
     opencsg_ = std::move(made.engine);
     missing_ = opencsg_ ? "" : "OpenCSG: " + made.reason;
@@ -135,17 +103,12 @@ const std::vector<std::string>& DrawerSet::names() {
 }
 
 std::unique_ptr<Drawer> DrawerSet::make(const std::string& name, const ui::Model& model) {
-    if (name == "lists-cpu") {
-        return std::make_unique<CpuDrawer>(model);
-    }
-    static const std::map<std::string, EngineKind> kinds{
-        {"lists", EngineKind::Lists}, {"goldfeather", EngineKind::Goldfeather}, {"scs", EngineKind::Scs}};
-    if (const auto kind = kinds.find(name); kind != kinds.end()) {
-        if (goldfeather::needs_products(kind->second) && too_much_for_passes(model)) {
+    if (const goldfeather::EngineInfo* engine = goldfeather::find_engine(name)) {
+        if (engine->capabilities.needs_products && too_much_for_passes(model)) {
             return nullptr;
         }
         context_.make_current();
-        return std::make_unique<GlDrawer>(context_, peeler_, model, kind->second);
+        return std::make_unique<EngineDrawer>(context_, engines_, model, *engine);
     }
     if (!opencsg_ || too_much_for_passes(model)) {
         return nullptr;

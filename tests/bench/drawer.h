@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "gl/context.h"
-#include "peel/peeler.h"
+#include "goldfeather/engine_set.h"
+#include "layers/texture_stack.h"
 #include "tests/opencsg/opencsg.h"
 #include "ui/pipeline/model.h"
 
@@ -45,7 +46,7 @@ class DrawerSet {
 
   private:
     gl::Context& context_;
-    peel::Peeler peeler_;
+    goldfeather::EngineSet engines_;
     std::unique_ptr<opencsg::OpenCsg> opencsg_;
     std::string missing_;
 };

@@ -33,10 +33,10 @@ void turn_minimal_fraction(gl::Context& context, const Subject& subject, const K
     request.camera = subject.camera;
     request.size = glm::ivec2(options.side);
     request.draw_as(*npr::find_style("blueprint"));
-    request.layers = peel::kAllLayers;
+    request.layers = goldfeather::kAllLayers;
     request.samples = 1;
-    for (const goldfeather::EngineKind kind :
-         {goldfeather::EngineKind::ListsCpu, goldfeather::EngineKind::Goldfeather}) {
+    for (const goldfeather::EngineInfo* kind :
+         {goldfeather::find_engine("lists-cpu"), goldfeather::find_engine("goldfeather")}) {
         std::optional<base::Image> whole;
         for (const double fraction : {0.0, 1e-4, 1e-3, 1e-2, 1e-1}) {
             context.make_current();
@@ -48,7 +48,7 @@ void turn_minimal_fraction(gl::Context& context, const Subject& subject, const K
             if (!whole) {
                 whole = image;
             }
-            rows.push_back({"minimal fraction", subject.name, std::string(goldfeather::name(kind)), fraction, time.cpu,
+            rows.push_back({"minimal fraction", subject.name, std::string(kind->name), fraction, time.cpu,
                             difference_percent(*whole, image)});
         }
     }

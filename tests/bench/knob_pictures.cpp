@@ -97,7 +97,7 @@ void turn_layers(DrawerSet& drawers, const Subject& subject, const KnobOptions& 
             continue;
         }
         double cpu = 0;
-        if (!measure(*drawer, view, peel::kAllLayers, options.repeat, cpu)) {
+        if (!measure(*drawer, view, goldfeather::kAllLayers, options.repeat, cpu)) {
             continue;
         }
         const std::vector<int> all = drawer->counts();

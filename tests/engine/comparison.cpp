@@ -31,7 +31,8 @@ bool same(const truth::Surface& expected, const layers::Surface& actual) {
            holds(expected.planes, actual.plane);
 }
 
-Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_scene(tree)) {
+Subject::Subject(const csg::Tree& tree, bool with_products, const csg::PartRule& rule)
+    : scene(csg::make_scene(tree, csg::Showing::Preview, rule)) {
     csg::solid::SolidCache cache;
     geometry = csg::solid::place(tree, scene, cache);
     std::vector<csg::Box> boxes;
@@ -50,15 +51,10 @@ Subject::Subject(const csg::Tree& tree, bool with_products) : scene(csg::make_sc
     }
 }
 
-layers::HostStack peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                           const base::View& view, int max_layers, peel::EngineKind engine) {
-    peel::PeelModel model(gl, subject.scene, subject.geometry, subject.products, engine);
-    peel::WalkStats stats;
-    auto layers = layers::read_back(gl, peeler.peel(view, model, max_layers, stats));
-    if (!stats.fallback.empty()) {
-        throw OtherEngine("another engine has drawn: " + stats.fallback);
-    }
-    return layers;
+layers::HostStack peel_all(const gl::Functions& gl, goldfeather::Engine& engine, const Subject& subject,
+                           const base::View& view, int max_layers) {
+    goldfeather::WalkStats ignored;
+    return *layers::in_main_memory(gl, engine.prepare(subject.input())->draw(view, max_layers, ignored));
 }
 
 std::vector<layers::Surface> padded(const layers::HostStack& stack, int layers) {
@@ -80,7 +76,7 @@ std::string difference(const Subject& subject, const base::View& view, const lay
             count.undecided += ray.decided ? 0 : 1;
             if (!ray.decided)
                 continue;
-            if (most != peel::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most))
+            if (most != goldfeather::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most))
                 ray.surfaces.resize(static_cast<std::size_t>(most));
             std::vector<layers::Surface> actual;
             for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer)

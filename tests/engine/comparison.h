@@ -1,11 +1,10 @@
 // Compares an engine's stack of layers with the truth.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
-#include "goldfeather/products.h"
-#include "peel/peeler.h"
+#include "goldfeather/engines.h"
+#include "layers/texture_stack.h"
 #include "tests/random/random_tree.h"
 #include "tests/truth/ray_caster.h"
 
@@ -14,7 +13,7 @@ namespace comparison {
 /// A model made ready for peeling.
 struct Subject {
     /// Without `with_products`, there are none and no part is over budget.
-    explicit Subject(const csg::Tree& tree, bool with_products = true);
+    explicit Subject(const csg::Tree& tree, bool with_products = true, const csg::PartRule& rule = {});
 
     csg::Scene scene;
     csg::solid::Geometry geometry;
@@ -22,6 +21,7 @@ struct Subject {
     std::vector<char> part_enabled;                           ///< 0: over budget, left out.
     std::size_t over_budget = 0;
 
+    [[nodiscard]] goldfeather::EngineInput input() const { return {scene, geometry, products}; }
     [[nodiscard]] base::View view(const base::Camera& camera, glm::ivec2 size) const {
         return {camera, size, geometry.box.lo, geometry.box.hi};
     }
@@ -33,16 +33,9 @@ struct Count {
     std::size_t surfaces = 0;   ///< Compared.
 };
 
-/// The engine meant has given up, and another has drawn.
-class OtherEngine : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
-
-/// Peels all layers. Throws OtherEngine.
-[[nodiscard]] layers::HostStack peel_all(const gl::Functions& gl, peel::Peeler& peeler, const Subject& subject,
-                                         const base::View& view, int max_layers = peel::kAllLayers,
-                                         peel::EngineKind engine = peel::EngineKind::Goldfeather);
+/// All layers, in main memory, with an engine of the context. Throws goldfeather::EngineObstacle.
+[[nodiscard]] layers::HostStack peel_all(const gl::Functions& gl, goldfeather::Engine& engine, const Subject& subject,
+                                         const base::View& view, int max_layers = goldfeather::kAllLayers);
 
 /// The first `layers` layers of a stack; empty ones where it has fewer.
 [[nodiscard]] std::vector<layers::Surface> padded(const layers::HostStack& stack, int layers);
@@ -53,6 +46,6 @@ class OtherEngine : public std::runtime_error {
 /// Empty where the stack agrees with the truth at every pixel outside the band; otherwise what differs first, and
 /// in how many pixels. `most`: layers that the stack was limited to.
 [[nodiscard]] std::string difference(const Subject& subject, const base::View& view, const layers::HostStack& stack,
-                                     Count& count, int most = peel::kAllLayers);
+                                     Count& count, int most = goldfeather::kAllLayers);
 
 }  // namespace comparison

@@ -1,56 +1,79 @@
 #include "tests/engine/engine_test.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace comparison {
 
 namespace {
 
-class OnOpenGl : public Engine {
-  public:
-    OnOpenGl(std::unique_ptr<gl::Context> context, peel::EngineKind kind)
-        : context_(std::move(context)), kind_(kind), peeler_(context_->functions()) {}
-    layers::HostStack peel(const Subject& subject, const base::View& view, int max_layers) override {
-        context_->make_current();  // Another engine's may have been since.
-        auto layers = peel_all(context_->functions(), peeler_, subject, view, max_layers, kind_);
-        EXPECT_EQ(context_->functions().GetError(), static_cast<GLenum>(GL_NO_ERROR));
-        return layers;
-    }
-    int most_layers() const override { return kind_ == peel::EngineKind::Scs ? 1 : peel::kAllLayers; }
-    bool needs_products() const override { return goldfeather::needs_products(kind_); }
+std::string suffix(gl::ContextKind kind) {
+    return kind == gl::ContextKind::Egl ? "_egl" : "_osmesa";
+}
 
-  private:
-    std::unique_ptr<gl::Context> context_;
-    peel::EngineKind kind_;
-    peel::Peeler peeler_;
-};
-
-class ListsCpu : public Engine {
-  public:
-    layers::HostStack peel(const Subject& subject, const base::View& view, int max_layers) override {
-        const goldfeather::ListsModel model(subject.scene, subject.geometry);
-        goldfeather::ListsStats stats;
-        goldfeather::peel_lists(model, view, max_layers, 2, layers_, stats);
-        return layers_;
-    }
-    bool needs_products() const override { return false; }
-
-  private:
-    layers::HostStack layers_;  ///< From the picture before, as in the program.
-};
+/// Names of tests hold letters, digits and underlines only.
+std::string test_name(const goldfeather::EngineInfo& info) {
+    std::string name(info.name);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
 
 }  // namespace
 
-MaybeEngine make_engine(const std::string& name) {
-    if (name == "lists_cpu") {
-        return {std::make_unique<ListsCpu>(), {}};
+Engine::Engine(const goldfeather::EngineInfo& info, std::unique_ptr<gl::Context> context)
+    : info_(info),
+      context_(std::move(context)),
+      engine_(goldfeather::make_engine(info, {.gl = context_ ? &context_->functions() : nullptr, .threads = 2})) {}
+
+layers::HostStack Engine::peel(const Subject& subject, const base::View& view, int max_layers) {
+    goldfeather::WalkStats ignored;
+    if (!context_) {
+        return *engine_->prepare(subject.input())->draw(view, max_layers, ignored).host;
     }
-    auto made = test_support::try_context(name.ends_with("_egl") ? gl::ContextKind::Egl : gl::ContextKind::Osmesa);
+    context_->make_current();  // Another engine's may have been since.
+    const gl::Functions& gl = context_->functions();
+    auto layers = peel_all(gl, *engine_, subject, view, max_layers);
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return layers;
+}
+
+MaybeEngine make_engine(const goldfeather::EngineInfo& info, gl::ContextKind kind) {
+    if (!info.capabilities.needs_opengl) {
+        return {std::make_unique<Engine>(info, nullptr), {}};
+    }
+    auto made = test_support::try_context(kind);
     if (!made.context) {
         return {nullptr, made.reason};
     }
-    const auto kind = name.starts_with("lists") ? peel::EngineKind::Lists
-                      : name.starts_with("scs") ? peel::EngineKind::Scs
-                                                : peel::EngineKind::Goldfeather;
-    return {std::make_unique<OnOpenGl>(std::move(made.context), kind), {}};
+    return {std::make_unique<Engine>(info, std::move(made.context)), {}};
+}
+
+MaybeEngine make_engine(const std::string& name) {
+    for (const goldfeather::EngineInfo& info : goldfeather::engines()) {
+        for (const gl::ContextKind kind : {gl::ContextKind::Egl, gl::ContextKind::Osmesa}) {
+            if (name == test_name(info) + (info.capabilities.needs_opengl ? suffix(kind) : "")) {
+                return make_engine(info, kind);
+            }
+        }
+    }
+    return {nullptr, "no such engine"};
+}
+
+std::vector<std::string> engine_names(std::initializer_list<gl::ContextKind> kinds) {
+    std::vector<std::string> names;
+    for (const goldfeather::EngineInfo& info : goldfeather::engines()) {
+        if (info.capabilities.most_layers != goldfeather::kAllLayers) {
+            continue;
+        }
+        if (!info.capabilities.needs_opengl) {
+            names.push_back(test_name(info));
+            continue;
+        }
+        for (const gl::ContextKind kind : kinds) {
+            names.push_back(test_name(info) + suffix(kind));
+        }
+    }
+    return names;
 }
 
 void EngineTest::SetUp() {

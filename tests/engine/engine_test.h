@@ -3,8 +3,8 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "tests/engine/comparison.h"
 #include "tests/support/gl_test.h"
 
@@ -13,22 +13,30 @@ namespace comparison {
 /// An engine with what it needs.
 class Engine {
   public:
-    virtual ~Engine() = default;
-    [[nodiscard]] virtual layers::HostStack peel(const Subject& subject, const base::View& view,
-                                                 int max_layers = peel::kAllLayers) = 0;
-    /// Layers that it finds; kAllLayers where it finds all.
-    [[nodiscard]] virtual int most_layers() const { return peel::kAllLayers; }
-    /// A part over the budget of products is left out by engines that need them.
-    [[nodiscard]] virtual bool needs_products() const = 0;
+    /// `context`: null where the engine needs none.
+    Engine(const goldfeather::EngineInfo& info, std::unique_ptr<gl::Context> context);
+    /// Throws goldfeather::EngineObstacle.
+    [[nodiscard]] layers::HostStack peel(const Subject& subject, const base::View& view,
+                                         int max_layers = goldfeather::kAllLayers);
+    [[nodiscard]] const goldfeather::EngineCapabilities& capabilities() const { return info_.capabilities; }
+
+  private:
+    const goldfeather::EngineInfo& info_;
+    std::unique_ptr<gl::Context> context_;
+    std::unique_ptr<goldfeather::Engine> engine_;
 };
 
-/// "goldfeather_egl", "goldfeather_osmesa", "lists_egl", "lists_osmesa", "scs_egl" or "lists_cpu"; null and a reason
-/// where there is no OpenGL for it.
+/// Null and a reason where there is no such context for it.
 struct MaybeEngine {
     std::unique_ptr<Engine> engine;
     std::string reason;
 };
+[[nodiscard]] MaybeEngine make_engine(const goldfeather::EngineInfo& info, gl::ContextKind kind);
+/// By one of `engine_names`.
 [[nodiscard]] MaybeEngine make_engine(const std::string& name);
+
+/// Every engine that finds all layers, on every one of the kinds of contexts if it needs any: "lists_egl", "lists_cpu".
+[[nodiscard]] std::vector<std::string> engine_names(std::initializer_list<gl::ContextKind> kinds);
 
 /// Runs once per name. Where the engine cannot be had: test_support::skip_or_fail.
 class EngineTest : public testing::TestWithParam<std::string> {
@@ -36,7 +44,7 @@ class EngineTest : public testing::TestWithParam<std::string> {
     void SetUp() override;
     [[nodiscard]] Engine& engine() { return *engine_; }
     [[nodiscard]] Subject subject(const random_tree::Model& model) const {
-        return Subject(random_tree::make_tree(model), engine_->needs_products());
+        return Subject(random_tree::make_tree(model), engine_->capabilities().needs_products);
     }
 
   private:

@@ -243,8 +243,7 @@ TEST_P(HardCases, HighlightedPartsComeFirstThenById) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, HardCases,
-                         testing::Values("goldfeather_egl", "goldfeather_osmesa", "lists_egl", "lists_osmesa",
-                                         "lists_cpu"),
+                         testing::ValuesIn(comparison::engine_names({gl::ContextKind::Egl, gl::ContextKind::Osmesa})),
                          comparison::engine_name);
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "goldfeather/engine_set.h"
 #include "goldfeather/lists/list_self_test.h"
-#include "goldfeather/surface_table.h"
 #include "tests/engine/engine_test.h"
 #include "tests/random/build_model.h"
 
@@ -36,11 +36,9 @@ class ListsOnOpenGl : public test_support::GlTest {
   protected:
     layers::HostStack peel(Lists& lists, const Subject& subject, const base::View& view, int max_layers,
                            goldfeather::WalkStats& stats) {
-        const auto tables = std::make_shared<layers::SurfaceBuffers>(
-            gl(), *goldfeather::surface_table(subject.scene, subject.geometry));
-        goldfeather::LeafBuffers leaves(gl(), subject.geometry, tables->local_centre);
+        goldfeather::LeafBuffers leaves(gl(), subject.geometry);
         goldfeather::ListsScene scene(gl(), subject.scene);
-        return layers::read_back(gl(), lists.peel(view, subject.geometry, leaves, scene, tables, max_layers, stats));
+        return layers::read_back(gl(), lists.peel(view, subject.geometry, leaves, scene, max_layers, stats));
     }
 };
 
@@ -110,7 +108,7 @@ TEST_P(ListsOnOpenGl, AnyNumberOfSurfacesAndLayers) {
 /// The same depths from the same triangles: the two engines agree to the last bit.
 TEST_P(ListsOnOpenGl, AgreeWithGoldfeather) {
     Lists lists(gl());
-    peel::Peeler peeler(gl());
+    const auto walk = goldfeather::make_engine(*goldfeather::find_engine("goldfeather"), {&gl()});
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         base::Camera camera;
         const Subject without = random_subject(seed, camera);
@@ -123,7 +121,7 @@ TEST_P(ListsOnOpenGl, AgreeWithGoldfeather) {
         const base::View view = subject.view(camera, kSize);
         goldfeather::WalkStats stats;
         const layers::HostStack a = peel(lists, subject, view, 0, stats);
-        const layers::HostStack b = comparison::peel_all(gl(), peeler, subject, view);
+        const layers::HostStack b = comparison::peel_all(gl(), *walk, subject, view);
         const int layers = std::max(a.layers, b.layers);
         const auto found = comparison::padded(a, layers), expected = comparison::padded(b, layers);
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -183,15 +181,15 @@ class FallBack : public ListsOnOpenGl {
     std::string reason(const gl::Functions& faulty) {
         const Subject subject(random_tree::make_tree(slabs(3)), false);
         const base::View view = subject.view(from_above(6), {33, 33});
-        peel::Peeler peeler(faulty);
-        peel::PeelModel model(faulty, subject.scene, subject.geometry, {}, peel::EngineKind::Lists);
+        goldfeather::EngineSet engines({&faulty});
+        const auto scene = engines.prepare(subject.input(), *goldfeather::find_engine("lists"));
         std::string reason;
         for (int picture = 0; picture < 2; ++picture) {  // The second does not try again.
-            peel::WalkStats stats;
-            const layers::HostStack layers = layers::read_back(faulty, peeler.peel(view, model, 0, stats));
-            EXPECT_EQ(layers.layers, 6);
+            goldfeather::WalkStats stats;
+            const auto layers = layers::in_main_memory(faulty, scene->draw(view, 0, stats));
+            EXPECT_EQ(layers->layers, 6);
             comparison::Count count;
-            EXPECT_EQ(comparison::difference(subject, view, layers, count), "");
+            EXPECT_EQ(comparison::difference(subject, view, *layers, count), "");
             reason = stats.fallback;
         }
         return reason;
@@ -236,16 +234,16 @@ TEST_P(FallBack, WhereTwoPassesDisagree) {
                                     random_tree::box({0, 0, 4}, {4, 4, 1})})),
         false);
     const base::View view = subject.view(from_above(6), {33, 33});
-    peel::Peeler peeler(faulty);
-    peel::PeelModel model(faulty, subject.scene, subject.geometry, {}, peel::EngineKind::Lists);
-    peel::WalkStats stats;
-    const layers::HostStack layers = layers::read_back(faulty, peeler.peel(view, model, 0, stats));
+    goldfeather::EngineSet engines({&faulty});
+    const auto scene = engines.prepare(subject.input(), *goldfeather::find_engine("lists"));
+    goldfeather::WalkStats stats;
+    const auto layers = layers::in_main_memory(faulty, scene->draw(view, 0, stats));
     EXPECT_NE(stats.fallback.find("different per-pixel lists"), std::string::npos) << stats.fallback;
-    EXPECT_EQ(layers.layers, 4);
+    EXPECT_EQ(layers->layers, 4);
     // That was one picture's fault: the next is tried again.
     faulty.MultiDrawArraysIndirect = draw;
-    peel::WalkStats after;
-    (void)layers::read_back(faulty, peeler.peel(view, model, 0, after));
+    goldfeather::WalkStats after;
+    (void)scene->draw(view, 0, after);
     EXPECT_EQ(after.fallback, "");
 }
 

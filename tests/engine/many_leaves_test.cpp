@@ -5,6 +5,7 @@
 #include <ctime>
 #include <random>
 
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "tests/engine/comparison.h"
 #include "tests/random/build_model.h"
 

@@ -1,6 +1,7 @@
 // Ending before layers that few pixels have.
 #include <algorithm>
 
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "tests/engine/engine_test.h"
 #include "tests/random/build_model.h"
 
@@ -69,14 +70,16 @@ class MinimalFractionOfTheWalk : public test_support::GlTest {};
 TEST_P(MinimalFractionOfTheWalk, FewerPixelsThanThatLackSomething) {
     const Subject subject = plate_with_stack();
     const base::View view = from_above(subject);
-    peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
-    const auto peel = [&](double minimal_fraction, peel::WalkStats& stats) {
-        peel::Peeler peeler(gl(), goldfeather::kDefaultMemoryBudget, minimal_fraction);
-        const auto stack = peeler.peel(view, model, peel::kAllLayers, stats);
+    const auto peel = [&](double minimal_fraction, goldfeather::WalkStats& stats) {
+        const auto engine = goldfeather::make_engine(*goldfeather::find_engine("goldfeather"),
+                                                     {.gl = &gl(), .minimal_fraction = minimal_fraction});
+        const auto scene = engine->prepare(subject.input());
+        const layers::HostStack stack =
+            *layers::in_main_memory(gl(), scene->draw(view, goldfeather::kAllLayers, stats));
         EXPECT_EQ(stack.complete, minimal_fraction == 0);
-        return layers::read_back(gl(), stack);
+        return stack;
     };
-    peel::WalkStats all_stats, less_stats;
+    goldfeather::WalkStats all_stats, less_stats;
     const auto all = peel(0, all_stats);
     ASSERT_EQ(all.layers, 22);
     const double fraction = 2 * static_cast<double>(pixels_with(all, 21)) / kPixels;

@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 
+#include "goldfeather/goldfeather/goldfeather.h"
+#include "goldfeather/parts_scene.h"
 #include "tests/engine/engine_test.h"
 #include "tests/random/build_model.h"
 
@@ -50,7 +52,7 @@ class Check {
     explicit Check(comparison::Engine& engine) : engine_(engine) {}
 
     std::string run(const Sample& sample, comparison::Count& count, std::size_t& over_budget) {
-        const Subject subject(random_tree::make_tree(sample.model), engine_.needs_products());
+        const Subject subject(random_tree::make_tree(sample.model), engine_.capabilities().needs_products);
         over_budget += subject.over_budget;
         const base::View view = subject.view(sample.camera, kSize);
         return comparison::difference(subject, view, engine_.peel(subject, view), count);
@@ -136,9 +138,9 @@ TEST_P(RandomTrees, FewLayersAreTheFirstOfAll) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, RandomTrees, testing::Values("goldfeather_egl", "lists_egl", "lists_cpu"),
+INSTANTIATE_TEST_SUITE_P(Engines, RandomTrees, testing::ValuesIn(comparison::engine_names({gl::ContextKind::Egl})),
                          comparison::engine_name);
-INSTANTIATE_TEST_SUITE_P(Engines, WoundTrees, testing::Values("goldfeather_egl", "lists_egl", "lists_cpu"),
+INSTANTIATE_TEST_SUITE_P(Engines, WoundTrees, testing::ValuesIn(comparison::engine_names({gl::ContextKind::Egl})),
                          comparison::engine_name);
 
 class Bands : public test_support::GlTest {};
@@ -152,12 +154,12 @@ TEST_P(Bands, DoNotShow) {
         const Subject subject(random_tree::make_tree(sample.model));
         if (subject.products.empty())
             continue;
-        peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products);
+        goldfeather::PartsScene scene(gl(), subject.input());
         const base::View view = subject.view(sample.camera, kSize);
-        const goldfeather::PartProducts part{model.products[0], model.leaf_boxes, model.wound, model.open};
+        const goldfeather::PartProducts part = scene.part(subject.products[0]);
         goldfeather::WalkStats stats, split_stats;
-        const auto a = layers::read_back(gl(), whole.walk(view, *model.leaves, part, model.table, 0, stats));
-        const auto b = layers::read_back(gl(), split.walk(view, *model.leaves, part, model.table, 0, split_stats));
+        const auto a = layers::read_back(gl(), whole.walk(view, scene.leaves(), part, 0, stats));
+        const auto b = layers::read_back(gl(), split.walk(view, scene.leaves(), part, 0, split_stats));
         ASSERT_EQ(a.layers, b.layers) << "seed " << seed;
         ASSERT_EQ(a.surfaces(), b.surfaces()) << "seed " << seed;
         most_bands = std::max(most_bands, split_stats.bands);

@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "goldfeather/engine_set.h"
 #include "tests/engine/engine_test.h"
 #include "tests/random/build_model.h"
 
@@ -32,15 +33,18 @@ std::string obstacle(const Subject& subject, const base::View& view, int max_lay
 
 class ScsOnOpenGl : public test_support::GlTest {
   protected:
+    std::unique_ptr<goldfeather::Engine> make(std::size_t memory_budget = goldfeather::kDefaultMemoryBudget) {
+        return goldfeather::make_engine(*goldfeather::find_engine("scs"), {&gl(), memory_budget});
+    }
     /// What is wrong with the first layer; empty if nothing is.
-    std::string wrong(peel::Peeler& peeler, const Subject& subject, const base::View& view, comparison::Count& count) {
-        return comparison::difference(
-            subject, view, comparison::peel_all(gl(), peeler, subject, view, 1, peel::EngineKind::Scs), count, 1);
+    std::string wrong(goldfeather::Engine& engine, const Subject& subject, const base::View& view,
+                      comparison::Count& count) {
+        return comparison::difference(subject, view, comparison::peel_all(gl(), engine, subject, view, 1), count, 1);
     }
 };
 
 TEST_P(ScsOnOpenGl, RandomTreesAgreeWithTheRayCaster) {
-    peel::Peeler peeler(gl());
+    const auto engine = make();
     comparison::Count count;
     int drawn = 0;
     for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
@@ -57,7 +61,7 @@ TEST_P(ScsOnOpenGl, RandomTreesAgreeWithTheRayCaster) {
             continue;
         }
         ++drawn;
-        ASSERT_EQ(wrong(peeler, subject, view, count), "") << "seed " << seed << '\n' << random_tree::scad_text(model);
+        ASSERT_EQ(wrong(*engine, subject, view, count), "") << "seed " << seed << '\n' << random_tree::scad_text(model);
     }
     std::cout << fmt::format("{} of 1000 trees, {} surfaces compared, {} of {} pixels in the band\n", drawn,
                              count.surfaces, count.undecided, count.pixels);
@@ -67,7 +71,7 @@ TEST_P(ScsOnOpenGl, RandomTreesAgreeWithTheRayCaster) {
 
 /// Every order of overlapping holes is a subsequence of the rounds.
 TEST_P(ScsOnOpenGl, OverlappingHolesInAnyOrder) {
-    peel::Peeler peeler(gl());
+    const auto engine = make();
     std::vector<Model> holes;
     for (int i = 0; i < 9; ++i) {
         // Slabs that overlap their neighbours, in an order that is neither front to back nor back to front.
@@ -80,12 +84,12 @@ TEST_P(ScsOnOpenGl, OverlappingHolesInAnyOrder) {
     for (const glm::dvec3& eye : {glm::dvec3(0.5, 1, 50), glm::dvec3(0.5, 1, -50), glm::dvec3(30, 20, 40)}) {
         const base::View view = subject.view(base::camera_between(eye, {0, 0, 0}), kSize);
         comparison::Count count;
-        EXPECT_EQ(wrong(peeler, subject, view, count), "");
+        EXPECT_EQ(wrong(*engine, subject, view, count), "");
     }
 }
 
 TEST_P(ScsOnOpenGl, SharedFacesHaveNoSkin) {
-    peel::Peeler peeler(gl());
+    const auto engine = make();
     const Model plate = combine(Operation::Difference, {box({-4, -4, 0}, {8, 8, 1}), box({-1, -1, 0}, {2, 2, 1})});
     const Model same = combine(Operation::Difference, {box({0, 0, 0}, {2, 3, 4}), box({0, 0, 0}, {2, 3, 4})});
     for (const Model& model : {plate, same}) {
@@ -93,20 +97,20 @@ TEST_P(ScsOnOpenGl, SharedFacesHaveNoSkin) {
         for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.2, 20), glm::dvec3(3, -8, 15), glm::dvec3(0.1, 0.1, -20)}) {
             const base::View view = subject.view(base::camera_between(eye, {0.05, 0.06, 0.5}), kSize);
             comparison::Count count;
-            EXPECT_EQ(wrong(peeler, subject, view, count), "");
+            EXPECT_EQ(wrong(*engine, subject, view, count), "");
         }
     }
 }
 
 /// Memory is split in bands that do not show.
 TEST_P(ScsOnOpenGl, BandsDoNotShow) {
-    peel::Peeler whole(gl()), split(gl(), 48 * 36 * 5);
+    const auto whole = make(), split = make(48 * 36 * 5);
     const Subject subject(random_tree::make_tree(
         combine(Operation::Difference, {box({-4, -4, 0}, {8, 8, 2}), at({1, 0, 0}, leaf(csg::Sphere{2, {12, 12, 2}})),
                                         leaf(csg::Cylinder{9, 1, 1, true, {9, 12, 2}})})));
     const base::View view = subject.view(base::camera_between({9, 8, 17}, {0, 0, 0}), kSize);
-    const auto a = comparison::peel_all(gl(), whole, subject, view, 1, peel::EngineKind::Scs);
-    const auto b = comparison::peel_all(gl(), split, subject, view, 1, peel::EngineKind::Scs);
+    const auto a = comparison::peel_all(gl(), *whole, subject, view, 1);
+    const auto b = comparison::peel_all(gl(), *split, subject, view, 1);
     EXPECT_EQ(a.surfaces(), b.surfaces());
 }
 
@@ -123,17 +127,17 @@ TEST_P(ScsOnOpenGl, KnowsItsLimits) {
 
     EXPECT_EQ(obstacle(subject, outside), "");
     EXPECT_NE(obstacle(subject, outside, 2), "");
-    EXPECT_NE(obstacle(subject, outside, peel::kAllLayers), "");
+    EXPECT_NE(obstacle(subject, outside, goldfeather::kAllLayers), "");
     EXPECT_NE(obstacle(subject, inside), "");
     EXPECT_NE(obstacle(hollow, hollow.view(base::camera_between({9, 8, 17}, {0, 0, 0}), kSize)), "");
 
-    peel::Peeler peeler(gl());
-    peel::PeelModel model(gl(), subject.scene, subject.geometry, subject.products, peel::EngineKind::Scs);
-    peel::WalkStats stats;
-    const auto layers = layers::read_back(gl(), peeler.peel(outside, model, 0, stats));
+    goldfeather::EngineSet engines({&gl()});
+    const auto scene = engines.prepare(subject.input(), *goldfeather::find_engine("scs"));
+    goldfeather::WalkStats stats;
+    const auto layers = layers::in_main_memory(gl(), scene->draw(outside, 0, stats));
     EXPECT_EQ(stats.fallback, "scs finds one layer only");
     comparison::Count count;
-    EXPECT_EQ(comparison::difference(subject, outside, layers, count), "");
+    EXPECT_EQ(comparison::difference(subject, outside, *layers, count), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, ScsOnOpenGl, testing::Values(gl::ContextKind::Egl), test_support::context_name);

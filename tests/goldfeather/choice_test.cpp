@@ -9,12 +9,13 @@ namespace {
 
 using goldfeather::choose_engine;
 using goldfeather::EngineConditions;
-using goldfeather::EngineKind;
+using goldfeather::EngineInfo;
+using goldfeather::find_engine;
 
 TEST(Choice, TakesWhatIsAskedFor) {
-    for (const EngineKind kind : {EngineKind::Goldfeather, EngineKind::Lists, EngineKind::ListsCpu, EngineKind::Scs}) {
-        const auto choice = choose_engine(kind, {true, false, 3});
-        EXPECT_EQ(choice.engine, kind);
+    for (const EngineInfo& engine : goldfeather::engines()) {
+        const auto choice = choose_engine(&engine, {true, false, 3});
+        EXPECT_EQ(choice.engine, &engine);
         EXPECT_EQ(choice.reason, "as asked for");
     }
 }
@@ -22,15 +23,15 @@ TEST(Choice, TakesWhatIsAskedFor) {
 TEST(Choice, IsTheCpuWhereThatComputesOpenGl) {
     for (const double depth : {0.0, 1.0, 5.0, 50.0, 500.0}) {
         for (const bool over_budget : {false, true}) {
-            EXPECT_EQ(choose_engine({}, {true, over_budget, depth}).engine, EngineKind::ListsCpu) << depth;
+            EXPECT_EQ(choose_engine({}, {true, over_budget, depth}).engine, find_engine("lists-cpu")) << depth;
         }
     }
 }
 
 TEST(Choice, IsOnTheGpuWhereThereIsOne) {
-    EXPECT_EQ(choose_engine({}, {false, false, 0.1}).engine, EngineKind::Goldfeather);  // Hardly anything to peel.
-    EXPECT_EQ(choose_engine({}, {false, true, 0.1}).engine, EngineKind::Lists);
-    EXPECT_EQ(choose_engine({}, {false, false, 20}).engine, EngineKind::Lists);
+    EXPECT_EQ(choose_engine({}, {false, false, 0.1}).engine, find_engine("goldfeather"));  // Hardly anything to peel.
+    EXPECT_EQ(choose_engine({}, {false, true, 0.1}).engine, find_engine("lists"));
+    EXPECT_EQ(choose_engine({}, {false, false, 20}).engine, find_engine("lists"));
 }
 
 TEST(Choice, GivesTheEstimates) {
@@ -38,13 +39,13 @@ TEST(Choice, GivesTheEstimates) {
     EXPECT_NE(choice.reason.find("GPU"), std::string::npos) << choice.reason;
     EXPECT_NE(choice.reason.find("lists 15.0"), std::string::npos) << choice.reason;
     EXPECT_NE(choice.reason.find("goldfeather: too many products"), std::string::npos) << choice.reason;
-    EXPECT_TRUE(std::isinf(goldfeather::estimated_cost(EngineKind::Goldfeather, {false, true, 5})));
+    EXPECT_TRUE(std::isinf(goldfeather::estimated_cost(*find_engine("goldfeather"), {false, true, 5})));
 }
 
 TEST(Choice, GoesByTheLayersWanted) {
-    for (const EngineKind kind : {EngineKind::Goldfeather, EngineKind::Lists, EngineKind::ListsCpu}) {
+    for (const EngineInfo* engine : {find_engine("goldfeather"), find_engine("lists"), find_engine("lists-cpu")}) {
         const auto cost = [&](double depth, int layers) {
-            return goldfeather::estimated_cost(kind, {true, false, depth, layers});
+            return goldfeather::estimated_cost(*engine, {true, false, depth, layers});
         };
         EXPECT_LT(cost(40, 1), cost(40, 4));
         EXPECT_LT(cost(40, 4), cost(40, 0));

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "goldfeather/surface_table.h"
 #include "npr/painter/cpu_accumulate.h"
 #include "tests/npr/scene.h"
@@ -37,14 +38,11 @@ class Easel {
     }
 
     [[nodiscard]] base::Image draw(const gl::Functions& gl, const npr::Picture& picture) {
-        peel::PeelModel model(gl, subject_.scene, subject_.geometry, subject_.products,
-                              goldfeather::EngineKind::ListsCpu);
-        peel::Peeler peeler(gl);
+        const auto engine = goldfeather::make_engine(*goldfeather::find_engine("lists-cpu"), {&gl});
+        const auto prepared = engine->prepare(subject_.input());
         npr::Accumulator accumulator(gl);
-        accumulator.draw(*picture.style->make(gl), picture, {box().lo, box().hi, [&](const base::View& v) {
-                                                                 peel::WalkStats stats;
-                                                                 return peeler.peel(v, model, peel::kAllLayers, stats);
-                                                             }});
+        accumulator.draw(*picture.style->make(gl), picture,
+                         {box().lo, box().hi, [&](const base::View& v) { return peel(gl, subject_, *prepared, v); }});
         return accumulator.image();
     }
 

@@ -66,12 +66,11 @@ class EdgeMapTest : public test_support::GlTest {
     void find(const scene::Model& model, const base::Camera* camera = nullptr, int size = 128,
               const npr::EdgeSettings& settings = {}) {
         const comparison::Subject subject(random_tree::make_tree(model));
-        peel::Peeler peeler(gl());
-        peel::PeelModel peel_model(gl(), subject.scene, subject.geometry, subject.products);
+        const auto engine = goldfeather::make_engine(*goldfeather::find_engine("goldfeather"), {&gl()});
+        const auto prepared = engine->prepare(subject.input());
         view_.emplace(camera ? *camera : scene::camera(subject.geometry.box), glm::ivec2(size), subject.geometry.box.lo,
                       subject.geometry.box.hi);
-        peel::WalkStats stats;
-        const layers::TextureStack layers = peeler.peel(*view_, peel_model, peel::kAllLayers, stats);
+        const layers::TextureStack layers = scene::peel(gl(), subject, *prepared, *view_);
         const gl::Framebuffer unused(gl());
         const npr::Picture picture;
         npr::EdgeMap map(gl());

@@ -1,5 +1,8 @@
 #include "tests/npr/scene.h"
 
+#include "goldfeather/surface_table.h"
+#include "layers/upload.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace scene {
@@ -32,6 +35,16 @@ base::Camera camera(const csg::Box& box) {
     return c;
 }
 
+layers::TextureStack peel(const gl::Functions& gl, const comparison::Subject& subject,
+                          goldfeather::PreparedScene& prepared, const base::View& view, int max_layers) {
+    goldfeather::WalkStats ignored;
+    layers::Upload upload(gl);
+    layers::TextureStack stack = upload.textures(prepared.draw(view, max_layers, ignored));
+    stack.table =
+        std::make_shared<layers::SurfaceBuffers>(gl, *goldfeather::surface_table(subject.scene, subject.geometry));
+    return stack;
+}
+
 base::Image Studio::draw(const Model& model, const Request& request) {
     const auto style = npr::find_style(request.style)->make(gl_);
     return draw_with(*style, model, request);
@@ -39,7 +52,7 @@ base::Image Studio::draw(const Model& model, const Request& request) {
 
 base::Image Studio::draw_with(npr::Style& style, const Model& model, const Request& request) {
     const comparison::Subject subject(random_tree::make_tree(model));
-    peel::PeelModel peel_model(gl_, subject.scene, subject.geometry, subject.products);
+    const auto prepared = engine_->prepare(subject.input());
     npr::Picture picture;
     picture.draw_as(*npr::find_style(request.style));
     for (const auto& [name, value] : request.settings)
@@ -51,9 +64,7 @@ base::Image Studio::draw_with(npr::Style& style, const Model& model, const Reque
     picture.transparent_background = request.transparent_background;
     const int needed = picture.style->layers(true);
     accumulator_.draw(style, picture, {subject.geometry.box.lo, subject.geometry.box.hi, [&](const base::View& view) {
-                                           peel::WalkStats stats;
-                                           return peeler_.peel(view, peel_model,
-                                                               needed == 0 ? peel::kAllLayers : needed, stats);
+                                           return peel(gl_, subject, *prepared, view, needed);
                                        }});
     return accumulator_.image();
 }

@@ -28,10 +28,18 @@ using random_tree::Model;
 /// OpenSCAD's default direction of view, all of the box in the picture.
 [[nodiscard]] base::Camera camera(const csg::Box& box);
 
+/// All layers of the subject from a view, ready to be drawn by styles.
+[[nodiscard]] layers::TextureStack peel(const gl::Functions& gl, const comparison::Subject& subject,
+                                        goldfeather::PreparedScene& prepared, const base::View& view,
+                                        int max_layers = goldfeather::kAllLayers);
+
 /// Holds what pictures need in one context.
 class Studio {
   public:
-    explicit Studio(const gl::Functions& gl) : gl_(gl), peeler_(gl), accumulator_(gl) {}
+    explicit Studio(const gl::Functions& gl)
+        : gl_(gl),
+          engine_(goldfeather::make_engine(*goldfeather::find_engine("goldfeather"), {&gl})),
+          accumulator_(gl) {}
 
     struct Request {
         std::string_view style = "shaded";
@@ -50,7 +58,7 @@ class Studio {
 
   private:
     const gl::Functions& gl_;
-    peel::Peeler peeler_;
+    std::unique_ptr<goldfeather::Engine> engine_;
     npr::Accumulator accumulator_;
 };
 

@@ -65,8 +65,13 @@ TEST_P(EvaluateCases, AsExpected) {
     if (test_support::kAddressSanitizer) {
         request.limits.stack_bytes *= 4;  // Frames are several times as large.
     }
+    csg::scad::ProgramCache cache;
     for (Case& c : cases) {
+        SCOPED_TRACE(c.name);
         const test::Run run = test::run(c.program, c.files, request);
+        for (int again = 0; again < 2; ++again) {
+            test::expect_same(test::run_kept(cache, c.program, c.files, request), run);
+        }
         const std::string got = run.console + run.csg;
         EXPECT_EQ(run.evaluation.ok, run.evaluation.errors == 0) << c.name;
         EXPECT_EQ(run.evaluation.ok, run.evaluation.tree != nullptr) << c.name;

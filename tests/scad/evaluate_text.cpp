@@ -1,11 +1,18 @@
 #include "tests/scad/evaluate_text.h"
 
+#include <gtest/gtest.h>
+
 #include "csg/scad/text/csg_text.h"
 
 namespace test {
 
-Run run(const std::string& text, const std::map<std::string, std::string>& files, csg::scad::Request request) {
-    using namespace csg::scad;
+namespace {
+
+using namespace csg::scad;
+
+template <typename Evaluate>
+Run run_with(const Evaluate& evaluate, const std::string& text, const std::map<std::string, std::string>& files,
+             Request request) {
     Run result;
     request.path = kMainFile;
     request.text = text;
@@ -21,6 +28,30 @@ Run run(const std::string& text, const std::map<std::string, std::string>& files
         result.csg = csg_text(*result.evaluation.tree);
     }
     return result;
+}
+
+}  // namespace
+
+Run run(const std::string& text, const std::map<std::string, std::string>& files, Request request) {
+    return run_with([](const Request& r, const EvaluationSink& sink) { return evaluate(r, sink); }, text, files,
+                    std::move(request));
+}
+
+Run run_kept(ProgramCache& cache, const std::string& text, const std::map<std::string, std::string>& files,
+             Request request) {
+    return run_with([&](const Request& r, const EvaluationSink& sink) { return cache.evaluate(r, sink); }, text, files,
+                    std::move(request));
+}
+
+void expect_same(const Run& run, const Run& expected) {
+    EXPECT_EQ(run.console, expected.console);
+    EXPECT_EQ(run.csg, expected.csg);
+    const Evaluation &a = run.evaluation, &b = expected.evaluation;
+    EXPECT_EQ(a.files, b.files);
+    EXPECT_EQ(std::tie(a.ok, a.parsed, a.stopped, a.out_of_memory, a.errors, a.warnings),
+              std::tie(b.ok, b.parsed, b.stopped, b.out_of_memory, b.errors, b.warnings));
+    EXPECT_EQ(std::tie(a.view.translation, a.view.rotation, a.view.distance, a.view.fov),
+              std::tie(b.view.translation, b.view.rotation, b.view.distance, b.view.fov));
 }
 
 }  // namespace test

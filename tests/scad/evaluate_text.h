@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "csg/scad/program/program_cache.h"
 #include "csg/scad/scad.h"
 
 namespace test {
@@ -20,5 +21,11 @@ inline constexpr const char* kMainFile = "case.scad";
 /// `files`: what include and use find, by name. Nothing is read from disk.
 [[nodiscard]] Run run(const std::string& text, const std::map<std::string, std::string>& files = {},
                       csg::scad::Request request = {});
+/// The same with what `cache` keeps.
+[[nodiscard]] Run run_kept(csg::scad::ProgramCache& cache, const std::string& text,
+                           const std::map<std::string, std::string>& files = {}, csg::scad::Request request = {});
+
+/// Fails where two runs differ in anything that one can see.
+void expect_same(const Run& run, const Run& expected);
 
 }  // namespace test

@@ -13,7 +13,7 @@ namespace {
 struct Endless {
     const char* name;
     const char* program;
-    const char* error;  ///< What the console says, among other things; empty where there is none.
+    const char* says;  ///< What the console says, among other things. Where it is no error there is a tree.
 };
 
 class Limits : public testing::TestWithParam<Endless> {};
@@ -58,15 +58,18 @@ constexpr Endless kEndless[] = {
      "ERROR: Lists hold more than 10000000 elements"},
     {"DeepListMultiplied", "function f(n) = n == 0 ? 1 : let(x = f(n - 1)) [x, x];\na = 2 * f(60);",
      "ERROR: Lists hold more than 10000000 elements"},
-    {"DeepListToCharacters", "function f(n) = n == 0 ? 0 : let(x = f(n - 1)) [x, x];\na = chr(f(60));", "ERROR: "},
+    {"DeepListToCharacters", "function f(n) = n == 0 ? 0 : let(x = f(n - 1)) [x, x];\na = chr(f(60));",
+     "ERROR: A list is too long to be converted to text in file case.scad, line 2"},
     {"DeepListSearched", "function f(n) = n == 0 ? 0 : let(x = f(n - 1)) [x, x];\na = search([f(60)], [f(60)]);",
-     "ERROR: "},
-    {"NestedList", "function f(n, v) = n == 0 ? v : f(n - 1, [v]);\na = f(500000, 1);\necho(len(a), a == a);", ""},
+     "ERROR: The lists are too large to compare in file case.scad, line 2"},
+    {"NestedList", "function f(n, v) = n == 0 ? v : f(n - 1, [v]);\na = f(500000, 1);\necho(len(a), a == a);",
+     "ECHO: 1, true\n"},
     {"NestedListToText", "function f(n, v) = n == 0 ? v : f(n - 1, [v]);\necho(f(500000, 1));",
      "ERROR: Stack exhausted while trying to convert a vector to EchoString"},
     {"NestedListAdded", "function f(n, v) = n == 0 ? v : f(n - 1, [v]);\na = f(500000, 1) + f(500000, 1);",
      "undefined operation"},
-    {"NestedClosures", "function f(n, g) = n == 0 ? g : f(n - 1, function() g);\na = f(500000, 1);\necho(1);", ""},
+    {"NestedClosures", "function f(n, g) = n == 0 ? g : f(n - 1, function() g);\na = f(500000, 1);\necho(1);",
+     "ECHO: 1\n"},
     {"ManyNodes",
      "module m(n) { if (n > 0) { m(n - 1); m(n - 1); } else translate([rands(0, 1, 1)[0], 0, 0]) cube(); }\n"
      "m(40);",
@@ -81,8 +84,12 @@ TEST_P(Limits, EndsSoon) {
     const std::clock_t begin = std::clock();  // Processor time: nothing here waits, and others may be at work.
     const test::Run run = test::run(GetParam().program, {}, request);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    EXPECT_NE(run.console.find(GetParam().error), std::string::npos) << run.console.substr(0, 2000);
+    const std::string says = GetParam().says;
+    ASSERT_FALSE(says.empty());
+    EXPECT_NE(run.console.find(says), std::string::npos) << run.console.substr(0, 2000);
+    EXPECT_EQ(run.evaluation.ok, !says.starts_with("ERROR: ")) << run.console.substr(0, 2000);
     EXPECT_EQ(run.evaluation.ok, run.evaluation.errors == 0);
+    EXPECT_EQ(run.evaluation.ok, run.evaluation.tree != nullptr);
     EXPECT_LT(run.console.size(), std::size_t{1} << 20);
     EXPECT_LT(seconds, 30);  // Not a measure of speed: of not hanging, on any machine.
     rusage usage{};

@@ -74,7 +74,7 @@ Errors compare(const Subject& subject, const Truth& truth, const layers::HostSta
     const auto& planes = subject.geometry.planes.planes();
     for (const Truth::PixelRay& cast : truth.rays) {
         truth::Ray ray = cast.ray;
-        if (most_layers != peel::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most_layers)) {
+        if (most_layers != goldfeather::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most_layers)) {
             ray.surfaces.resize(static_cast<std::size_t>(most_layers));
         }
         const int x = cast.pixel.x, y = cast.pixel.y;
@@ -141,13 +141,13 @@ Errors compare(const Truth& truth, const opencsg::Picture& picture) {
 }  // namespace
 
 Sweep::Sweep(const SweepOptions& options) : options_(options) {
-    for (const auto& [name, made_as] : {std::pair("goldfeather", "goldfeather_egl"), std::pair("lists", "lists_egl"),
-                                        std::pair("lists-cpu", "lists_cpu"), std::pair("scs", "scs_egl")}) {
-        auto made = comparison::make_engine(made_as);
+    for (const goldfeather::EngineInfo& info : goldfeather::engines()) {
+        const std::string name(info.name);
+        auto made = comparison::make_engine(info, gl::ContextKind::Egl);
         if (made.engine) {
             engines_.push_back({name, std::move(made.engine)});
         } else {
-            missing_.push_back(std::string(name) + ": " + made.reason);
+            missing_.push_back(name + ": " + made.reason);
         }
     }
     auto made = opencsg::create(glm::ivec2(options.size));
@@ -185,14 +185,15 @@ void Sweep::measure(const Family& family, double level, std::vector<Measure>& me
         };
         for (const Engine& e : engines_) {
             Errors errors;
-            if (!e.engine->needs_products() || (subject.over_budget == 0 && leaves <= kMostLeavesOfTheWalk)) {
+            if (!e.engine->capabilities().needs_products ||
+                (subject.over_budget == 0 && leaves <= kMostLeavesOfTheWalk)) {
                 const double start = now_ms();
                 try {
-                    const layers::HostStack stack = e.engine->peel(subject, view, e.engine->most_layers());
+                    const layers::HostStack stack = e.engine->peel(subject, view, e.engine->capabilities().most_layers);
                     const double spent = now_ms() - start;
-                    errors = compare(subject, truth, stack, e.engine->most_layers());
+                    errors = compare(subject, truth, stack, e.engine->capabilities().most_layers);
                     errors.milliseconds = spent;
-                } catch (const comparison::OtherEngine&) {
+                } catch (const goldfeather::EngineObstacle&) {
                     errors = {};  // Not drawn by this one.
                 }
             }

@@ -112,11 +112,10 @@ TEST(Options, LayersAndSettings) {
 }
 
 TEST(Options, EnginesByName) {
-    using goldfeather::EngineKind;
-    EXPECT_FALSE(read({"m.scad"}).engine.kind);
-    EXPECT_FALSE(read({"m.scad", "--engine", "auto"}).engine.kind);
-    for (const EngineKind kind : {EngineKind::Goldfeather, EngineKind::Lists, EngineKind::ListsCpu, EngineKind::Scs}) {
-        EXPECT_EQ(read({"m.scad", "--engine", std::string(goldfeather::name(kind))}).engine.kind, kind);
+    EXPECT_EQ(read({"m.scad"}).engine.engine, nullptr);
+    EXPECT_EQ(read({"m.scad", "--engine", "auto"}).engine.engine, nullptr);
+    for (const goldfeather::EngineInfo& engine : goldfeather::engines()) {
+        EXPECT_EQ(read({"m.scad", "--engine", std::string(engine.name)}).engine.engine, &engine);
     }
     EXPECT_EQ(read({"m.scad"}).engine.memory_budget, std::size_t{128} << 20);
     EXPECT_EQ(read({"m.scad", "--memory-budget", "3"}).engine.memory_budget, std::size_t{3} << 20);

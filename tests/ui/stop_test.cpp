@@ -34,18 +34,21 @@ std::shared_ptr<const Model> bored_block(int side) {
 }
 
 struct Way {
-    std::optional<goldfeather::EngineKind> engine;  ///< None: no OpenGL at all.
+    const goldfeather::EngineInfo* engine = nullptr;  ///< Null: no OpenGL at all.
     const char* style;
     int layers;
     int size;  ///< Of the picture: it takes some seconds at most.
 };
 
 std::vector<Way> ways() {
-    using goldfeather::EngineKind;
-    return {{std::nullopt, "shaded", 0, 384},      {std::nullopt, "blueprint", 0, 384},
-            {std::nullopt, "sketch", 0, 384},      {EngineKind::ListsCpu, "sketch", 0, 384},
-            {EngineKind::Lists, "shaded", 0, 256}, {EngineKind::Goldfeather, "blueprint", 2, 96},
-            {EngineKind::Scs, "shaded", 1, 128}};
+    using goldfeather::find_engine;
+    return {{nullptr, "shaded", 0, 384},
+            {nullptr, "blueprint", 0, 384},
+            {nullptr, "sketch", 0, 384},
+            {find_engine("lists-cpu"), "sketch", 0, 384},
+            {find_engine("lists"), "shaded", 0, 256},
+            {find_engine("goldfeather"), "blueprint", 2, 96},
+            {find_engine("scs"), "shaded", 1, 128}};
 }
 
 PictureRequest request_of(const Way& way, int side, double distance = 16) {
@@ -84,7 +87,7 @@ class Alarm {
 class StopTest : public test_support::GlTest {
   protected:
     [[nodiscard]] Renderer renderer(const Way& way) const {
-        return way.engine ? Renderer(*context_, *way.engine, Painter::OpenGl) : Renderer({}, Painter::Cpu);
+        return way.engine ? Renderer(*context_, way.engine, Painter::OpenGl) : Renderer({}, Painter::Cpu);
     }
 };
 
@@ -111,7 +114,7 @@ TEST_P(StopTest, EndsSoonAndTheNextPictureIsRight) {
             }
             EXPECT_EQ(drawing.render(*model, far).rgba, expected.rgba) << way.style;
         }
-        const auto name = way.engine ? goldfeather::name(*way.engine) : "no OpenGL";
+        const auto name = way.engine != nullptr ? way.engine->name : "no OpenGL";
         std::cout << fmt::format("{}, {}: whole {:.0f} ms, {} stopped, at most {:.0f} ms after it was asked for\n",
                                  name, way.style, 1000 * whole.count(), stopped, 1000 * longest);
         EXPECT_GE(stopped, 2) << name << ' ' << way.style;

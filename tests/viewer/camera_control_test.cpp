@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/pipeline/picture/pick.h"
+
 namespace ui {
 namespace {
 

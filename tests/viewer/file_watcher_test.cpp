@@ -12,7 +12,7 @@ class Watcher : public testing::Test {
   protected:
     Watcher() : main_(folder_.write("main.scad", "cube(1);")), part_(folder_.write("part.scad", "a = 1;")) {
         watcher_ = FileWatcher(main_);
-        watcher_.watch({{main_, stamp_of(main_)}, {part_, stamp_of(part_)}});
+        watcher_.watch({{main_, csg::scad::disk_state(main_)}, {part_, csg::scad::disk_state(part_)}});
     }
 
     /// How often a change is told while time passes.
@@ -66,7 +66,7 @@ TEST_F(Watcher, AnIncludedFileThatGoesAndComesBack) {
 
 TEST_F(Watcher, AFileThatWasLookedForInVainAndIsMade) {
     const std::string later = folder_.path("later.scad");
-    watcher_.watch({{main_, stamp_of(main_)}, {later, stamp_of(later)}});
+    watcher_.watch({{main_, csg::scad::disk_state(main_)}, {later, csg::scad::disk_state(later)}});
     EXPECT_EQ(changes(), 0);
     folder_.write("later.scad", "b = 1;");
     EXPECT_EQ(changes(), 1);
@@ -101,7 +101,7 @@ TEST_F(Watcher, WaitsUntilAFileIsWritten) {
 }
 
 TEST_F(Watcher, AChangeBetweenReadingAndWatchingIsNotMissed) {
-    const FileStamp read = stamp_of(main_);
+    const DiskState read = csg::scad::disk_state(main_);
     folder_.write("main.scad", "sphere(17);");
     watcher_.watch({{main_, read}});
     EXPECT_EQ(changes(), 1);
@@ -113,9 +113,9 @@ TEST_F(Watcher, TheMainFileIsWatchedEvenIfNotNamed) {
     EXPECT_EQ(changes(), 1);
 }
 
-TEST(FileStamp, OfWhatIsNotThere) {
-    EXPECT_FALSE(stamp_of("/nowhere/at/all.scad").exists);
-    EXPECT_EQ(stamp_of(""), FileStamp{});
+TEST(DiskState, OfWhatIsNotThere) {
+    EXPECT_FALSE(csg::scad::disk_state("/nowhere/at/all.scad").exists);
+    EXPECT_EQ(csg::scad::disk_state(""), DiskState{});
 }
 
 }  // namespace

@@ -250,13 +250,13 @@ class MenuBar : public Panels {
 };
 
 TEST_F(MenuBar, ChoosesTheEngine) {
-    info_.engine = {goldfeather::EngineKind::ListsCpu, "as estimated"};
-    EXPECT_EQ(session_->view().picture.engine, std::nullopt);
+    info_.engine = {goldfeather::find_engine("lists-cpu"), "as estimated"};
+    EXPECT_EQ(session_->view().picture.engine, nullptr);
     choose("Engine", "goldfeather");
-    EXPECT_EQ(session_->view().picture.engine, goldfeather::EngineKind::Goldfeather);
-    EXPECT_EQ(session_->view().request({8, 8}).engine, goldfeather::EngineKind::Goldfeather);
+    EXPECT_EQ(session_->view().picture.engine, goldfeather::find_engine("goldfeather"));
+    EXPECT_EQ(session_->view().request({8, 8}).engine, goldfeather::find_engine("goldfeather"));
     choose("Engine", "Automatic");
-    EXPECT_EQ(session_->view().picture.engine, std::nullopt);
+    EXPECT_EQ(session_->view().picture.engine, nullptr);
 }
 
 TEST_F(OtherParts, HelpIsClosedByItsCross) {

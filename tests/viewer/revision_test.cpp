@@ -42,7 +42,7 @@ TEST_F(RevisionTest, WhatWasReadAndWhatWasMissingIsToBeWatched) {
     const Revision revision = make("include <part.scad>\ninclude <missing.scad>\ncube(a);");
     for (const char* name : {"main.scad", "part.scad"}) {
         ASSERT_EQ(revision.files.count(folder_.path(name)), 1U) << name;
-        EXPECT_EQ(revision.files.at(folder_.path(name)), stamp_of(folder_.path(name))) << name;
+        EXPECT_EQ(revision.files.at(folder_.path(name)), csg::scad::disk_state(folder_.path(name))) << name;
     }
     ASSERT_EQ(revision.files.count(folder_.path("missing.scad")), 1U);
     EXPECT_FALSE(revision.files.at(folder_.path("missing.scad")).exists);

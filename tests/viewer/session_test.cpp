@@ -22,7 +22,7 @@ class Language {
   public:
     Revision operator()(const Source& source, const csg::scad::View&, const std::stop_token& stop) {
         ++evaluations_;
-        const FileStamp stamp = stamp_of(source.path);
+        const DiskState stamp = csg::scad::disk_state(source.path);
         const std::string text = test_support::read_file(source.path);
         while (text == "endless" && !stop.stop_requested()) {
             std::this_thread::sleep_for(1ms);

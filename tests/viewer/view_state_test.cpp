@@ -21,7 +21,7 @@ TEST(ViewState, ARequestComesBackAsItWas) {
     request.scheme = *npr::find_color_scheme("Sunset");
     request.layers = 3;
     request.samples = 8;
-    request.engine = goldfeather::EngineKind::Lists;
+    request.engine = goldfeather::find_engine("lists");
     const ViewState state(request);
     EXPECT_EQ(npr::styles()[state.style()].name, "blueprint");
     EXPECT_EQ(state.request(request.size), request);
@@ -72,7 +72,7 @@ TEST(PictureRequest, EveryPartCounts) {
     EXPECT_TRUE(differs([](auto& b) { b.layers = 0; }));
     EXPECT_TRUE(differs([](auto& b) { b.samples = 1; }));
     EXPECT_TRUE(differs([](auto& b) { b.transparent_background = true; }));
-    EXPECT_TRUE(differs([](auto& b) { b.engine = goldfeather::EngineKind::ListsCpu; }));
+    EXPECT_TRUE(differs([](auto& b) { b.engine = goldfeather::find_engine("lists-cpu"); }));
     PictureRequest other = blueprint();
     EXPECT_EQ(other, blueprint());
     other.parameters.set("width", 2.25F);

@@ -21,6 +21,7 @@
 #include "ui/command_line/time_limit.h"
 #include "ui/pipeline/comparison/errors.h"
 #include "ui/pipeline/comparison/layer_volume.h"
+#include "ui/pipeline/measures.h"
 
 namespace ui {
 
@@ -29,9 +30,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Those that an engine finds which finds `most` (peel::kAllLayers: all).
+/// Those that an engine finds which finds `most` (goldfeather::kAllLayers: all).
 MeshLayers first_layers(MeshLayers layers, int most) {
-    if (most != peel::kAllLayers) {
+    if (most != goldfeather::kAllLayers) {
         for (std::vector<MeshSurface>& pixel : layers.of) {
             pixel.resize(std::min(pixel.size(), static_cast<std::size_t>(most)));
         }
@@ -79,7 +80,7 @@ int compare_with_mesh(const CompareOptions& o) {
     Errors all, outside;
     PictureVolume volume;
     std::vector<ComparedView> views;
-    Drawer drawer(solid, o.engine);
+    Drawer drawer(solid, *o.engine);
     for (int i = 0; i < o.views; ++i) {
         base::end_if_asked(o.stop);
         const base::Camera camera =
@@ -87,22 +88,22 @@ int compare_with_mesh(const CompareOptions& o) {
         const base::View view(camera, {o.size, o.size}, box.lo, box.hi);
         const auto stack = drawer.layers(view);
         const MeshLayers truth = first_layers(mesh_layers(mesh, view), drawer.most_layers());
-        const Comparison comparison = compare_layers(stack, solid.geometry, mesh, truth, view, box.diagonal());
-        if (view.orthographic() && drawer.most_layers() == peel::kAllLayers && !o.camera) {
-            volume.look(stack, view);
+        const Comparison comparison = compare_layers(*stack, solid.geometry, mesh, truth, view, box.diagonal());
+        if (view.orthographic() && drawer.most_layers() == goldfeather::kAllLayers && !o.camera) {
+            volume.look(*stack, view);
         }
         all.add(comparison.all);
         outside.add(comparison.outside);
         if (!o.report.empty()) {
-            views.push_back(compared_view(solid, mesh, view, stack, truth, comparison));
+            views.push_back(compared_view(solid, mesh, view, *stack, truth, comparison));
             views.back().title =
                 fmt::format("View {} of {}, {}", i + 1, o.views, view.orthographic() ? "orthographic" : "perspective");
         }
     }
-    if (!volume.known() && drawer.most_layers() == peel::kAllLayers) {
+    if (!volume.known() && drawer.most_layers() == goldfeather::kAllLayers) {
         const base::View view(spread_camera(1, 2, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo,
                               box.hi);
-        volume.look(drawer.layers(view), view);
+        volume.look(*drawer.layers(view), view);
     }
     const double worst = std::max({outside.coverage(), outside.layers(), outside.order(), outside.normals()});
     bool good = worst <= o.tolerance && volume.agrees(facts.volume, o.tolerance);
@@ -115,8 +116,8 @@ int compare_with_mesh(const CompareOptions& o) {
     }
     Json json = {{"model", o.input},
                  {"against", o.against},
-                 {"engine", goldfeather::name(o.engine)},
-                 {"layers", drawer.most_layers() == peel::kAllLayers ? Json("all") : Json(drawer.most_layers())},
+                 {"engine", o.engine->name},
+                 {"layers", drawer.most_layers() == goldfeather::kAllLayers ? Json("all") : Json(drawer.most_layers())},
                  {"views", o.views},
                  {"mesh", {{"triangles", mesh.triangles.size()}, {"volume", facts.volume}}},
                  {"volume", volume.to_json(facts.volume, o.tolerance)},
@@ -140,8 +141,8 @@ int compare_with_mesh(const CompareOptions& o) {
             (folder / "report.html").string(),
             report_page(
                 fmt::format("{} against {}", o.input, o.against),
-                fmt::format("Engine {}, {} views of {} × {} pixels, {}. {}", goldfeather::name(o.engine), o.views,
-                            o.size, o.size, drawer.most_layers() == peel::kAllLayers ? "all layers" : "the first layer",
+                fmt::format("Engine {}, {} views of {} × {} pixels, {}. {}", o.engine->name, o.views, o.size, o.size,
+                            drawer.most_layers() == goldfeather::kAllLayers ? "all layers" : "the first layer",
                             good ? "Within the tolerance." : "Beyond the tolerance."),
                 views));
     }
@@ -152,6 +153,7 @@ int compare_with_mesh(const CompareOptions& o) {
 
 int run_compare(const std::vector<std::string>& arguments) {
     CompareOptions options = read_compare_options(arguments);
+    options.runner = std::make_shared<ProgramRunner>(make_measures());
     if (options.input.empty()) {
         return 0;
     }

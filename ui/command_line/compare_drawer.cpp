@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "goldfeather/lists_cpu/lists_cpu.h"
 #include "goldfeather/products.h"
+#include "layers/texture_stack.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {
@@ -11,7 +11,7 @@ namespace ui {
 namespace {
 
 /// Of the scene's only part.
-std::vector<goldfeather::Product> products_of(const SolidScene& solid, goldfeather::EngineKind engine) {
+std::vector<goldfeather::Product> products_of(const SolidScene& solid, const goldfeather::EngineInfo& engine) {
     std::vector<csg::Box> boxes;
     for (const auto& leaf : solid.geometry.leaves) {
         boxes.push_back(leaf.box);
@@ -19,8 +19,7 @@ std::vector<goldfeather::Product> products_of(const SolidScene& solid, goldfeath
     goldfeather::NormalizationStats ignored;
     auto normalized = goldfeather::normalize(solid.scene, solid.scene.parts[0], boxes, {}, ignored);
     if (std::holds_alternative<goldfeather::OverBudget>(normalized)) {
-        throw ModelError(
-            fmt::format("the model needs more products than the engine {} takes", goldfeather::name(engine)));
+        throw ModelError(fmt::format("the model needs more products than the engine {} takes", engine.name));
     }
     auto* sum = std::get_if<goldfeather::SumOfProducts>(&normalized);
     return sum != nullptr ? std::move(sum->products) : std::vector<goldfeather::Product>{};
@@ -28,30 +27,27 @@ std::vector<goldfeather::Product> products_of(const SolidScene& solid, goldfeath
 
 }  // namespace
 
-Drawer::Drawer(const SolidScene& solid, goldfeather::EngineKind engine) : solid_(solid), engine_(engine) {
-    if (engine == goldfeather::EngineKind::ListsCpu) {
-        return;
+Drawer::Drawer(const SolidScene& solid, const goldfeather::EngineInfo& engine) : solid_(solid), info_(engine) {
+    if (engine.capabilities.needs_products) {
+        products_[0] = products_of(solid, engine);
     }
-    std::vector<std::vector<goldfeather::Product>> products(1);
-    if (goldfeather::needs_products(engine)) {
-        products[0] = products_of(solid, engine);
+    if (engine.capabilities.needs_opengl) {
+        context_ = gl::create_context(gl::ContextKind::Auto);
     }
-    context_ = gl::create_context(gl::ContextKind::Auto);
-    peeler_.emplace(context_->functions());
-    model_.emplace(context_->functions(), solid.scene, solid.geometry, std::move(products), engine);
+    engine_ = goldfeather::make_engine(engine, {.gl = context_ ? &context_->functions() : nullptr});
 }
 
-layers::HostStack Drawer::layers(const base::View& view) {
-    if (!model_) {
-        return goldfeather::peel_to_host(solid_.scene, solid_.geometry, view);
+std::shared_ptr<const layers::HostStack> Drawer::layers(const base::View& view) {
+    try {
+        if (!scene_) {
+            scene_ = engine_->prepare({solid_.scene, solid_.geometry, products_});
+        }
+        goldfeather::WalkStats ignored;
+        const layers::Stack stack = scene_->draw(view, most_layers(), ignored);
+        return context_ ? layers::in_main_memory(context_->functions(), stack) : stack.host;
+    } catch (const goldfeather::EngineObstacle& obstacle) {
+        throw ModelError(fmt::format("the engine {} cannot draw the model: {}", info_.name, obstacle.what()));
     }
-    peel::WalkStats stats;
-    const layers::TextureStack stack = peeler_->peel(view, *model_, most_layers(), stats);
-    if (!stats.fallback.empty()) {
-        throw ModelError(
-            fmt::format("the engine {} cannot draw the model: {}", goldfeather::name(engine_), stats.fallback));
-    }
-    return layers::read_back(context_->functions(), stack);
 }
 
 }  // namespace ui

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <vector>
 
 #include "gl/context.h"
-#include "goldfeather/choice.h"
-#include "peel/peeler.h"
+#include "goldfeather/engines.h"
+#include "layers/host_stack.h"
 #include "ui/pipeline/comparison/solid_scene.h"
 
 namespace ui {
@@ -16,21 +16,21 @@ class Drawer {
   public:
     /// `solid` must outlive the drawer. Makes a context where the engine needs one. Throws ModelError where the model
     /// has too many products for the engine, gl::Error where there is no OpenGL.
-    Drawer(const SolidScene& solid, goldfeather::EngineKind engine);
+    Drawer(const SolidScene& solid, const goldfeather::EngineInfo& engine);
 
     /// The first most_layers() layers. Throws ModelError, with the reason, where the engine cannot draw them.
-    [[nodiscard]] layers::HostStack layers(const base::View& view);
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> layers(const base::View& view);
 
-    /// How many layers the engine finds; peel::kAllLayers: all.
-    [[nodiscard]] int most_layers() const { return engine_ == goldfeather::EngineKind::Scs ? 1 : peel::kAllLayers; }
+    /// How many layers the engine finds; goldfeather::kAllLayers: all.
+    [[nodiscard]] int most_layers() const { return info_.capabilities.most_layers; }
 
   private:
     const SolidScene& solid_;
-    goldfeather::EngineKind engine_;
-    // Only for the engines on OpenGL. The context goes last.
-    std::unique_ptr<gl::Context> context_;
-    std::optional<peel::Peeler> peeler_;
-    std::optional<peel::PeelModel> model_;
+    const goldfeather::EngineInfo& info_;
+    std::vector<std::vector<goldfeather::Product>> products_{1};
+    std::unique_ptr<gl::Context> context_;  ///< Goes last; null where the engine needs none.
+    std::unique_ptr<goldfeather::Engine> engine_;
+    std::unique_ptr<goldfeather::PreparedScene> scene_;
 };
 
 }  // namespace ui

@@ -11,7 +11,6 @@
 #include "ui/command_line/messages.h"
 #include "ui/command_line/openscad_process.h"
 #include "ui/command_line/usage_error.h"
-#include "ui/pipeline/measures.h"
 #include "ui/pipeline/mesh/mesh.h"
 
 namespace ui {
@@ -33,21 +32,22 @@ csg::scad::Evaluation evaluate(const CompareOptions& o, bool preview) {
     request.path = o.input;
     request.text = read_source(o.input);
     request.preview = preview;
-    request.measures = make_measures();
     request.stop = o.stop;
     Messages messages(true);
-    auto evaluation =
-        csg::scad::evaluate(request, [&](const auto& message, const auto& sources) { messages.add(message, sources); });
+    ProgramRun run = o.runner->run(request, false, [&](const auto& message, const auto& sources) {
+        messages.add(message, sources);
+        return messages.warnings();
+    });
     base::end_if_asked(o.stop);
-    if (!evaluation.ok) {
+    if (!run.good()) {
         throw ModelError("the model has errors");
     }
-    return evaluation;
+    return std::move(run.evaluation);
 }
 
 ComparedModel load(const CompareOptions& o) {
     const csg::scad::Evaluation evaluation = evaluate(o, !o.reference.empty());
-    return {ModelBuilder().build(evaluation.tree, o.stop), evaluation.view};
+    return {ModelBuilder().build(evaluation.tree, o.stop, evaluation.program), evaluation.view};
 }
 
 csg::reference::Mesh reference_mesh(const CompareOptions& o, const Model& model) {

@@ -12,18 +12,21 @@ namespace ui {
 
 CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     CompareOptions o;
-    std::string camera, projection = "p", engine(goldfeather::name(o.engine));
+    std::string camera, projection = "p", engine(o.engine->name);
     CLI::App app("csgscope compare draws a model and compares all layers of the picture with a mesh.",
                  "csgscope compare");
     app.add_option("file", o.input, "The .scad file")->required();
     app.add_option("--against", o.against,
                    "cgal (the exact mesh), openscad (its tree, mesh and picture), FILE.stl, FILE.off or FILE.png");
-    std::map<std::string, goldfeather::EngineKind> engines;
-    for (const goldfeather::EngineKind kind : goldfeather::kEngineKinds) {
-        engines.emplace(goldfeather::name(kind), kind);
+    std::map<std::string, const goldfeather::EngineInfo*> engines;
+    std::string all, first;
+    for (const goldfeather::EngineInfo& each : goldfeather::engines()) {
+        engines.emplace(each.name, &each);
+        const bool finds_all = each.capabilities.most_layers == goldfeather::kAllLayers;
+        (finds_all ? all : first) += std::string(each.name) + ", ";
     }
     app.add_option("--engine", engine,
-                   "goldfeather, lists, lists-cpu, or scs, of which the first layer is compared (lists-cpu)")
+                   fmt::format("{}or {}of which the first layer is compared ({})", all, first, o.engine->name))
         ->check(CLI::IsMember(engines));
     app.add_option("--views", o.views, "Views spread over the sphere, of both projections in turn (1)")
         ->check(CLI::Range(1, 100));

@@ -1,6 +1,7 @@
 // The options of csgscope compare.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -8,20 +9,22 @@
 
 #include "base/camera.h"
 #include "goldfeather/choice.h"
+#include "ui/pipeline/program_runner.h"
 
 namespace ui {
 
 struct CompareOptions {
     std::string input;             ///< Empty: help was asked for, and printed.
     std::string against = "cgal";  ///< Or "openscad", or a file.
-    goldfeather::EngineKind engine = goldfeather::EngineKind::ListsCpu;
+    const goldfeather::EngineInfo* engine = &goldfeather::fallback_engine();
     std::string report;                  ///< Folder; empty: none.
     std::string reference;               ///< A picture; empty: meshes are compared.
     std::optional<base::Camera> camera;  ///< The only view; absent: `views` of them.
     double tolerance = 0, reference_threshold = 0.01;
     int views = 1, size = 256;
-    double time_limit = 0;   ///< Seconds; 0: none.
-    std::stop_token stop{};  ///< Where it is asked for, base::Stopped is thrown.
+    double time_limit = 0;                  ///< Seconds; 0: none.
+    std::stop_token stop{};                 ///< Where it is asked for, base::Stopped is thrown.
+    std::shared_ptr<ProgramRunner> runner;  ///< Of the input.
 };
 
 /// Throws UsageError.

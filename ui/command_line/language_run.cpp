@@ -15,7 +15,6 @@
 #include "ui/command_line/parameters.h"
 #include "ui/command_line/standard_streams.h"
 #include "ui/pipeline/picture/camera.h"
-#include "ui/pipeline/stopwatch.h"
 
 namespace ui {
 
@@ -37,9 +36,11 @@ void write_outputs(const Options& options, Format format, const std::string& byt
 }
 
 LanguageRun::LanguageRun(const Options& options, TimeLimit& limit, std::shared_ptr<csg::scad::Measures> measures)
-    : options_(options), limit_(limit), messages_(options.quiet), progress_(options.quiet) {
-    request_.measures = std::move(measures);
-}
+    : options_(options),
+      limit_(limit),
+      messages_(options.quiet),
+      progress_(options.quiet),
+      runner_(std::move(measures)) {}
 
 bool LanguageRun::operator()() {
     if (only({Format::Ast, Format::Param})) {
@@ -49,7 +50,7 @@ bool LanguageRun::operator()() {
         (void)write_syntax(false);  // What is wrong with the text, evaluate() tells.
     }
     if (!evaluate()) {
-        return only({Format::Echo}) && evaluation_.parsed && !evaluation_.stopped && !options_.hard_warnings;
+        return only({Format::Echo}) && run_.evaluation.parsed && !run_.evaluation.stopped && !options_.hard_warnings;
     }
     if (wants(options_, Format::Csg)) {
         write_tree();
@@ -59,21 +60,23 @@ bool LanguageRun::operator()() {
 
 /// Outputs that need the text to be read only; none where it has errors.
 bool LanguageRun::write_syntax(bool tell) {
-    const csg::scad::Parsed parsed = parse();
+    const std::shared_ptr<csg::scad::LoadedProgram> program = load();
     if (tell) {
-        for (const csg::scad::Message& message : parsed.messages) {
-            messages_.add(message, parsed.program.sources);
+        const csg::scad::SourceSet sources = program->sources();
+        for (const csg::scad::Message& message : program->messages()) {
+            messages_.add(message, sources);
         }
     }
-    if (!parsed.ok || (tell && options_.hard_warnings && messages_.warnings() != 0)) {
+    if (!program->well_formed() || (tell && options_.hard_warnings && messages_.warnings() != 0)) {
         return false;
     }
     if (wants(options_, Format::Ast)) {
-        write_outputs(options_, Format::Ast, csg::scad::ast_text(parsed.program));
+        write_outputs(options_, Format::Ast, program->look_at_all(csg::scad::ast_text));
     }
     if (wants(options_, Format::Param)) {
         const std::string title = std::filesystem::path(options_.input).stem().string();
-        write_outputs(options_, Format::Param, parameters_json(parsed.program, title));
+        write_outputs(options_, Format::Param,
+                      program->look([&](const auto& syntax) { return parameters_json(syntax, title); }));
     }
     return true;
 }
@@ -146,8 +149,9 @@ void LanguageRun::take_parameter_set() {
         messages_.warn(fmt::format("Can't open parameter file: {}", error->text));
         return;
     }
-    ParameterSet set = read_parameter_set(parse().program, std::get<std::string>(text), options_.parameter_file,
-                                          options_.parameter_set);
+    ParameterSet set = load()->look([&](const auto& syntax) {
+        return read_parameter_set(syntax, std::get<std::string>(text), options_.parameter_file, options_.parameter_set);
+    });
     if (!set.problem.empty()) {
         messages_.warn(set.problem);
     }
@@ -157,45 +161,36 @@ void LanguageRun::take_parameter_set() {
 
 bool LanguageRun::evaluate() {
     progress_.say("Evaluating…");
-    Stopwatch watch;
-    std::stop_source stop;
-    request_.stop = stop.get_token();
-    bool stopped_by_warning = false;
-    const std::stop_callback forward(limit_.token(), [&stop] { stop.request_stop(); });
-    evaluation_ = csg::scad::evaluate(request_, [&](const auto& message, const auto& sources) {
-        if (stopped_by_warning) {
-            return;  // The stopped evaluation says so; the warning has said why.
-        }
+    request_.stop = limit_.token();
+    const auto show = [this](const auto& message, const auto& sources) {
         progress_.say("");
         messages_.add(message, sources);
-        if (options_.hard_warnings && messages_.warnings() != 0) {
-            stopped_by_warning = true;
-            stop.request_stop();
-        }
-    });
-    evaluate_ms_ = watch.lap();
-    if (limit_.passed() && evaluation_.stopped) {
+        return messages_.warnings();
+    };
+    run_ = loaded_ ? runner_.run(request_, options_.hard_warnings, show)
+                   : runner_.run_once(request_, options_.hard_warnings, show);
+    if (limit_.passed() && run_.evaluation.stopped) {
         limit_.tell();
         return false;
     }
-    if (options_.memory_limit != 0 && evaluation_.out_of_memory) {
+    if (options_.memory_limit != 0 && run_.evaluation.out_of_memory) {
         print_error(fmt::format("--memory-limit: the evaluation needs more than {} MiB", options_.memory_limit));
     }
     write_outputs(options_, Format::Echo, messages_.echo_text());
-    return evaluation_.ok && !stopped_by_warning;
+    return run_.good();
 }
 
-csg::scad::Parsed LanguageRun::parse() const {
-    csg::scad::ParseRequest request{request_.path, *request_.text, request_.definitions};
-    request.make_missing = request_.make_missing;
-    return csg::scad::parse(request);
+/// The text has been read: there is a program.
+std::shared_ptr<csg::scad::LoadedProgram> LanguageRun::load() {
+    loaded_ = true;
+    return runner_.load(request_, {});
 }
 
 void LanguageRun::write_tree() const {
     for (const Output& output : options_.outputs) {
         if (output.format == Format::Csg) {
             OutputFile file(output.path);
-            csg::scad::write_csg(*evaluation_.tree, [&file](std::string_view piece) { file.write(piece); });
+            csg::scad::write_csg(*run_.evaluation.tree, [&file](std::string_view piece) { file.write(piece); });
             file.finish();
         }
     }
@@ -207,7 +202,7 @@ void LanguageRun::write_dependencies() const {
         for (const Output& output : options_.outputs) {
             targets.push_back(output.path);
         }
-        write_output(*options_.dependencies, dependency_rules(targets, evaluation_.files));
+        write_output(*options_.dependencies, dependency_rules(targets, run_.evaluation.files));
     }
 }
 
@@ -224,8 +219,8 @@ bool language_is_enough(const Options& options) {
     return !options.outputs.empty() && std::all_of(options.outputs.begin(), options.outputs.end(), is_text) &&
            std::count_if(options.outputs.begin(), options.outputs.end(), to_standard_output) <= 1 &&
            !options.input.empty() && options.input != "-" && !options.statistics && !options.summary &&
-           !options.summary_file && !options.information && options.picture.layers == untouched.picture.layers &&
-           options.picture_texts == untouched.picture_texts;
+           !options.summary_file && !options.information && !options.pick &&
+           options.picture.layers == untouched.picture.layers && options.picture_texts == untouched.picture_texts;
 }
 
 /// Whatever is asked, another program must answer.

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "csg/scad/scad.h"
-#include "csg/scad/syntax/parser.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/time_limit.h"
+#include "ui/pipeline/program_runner.h"
 
 namespace ui {
 
@@ -48,8 +48,8 @@ class LanguageRun {
     /// The options' memory limit, if there is one, for the stage that comes (memory_limit.h).
     void hold_memory_limit() const;
 
-    [[nodiscard]] const csg::scad::Evaluation& evaluation() const { return evaluation_; }
-    [[nodiscard]] double evaluate_ms() const { return evaluate_ms_; }
+    [[nodiscard]] const csg::scad::Evaluation& evaluation() const { return run_.evaluation; }
+    [[nodiscard]] double evaluate_ms() const { return run_.milliseconds; }
     [[nodiscard]] Messages& messages() { return messages_; }
     [[nodiscard]] const Messages& messages() const { return messages_; }
     [[nodiscard]] const Progress& progress() const { return progress_; }
@@ -61,7 +61,7 @@ class LanguageRun {
     void limit_memory();
     void make(const std::string& path);
     void take_parameter_set();
-    [[nodiscard]] csg::scad::Parsed parse() const;
+    [[nodiscard]] std::shared_ptr<csg::scad::LoadedProgram> load();
     void write_tree() const;
 
     const Options& options_;
@@ -69,8 +69,9 @@ class LanguageRun {
     Messages messages_;
     Progress progress_;
     csg::scad::Request request_;
-    csg::scad::Evaluation evaluation_;
-    double evaluate_ms_ = 0;
+    ProgramRunner runner_;
+    bool loaded_ = false;  ///< It is looked at before it runs.
+    ProgramRun run_;
     std::set<std::string> made_;  ///< By -m, or tried to.
 };
 

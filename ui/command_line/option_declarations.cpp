@@ -1,5 +1,7 @@
 #include "ui/command_line/option_declarations.h"
 
+#include "goldfeather/engines.h"
+
 namespace ui {
 
 void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styles) {
@@ -40,8 +42,8 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     text("--stats", raw.statistics, "Write figures of the run as JSON; - is standard output", "FILE", in);
     text("--summary-file", raw.summary_file, "Write what --summary names (all) as JSON; - is standard output", "FILE",
          in);
-    list("--summary", raw.summary, "Print all, cache, time, camera, geometry, bounding-box, area or volume", "WHAT",
-         in);
+    list("--summary", raw.summary,
+         "Print all (but parts), cache, time, camera, geometry, bounding-box, area, volume or parts", "WHAT", in);
     app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(in);
     app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
 
@@ -65,6 +67,10 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     text("--colorscheme", raw.scheme, "OpenSCAD's colour scheme (Cornfield)", "NAME", picture);
     text("--layers", raw.layers, "The first N surfaces behind each pixel, or all (what the style needs)", "N|all",
          picture);
+    text("--parts", raw.parts,
+         "What is a part: model (all of it), top (children of the top-level union), color, depth=N or "
+         "module=NAME[,NAME] (model)",
+         "RULE", picture);
     text("--samples", raw.samples,
          "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
     app.add_flag("--transparent-background", o.picture.transparent_background, "No background")->group(picture);
@@ -80,7 +86,8 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
 
     const char* const engine = "Engine";
-    text("--engine", raw.engine, "auto, goldfeather, lists, lists-cpu or scs (auto)", "NAME", engine);
+    const std::string engines = "auto, " + goldfeather::engine_names() + " (auto)";
+    text("--engine", raw.engine, engines.c_str(), "NAME", engine);
     text("--context", raw.context, "OpenGL from: auto, egl, osmesa or none (auto)", "NAME", engine);
     text("--memory-budget", raw.memory_budget, "Per-pixel state of the engines on OpenGL at once (128)", "MIB", engine);
     text("--minimal-fraction", raw.minimal_fraction,
@@ -95,6 +102,26 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
     text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
     text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
+}
+
+void declare_pick(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles) {
+    const char* const pick = "What to pick";
+    app.add_option("--at", raw.at, "The pixel, counted from the upper left corner, from 0 on")
+        ->type_name("X,Y")
+        ->group(pick)
+        ->required()
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.add_option("--format", raw.format, "text or json (text)")
+        ->type_name("FORMAT")
+        ->group(pick)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    declare(app, options, raw, styles);
+    for (const char* const name :
+         {"-o", "--export-format", "-O", "--cache", "-d", "--stats", "--summary-file", "--summary", "--style", "--set",
+          "--colorscheme", "--samples", "--transparent-background", "--minimal-fraction", "--log-frames",
+          "--help-export", "--version", "--info"}) {
+        app.remove_option(app.get_option(name));
+    }
 }
 
 }  // namespace ui

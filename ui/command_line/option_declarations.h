@@ -15,7 +15,7 @@ struct RawOptions {
     std::vector<std::string> inputs, outputs, settings, export_options;
     std::string export_format, camera, size, layers, samples, view, csg_limit, backend, render, preview, scheme;
     std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget,
-        minimal_fraction;
+        minimal_fraction, parts, at, format;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::vector<std::string> summary, features;
     bool version = false, help_export = false;
@@ -24,5 +24,8 @@ struct RawOptions {
 /// Declares all options. What needs no interpretation goes to `options`; both must outlive `app`. `styles`: as the help
 /// lists them.
 void declare(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles);
+
+/// Those of `csgscope pick`: of all the others those that have a meaning there.
+void declare_pick(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles);
 
 }  // namespace ui

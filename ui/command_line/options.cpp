@@ -19,10 +19,10 @@ namespace {
 constexpr int kLargestSide = 16384;
 constexpr int kMostLayers = 65535;
 
-std::vector<std::pair<std::string, std::optional<goldfeather::EngineKind>>> engine_names() {
-    std::vector<std::pair<std::string, std::optional<goldfeather::EngineKind>>> names{{"auto", std::nullopt}};
-    for (const goldfeather::EngineKind kind : goldfeather::kEngineKinds) {
-        names.emplace_back(goldfeather::name(kind), kind);
+std::vector<std::pair<std::string, const goldfeather::EngineInfo*>> engine_names() {
+    std::vector<std::pair<std::string, const goldfeather::EngineInfo*>> names{{"auto", nullptr}};
+    for (const goldfeather::EngineInfo& engine : goldfeather::engines()) {
+        names.emplace_back(engine.name, &engine);
     }
     return names;
 }
@@ -59,7 +59,7 @@ void interpret_limits(Options& o, const RawOptions& raw) {
 }
 
 void interpret_engine(Options& o, const RawOptions& raw) {
-    o.engine.kind = read_name<std::optional<goldfeather::EngineKind>>("--engine", raw.engine, engine_names());
+    o.engine.engine = read_name<const goldfeather::EngineInfo*>("--engine", raw.engine, engine_names());
     o.context = read_name<std::optional<gl::ContextKind>>("--context", raw.context,
                                                           {{"auto", gl::ContextKind::Auto},
                                                            {"egl", gl::ContextKind::Egl},
@@ -76,6 +76,52 @@ void interpret_engine(Options& o, const RawOptions& raw) {
             throw UsageError(fmt::format("--minimal-fraction {}: a share is from 0 to 1", raw.minimal_fraction));
         }
     }
+}
+
+csg::PartRule read_parts(const std::string& text) {
+    constexpr int kDeepest = 1'000'000;
+    const std::size_t equals = text.find('=');
+    const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+    csg::PartRule rule;
+    if (text.starts_with("depth=")) {
+        rule.kind = csg::PartRule::Kind::Depth;
+        rule.depth = static_cast<unsigned>(read_integer("--parts depth", value, 1, kDeepest));
+    } else if (text.starts_with("module=")) {
+        rule.kind = csg::PartRule::Kind::Module;
+        for (std::size_t begin = 0; begin <= value.size();) {
+            const std::size_t end = std::min(value.find(',', begin), value.size());
+            if (end == begin) {
+                throw UsageError(fmt::format("--parts {}: expected module=NAME[,NAME]", text));
+            }
+            rule.modules.push_back(value.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    } else {
+        rule.kind = read_name<csg::PartRule::Kind>("--parts", text,
+                                                   {{"model", csg::PartRule::Kind::Model},
+                                                    {"top", csg::PartRule::Kind::Depth},
+                                                    {"color", csg::PartRule::Kind::Color},
+                                                    {"depth=N", csg::PartRule::Kind::Depth},
+                                                    {"module=NAME[,NAME]", csg::PartRule::Kind::Module}});
+    }
+    return rule;
+}
+
+PickOptions read_pick(const RawOptions& raw, glm::ivec2 size) {
+    PickOptions pick;
+    const auto n = read_numbers("--at", raw.at, {2}, "x,y");
+    for (int i = 0; i < 2; ++i) {
+        const double pixel = n[static_cast<std::size_t>(i)];
+        if (pixel != std::floor(pixel) || pixel < 0 || pixel >= size[i]) {
+            throw UsageError(
+                fmt::format("--at {}: expected whole numbers, from 0,0 to {},{} in a picture of {} × {} "
+                            "pixels (--imgsize)",
+                            raw.at, size.x - 1, size.y - 1, size.x, size.y));
+        }
+        pick.at[i] = static_cast<int>(pixel);
+    }
+    pick.json = !raw.format.empty() && read_name<bool>("--format", raw.format, {{"text", false}, {"json", true}});
+    return pick;
 }
 
 /// A value that is there and empty would leave the option as it is, which nobody means who names it.
@@ -173,6 +219,12 @@ void interpret(Options& o, const RawOptions& raw) {
         o.picture.layers =
             raw.layers == "all" ? npr::kAllLayersWanted : read_integer("--layers", raw.layers, 1, kMostLayers);
     }
+    if (!raw.parts.empty()) {
+        o.parts = read_parts(raw.parts);
+    }
+    if (!raw.at.empty()) {
+        o.pick = read_pick(raw, o.picture.size);
+    }
     if (!raw.samples.empty()) {
         o.picture.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
@@ -223,16 +275,23 @@ bool needs_geometry(const Options& options) {
 CommandLine read_command_line(const std::vector<std::string>& arguments, const std::string& styles) {
     CommandLine line;
     RawOptions raw;
-    if (read_paths(arguments, raw)) {
+    const bool pick = !arguments.empty() && arguments[0] == "pick";
+    if (!pick && read_paths(arguments, raw)) {
         interpret(line.options, raw);
         return line;
     }
-    CLI::App app("csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.", "csgscope");
+    CLI::App app(
+        pick ? "csgscope pick tells which surfaces lie behind a pixel of the model's picture, and from where in "
+               "the text each comes."
+             : "csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.\n"
+               "csgscope pick tells what lies behind a pixel, csgscope compare compares with a mesh: each has "
+               "a --help of its own.",
+        pick ? "csgscope pick" : "csgscope");
     app.set_help_flag("-h,--help", "Print this help")->group("Other");
     app.get_formatter()->column_width(34);
-    declare(app, line.options, raw, styles);
+    pick ? declare_pick(app, line.options, raw, styles) : declare(app, line.options, raw, styles);
     try {
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - (pick ? 1 : 0)));
     } catch (const CLI::CallForHelp&) {
         if (!styles.empty()) {
             line.text = app.help();

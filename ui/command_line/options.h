@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/camera.h"
+#include "csg/tree/part_rule.h"
 #include "gl/context.h"
 #include "goldfeather/choice.h"
 #include "ui/command_line/export_options.h"
@@ -16,8 +17,15 @@
 
 namespace ui {
 
+/// What `csgscope pick` is to tell.
+struct PickOptions {
+    glm::ivec2 at{0};   ///< A pixel, counted from the upper left corner.
+    bool json = false;  ///< Else a text for people.
+};
+
 struct Options {
-    std::string input;  ///< "-": standard input; empty where none was given.
+    std::optional<PickOptions> pick;  ///< Instead of outputs.
+    std::string input;                ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
     ExportOptions exports;
     std::vector<std::string> definitions;  ///< name=expression
@@ -49,6 +57,7 @@ struct Options {
     bool hard_warnings = false;
     bool summary = false;  ///< Printed.
     SummaryParts summary_parts;
+    csg::PartRule parts;
     bool information = false;  ///< --info
 };
 
@@ -64,7 +73,8 @@ struct CommandLine {
     std::optional<std::string> text;
 };
 
-/// Reads the arguments (without the program's name). Throws UsageError. `styles`: as the help lists them, see
+/// Reads the arguments (without the program's name); "pick" as the first of them sets Options::pick. Throws UsageError.
+/// `styles`: as the help lists them, see
 /// style_names; where it is empty, a command line that asks for the help gives neither options nor text.
 [[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments, const std::string& styles = "");
 

@@ -14,6 +14,7 @@
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/options.h"
+#include "ui/command_line/pick.h"
 #include "ui/command_line/standard_streams.h"
 #include "ui/command_line/summary.h"
 #include "ui/command_line/time_limit.h"
@@ -68,8 +69,11 @@ class Run {
             return true;  // Nothing needed to run, or an error is what the console was to show.
         }
         if (needs_geometry(options_) || wants(options_, Format::Png) || options_.statistics || options_.summary ||
-            options_.summary_file) {
+            options_.summary_file || options_.pick) {
             build();
+        }
+        if (options_.pick) {
+            pick();
         }
         if (needs_geometry(options_)) {
             begin("Computing the geometry…", "computing the geometry");
@@ -110,7 +114,8 @@ class Run {
         if (!options_.preview) {
             builder_.show(csg::Showing::Result);
         }
-        model_ = builder_.build(language_.evaluation().tree, limit_.token());
+        builder_.divide(options_.parts);
+        model_ = builder_.build(language_.evaluation().tree, limit_.token(), language_.evaluation().program);
         for (const std::string& warning : model_->warnings) {
             language_.messages().warn(warning);
         }
@@ -144,12 +149,31 @@ class Run {
         return *options_.context == gl::ContextKind::Auto ? Painter::Auto : Painter::OpenGl;
     }
 
+    [[nodiscard]] Renderer make_renderer(const gl::Context* context) const {
+        return context != nullptr ? Renderer(*context, options_.engine, painter())
+                                  : Renderer(options_.engine, painter());
+    }
+
+    void pick() {
+        begin("Picking…", "picking");
+        const std::unique_ptr<gl::Context> context = wanted_context();
+        Renderer renderer = make_renderer(context.get());
+        const glm::ivec2 at = options_.pick->at;
+        const base::Camera pixel = pixel_camera(picture_.camera, picture_.size, glm::dvec2(at) + 0.5);
+        const int layers = picture_.layers == npr::kLayersOfStyle ? goldfeather::kAllLayers : picture_.layers;
+        PickReport report{*model_, *language_.evaluation().sources, at, picture_.size, picture_.camera, {}};
+        if (!model_->empty()) {
+            report.surfaces = renderer.pick(*model_, pixel, layers);
+        }
+        language_.progress().say("");
+        write_output("-", options_.pick->json ? text_of(pick_json(report)) : printable(pick_text(report)));
+    }
+
     void draw() {
         begin("Drawing…", "drawing");
         Stopwatch watch;
         const std::unique_ptr<gl::Context> context = wanted_context();
-        Renderer renderer =
-            context ? Renderer(*context, options_.engine, painter()) : Renderer(options_.engine, painter());
+        Renderer renderer = make_renderer(context.get());
         const double context_ms = watch.lap();
         const bool lines =
             extent_of(*model_) == Extent::Flat && is_flat_picture(*model_, picture_) && picture_.samples == 1;
@@ -227,6 +251,7 @@ class Run {
         figures.cache = builder_.cache_size();
         figures.milliseconds = 1000 * limit_.spent();
         figures.geometry = geometry_.figures();
+        figures.parts = parts_json(*model_);
         return summary_json(options_.summary_parts, figures);
     }
 
@@ -254,9 +279,10 @@ int open_window(const Options& options) {
     window.source.preview = options.preview;
     window.source.hard_warnings = options.hard_warnings;
     window.source.by_error = options.by_error;
+    window.source.parts = options.parts;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
     window.picture = PictureRequest(picture_of(options.picture, options.picture_texts));  // Told before a window opens.
-    window.picture.engine = options.engine.kind;
+    window.picture.engine = options.engine.engine;
     window.engine = options.engine;
     window.frames_log = options.frames_log;
     if (run_window(window) == WindowEnd::StillDrawing) {
@@ -295,7 +321,7 @@ int run_or_throw(const std::vector<std::string>& arguments) {
     if (options.input.empty()) {
         throw UsageError("no input file; see csgscope --help");
     }
-    if (options.outputs.empty() && !options.statistics && !options.summary && !options.summary_file) {
+    if (!options.pick && options.outputs.empty() && !options.statistics && !options.summary && !options.summary_file) {
         return open_window(options);
     }
     return Run(std::move(options))() ? 0 : 1;

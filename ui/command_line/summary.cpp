@@ -49,6 +49,22 @@ Json geometry_json(const SummaryParts& parts, const Json& figures) {
 
 }  // namespace
 
+Json parts_json(const Model& model) {
+    std::vector<csg::Box> boxes;
+    for (const csg::solid::PlacedLeaf& leaf : model.geometry.leaves) {
+        boxes.push_back(leaf.box);
+    }
+    Json all = Json::array();
+    for (const csg::Part& part : model.scene.parts) {
+        all.push_back({{"name", part.name},
+                       {"kind", csg::name(part.kind)},
+                       {"color", part.color.given() ? Json(csg::color_name(part.color)) : Json(nullptr)},
+                       {"leaves", part.leaf_count},
+                       {"bounding_box", box_json(csg::bounds(model.scene, part, boxes))}});
+    }
+    return all;
+}
+
 Json summary_json(const SummaryParts& parts, const SummaryFigures& figures) {
     Json json = Json::object();
     if (parts.cache) {
@@ -65,6 +81,9 @@ Json summary_json(const SummaryParts& parts, const SummaryFigures& figures) {
     }
     if (figures.geometry && (parts.geometry || parts.area || parts.volume)) {
         json["geometry"] = geometry_json(parts, *figures.geometry);
+    }
+    if (parts.parts) {
+        json["parts"] = figures.parts;
     }
     return json;
 }

@@ -9,6 +9,7 @@
 #include "csg/solid/placed.h"
 #include "csg/tree/box.h"
 #include "ui/command_line/summary_parts.h"
+#include "ui/pipeline/model.h"
 
 namespace ui {
 
@@ -17,10 +18,14 @@ struct SummaryFigures {
     csg::Box box;                                    ///< Encloses the model; empty where it is.
     std::optional<nlohmann::ordered_json> geometry;  ///< to_json of the mesh or of the outline.
     csg::solid::SolidCache::Size cache;
-    double milliseconds = 0;  ///< Wall time of the run so far.
+    double milliseconds = 0;       ///< Wall time of the run so far.
+    nlohmann::ordered_json parts;  ///< See parts_json.
 };
 
-/// {"cache": …, "time": …, "camera": …, "bounding_box": …, "geometry": …}, of which `parts` are told.
+/// [{"name": …, "kind": …, "color": …, "leaves": …, "bounding_box": …}]; boxes enclose the parts.
+[[nodiscard]] nlohmann::ordered_json parts_json(const Model& model);
+
+/// {"cache": …, "time": …, "camera": …, "bounding_box": …, "geometry": …, "parts": …}, of which `parts` are told.
 [[nodiscard]] nlohmann::ordered_json summary_json(const SummaryParts& parts, const SummaryFigures& figures);
 
 }  // namespace ui

@@ -10,8 +10,8 @@
 namespace ui {
 
 SummaryParts read_summary_parts(const std::vector<std::string>& names) {
-    const std::vector<std::string> known{"all",      "cache",        "time", "camera",
-                                         "geometry", "bounding-box", "area", "volume"};
+    const std::vector<std::string> known{"all",          "cache", "time",   "camera", "geometry",
+                                         "bounding-box", "area",  "volume", "parts"};
     SummaryParts parts;
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -26,8 +26,10 @@ SummaryParts read_summary_parts(const std::vector<std::string>& names) {
         parts.bounding_box |= name == "bounding-box";
         parts.area |= name == "area";
         parts.volume |= name == "volume";
+        parts.parts |= name == "parts";
     }
-    return parts.all || names.empty() ? SummaryParts{true, true, true, true, true, true, true, true} : parts;
+    return parts.all || names.empty() ? SummaryParts{true, true, true, true, true, true, true, true, parts.parts}
+                                      : parts;
 }
 
 }  // namespace ui

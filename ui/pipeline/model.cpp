@@ -58,15 +58,17 @@ void throw_failures(const std::vector<std::string>& failures) {
 
 }  // namespace
 
-std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, const std::stop_token& stop) {
+std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree> tree, const std::stop_token& stop,
+                                                 std::shared_ptr<const csg::scad::LoadedProgram> program) {
     auto model = std::make_shared<Model>();
     model->tree = std::move(tree);
+    model->program = std::move(program);
     model->generation = next_generation();
     Stopwatch watch;
     ModelStatistics& statistics = model->statistics;
     const bool result = showing_ == csg::Showing::Result;
     model->flat = result && csg::is_flat(*model->tree);
-    model->scene = csg::make_scene(*model->tree, showing_);
+    model->scene = csg::make_scene(*model->tree, showing_, parts_);
     model->geometry = csg::solid::place(*model->tree, model->scene, solids_, result ? kFlat : kPreviewThickness, stop);
     solids_.trim();
     statistics.place_ms = watch.lap();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/solid/placed.h"
@@ -12,6 +13,10 @@
 #include "goldfeather/choice.h"
 #include "goldfeather/products.h"
 #include "ui/pipeline/mesh/exact_operations.h"
+
+namespace csg::scad {
+class LoadedProgram;
+}
 
 namespace ui {
 
@@ -31,6 +36,7 @@ struct ModelStatistics {
 /// Immutable, without OpenGL; drawn by any number of renderers.
 struct Model {
     std::shared_ptr<const csg::Tree> tree;
+    std::shared_ptr<const csg::scad::LoadedProgram> program;  ///< Whose text made it; null where none did.
     csg::Scene scene;
     csg::solid::Geometry geometry;
     std::vector<std::vector<goldfeather::Product>> products;  ///< By part; an empty part has none.
@@ -60,10 +66,14 @@ class ModelBuilder {
     /// In previews outlines by themselves are slabs of thickness 1, as in OpenSCAD's; in results they are next to flat.
     void show(csg::Showing showing) { showing_ = showing; }
 
+    /// What is a part of the models to come; the whole solid, unless something else is said.
+    void divide(csg::PartRule parts) { parts_ = std::move(parts); }
+
     /// A part with more products than the budget allows is left to the engines that need none. Throws base::Stopped
     /// where `stop` asked for it.
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree,
-                                                     const std::stop_token& stop = {});
+                                                     const std::stop_token& stop = {},
+                                                     std::shared_ptr<const csg::scad::LoadedProgram> program = {});
 
     /// A flat model (ui/pipeline/mesh/outline.h) as one region of the plane; its warnings and failures are those of the
     /// model. Throws ModelError where nothing is left of it, or its objects cannot be put together, base::Stopped
@@ -77,6 +87,7 @@ class ModelBuilder {
   private:
     goldfeather::Budget budget_;
     csg::Showing showing_ = csg::Showing::Preview;
+    csg::PartRule parts_;
     csg::solid::SolidCache solids_{exact_operations()};
 };
 

@@ -24,7 +24,7 @@ nlohmann::ordered_json to_json(const ModelStatistics& s) {
 }
 
 nlohmann::ordered_json to_json(const PictureStatistics& s) {
-    return {{"engine", goldfeather::name(s.engine.engine)},
+    return {{"engine", s.engine.engine->name},
             {"engine_reason", s.engine.reason},
             {"painter", s.opengl ? "opengl" : "cpu"},
             {"samples", s.samples},

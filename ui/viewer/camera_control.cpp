@@ -58,18 +58,6 @@ glm::dvec3 point_on_target_plane(const base::Camera& camera, glm::ivec2 size, gl
     return camera.target + pixel_size(camera, size.y) * (right * from_middle.x - up * from_middle.y);
 }
 
-base::Camera pixel_camera(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor) {
-    const glm::dvec3 point = point_on_target_plane(camera, size, cursor);
-    base::Camera narrow = camera;
-    if (camera.projection == base::Projection::Perspective) {
-        narrow = base::camera_between(camera.eye(), point);
-        narrow.fov = camera.fov;
-    }
-    narrow.target = point;
-    narrow.fov = std::max(narrow.fov / std::max(size.y, 1), 1e-3);
-    return narrow;
-}
-
 void toggle_projection(base::Camera& camera) {
     camera.projection = camera.projection == base::Projection::Perspective ? base::Projection::Orthographic
                                                                            : base::Projection::Perspective;

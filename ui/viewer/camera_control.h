@@ -20,10 +20,6 @@ void zoom(base::Camera& camera, double factor, const glm::dvec3& fixed);
 /// Where the line of sight through the cursor meets the plane through the target, parallel to the picture.
 [[nodiscard]] glm::dvec3 point_on_target_plane(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor);
 
-/// A camera whose picture of one pixel sees just what lies under the cursor: the same eye, or for orthographic cameras
-/// the same direction, looking at the point on the target plane.
-[[nodiscard]] base::Camera pixel_camera(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor);
-
 /// The other projection; things at the target keep their size, since both use the distance and the field of view.
 void toggle_projection(base::Camera& camera);
 

@@ -69,7 +69,7 @@ struct SetSamples {
     int samples = 4;
 };
 struct SetEngine {
-    std::optional<goldfeather::EngineKind> engine;  ///< Absent: chosen for each picture.
+    const goldfeather::EngineInfo* engine = nullptr;  ///< Null: chosen for each picture.
 };
 struct WritePicture {
     std::filesystem::path path;

@@ -180,7 +180,7 @@ void picture_section(const PictureInfo& picture, const Fonts& fonts) {
     // Counts are sums over the samples.
     const auto each = [&](std::uint64_t count) { return count / static_cast<std::uint64_t>(picture.samples); };
     heading("Picture", fonts);
-    figure("Engine", std::string(goldfeather::name(picture.engine.engine)));
+    figure("Engine", std::string(picture.engine.engine->name));
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", picture.engine.reason.c_str());
     ImGui::PopTextWrapPos();
@@ -190,9 +190,9 @@ void picture_section(const PictureInfo& picture, const Fonts& fonts) {
         leaves += fmt::format(", {} not seen", each(*walk.occluded_leaves));
     }
     figure("Leaves", leaves);
-    if (goldfeather::needs_products(picture.engine.engine)) {
+    if (picture.engine.engine->capabilities.needs_products) {
         figure("Products", fmt::format("{} out of view", each(walk.skipped_products)));
-    } else if (picture.engine.engine == goldfeather::EngineKind::ListsCpu) {
+    } else if (!picture.engine.engine->capabilities.needs_opengl) {
         figure("Triangles", fmt::format("{} cover no sample", each(walk.skipped_triangles)));
     }
 }

@@ -2,30 +2,23 @@
 // old one, and on file systems without notification.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 
+#include "csg/scad/source/disk_state.h"
+
 namespace ui {
 
-/// What tells one state of a file from another. A file that cannot be looked at does not exist.
-struct FileStamp {
-    bool exists = false;
-    std::uint64_t device = 0, inode = 0, size = 0;
-    std::int64_t seconds = 0, nanoseconds = 0;  ///< Of its last modification.
-    bool operator==(const FileStamp&) const = default;
-};
-
-[[nodiscard]] FileStamp stamp_of(const std::string& path);
+using csg::scad::DiskState;
 
 class FileWatcher {
   public:
     /// The file without which there is nothing to do; it is always watched. Empty: there is none.
     explicit FileWatcher(std::string main_file = {});
 
-    /// Replaces the files that are watched. The stamps say which state of them is known; those taken before a file was
-    /// read make sure that no change is missed.
-    void watch(const std::map<std::string, FileStamp>& files);
+    /// Replaces the files that are watched. The states are those that are known; those taken before a file was read
+    /// make sure that no change is missed.
+    void watch(const std::map<std::string, DiskState>& files);
 
     /// Looks at the files. True where one has changed and then kept still for a moment, so that a file is not read
     /// while it is written; the new state is known from then on. `now`: seconds of any steady clock.
@@ -37,7 +30,7 @@ class FileWatcher {
 
   private:
     struct Watched {
-        FileStamp known, seen;
+        DiskState known, seen;
         double seen_since = 0;
     };
 

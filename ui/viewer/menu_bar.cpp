@@ -21,13 +21,13 @@ void styles_menu(const Session& session, Commands& commands) {
 
 /// Which engine draws, and what `auto` goes by.
 void engines_menu(const Session& session, const PictureInfo& picture, Commands& commands) {
-    const auto& wanted = session.view().picture.engine;
-    if (ImGui::MenuItem("Automatic", nullptr, !wanted)) {
+    const goldfeather::EngineInfo* wanted = session.view().picture.engine;
+    if (ImGui::MenuItem("Automatic", nullptr, wanted == nullptr)) {
         commands.emplace_back(SetEngine{});
     }
-    for (const goldfeather::EngineKind kind : goldfeather::kEngineKinds) {
-        if (ImGui::MenuItem(std::string(goldfeather::name(kind)).c_str(), nullptr, wanted == kind)) {
-            commands.emplace_back(SetEngine{kind});
+    for (const goldfeather::EngineInfo& engine : goldfeather::engines()) {
+        if (ImGui::MenuItem(std::string(engine.name).c_str(), nullptr, wanted == &engine)) {
+            commands.emplace_back(SetEngine{&engine});
         }
     }
     if (picture.engine.reason.empty()) {
@@ -35,8 +35,8 @@ void engines_menu(const Session& session, const PictureInfo& picture, Commands& 
     }
     ImGui::Separator();
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 24 * ImGui::GetFontSize());
-    ImGui::TextDisabled("%s drew %d layers: %s", std::string(goldfeather::name(picture.engine.engine)).c_str(),
-                        picture.walk.layers, picture.engine.reason.c_str());
+    ImGui::TextDisabled("%s drew %d layers: %s", std::string(picture.engine.engine->name).c_str(), picture.walk.layers,
+                        picture.engine.reason.c_str());
     ImGui::PopTextWrapPos();
 }
 

@@ -89,7 +89,8 @@ void PictureView::pick(std::shared_ptr<const Model> model, const base::Camera& c
     run([model = std::move(model), camera](Renderer& renderer) {
         PickedPoint picked;
         try {
-            picked.point = renderer.pick(*model, camera);
+            const auto surfaces = renderer.pick(*model, camera);
+            picked.surface = surfaces.empty() ? std::nullopt : std::optional(surfaces.front());
         } catch (const std::exception&) {
             // The picture of the same model tells why it cannot be drawn.
         }

@@ -33,7 +33,7 @@ struct SavedPicture {
 };
 
 struct PickedPoint {
-    std::optional<glm::dvec3> point;  ///< World coordinates; none where there is nothing.
+    std::optional<PickedSurface> surface;  ///< The nearest; none where there is nothing.
 };
 
 using PictureResult = std::variant<DrawnStep, SavedPicture, PickedPoint>;

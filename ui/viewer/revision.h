@@ -24,13 +24,14 @@ struct Source {
     bool preview = true;                   ///< $preview
     bool hard_warnings = false;            ///< A warning is an error.
     bool by_error = false;                 ///< $fe has its meaning.
+    csg::PartRule parts{};
 };
 
 struct Revision {
     std::shared_ptr<const Model> model;  ///< Null where there was an error.
     csg::scad::ViewSettings view;
     MessageLog messages;
-    std::map<std::string, FileStamp> files;  ///< All that were looked for, as they were before they were read.
+    std::map<std::string, DiskState> files;  ///< All that were looked for, as they were before they were read.
     double evaluate_ms = 0, build_ms = 0;    ///< Wall time.
 };
 
@@ -38,8 +39,8 @@ struct Revision {
 /// no worth, until the token has ended it. Not to be called by two threads at a time.
 using Evaluate = std::function<Revision(const Source&, const csg::scad::View& camera, const std::stop_token&)>;
 
-/// Evaluates the source and builds its model; meshes are kept from one revision to the next, so that an edit builds
-/// only what it changed.
+/// Evaluates the source and builds its model; texts, programs and meshes are kept from one revision to the next, so
+/// that an edit reads and builds only what it changed.
 [[nodiscard]] Evaluate make_evaluate();
 
 }  // namespace ui

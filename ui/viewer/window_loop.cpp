@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ui/viewer/camera_control.h"
+#include "ui/pipeline/picture/pick.h"
 
 namespace ui {
 
@@ -208,8 +208,8 @@ void WindowLoop::receive(const SavedPicture& saved) {
 }
 
 void WindowLoop::receive(const PickedPoint& picked) {
-    if (picked.point) {
-        session_.look_at(*picked.point);
+    if (picked.surface) {
+        session_.look_at(picked.surface->point);
     }
 }
 
@@ -291,7 +291,7 @@ void WindowLoop::log(double frame_ms) {
     record.size = wanted_.size;
     record.generation = wanted_model_ ? wanted_model_->generation : 0;
     record.style = session_.view().picture.style->name;
-    record.engine = info_.samples > 0 ? goldfeather::name(info_.engine.engine) : "";
+    record.engine = info_.samples > 0 ? info_.engine.engine->name : "";
     record.state = state_name(session_.document().state());
     record.evaluating = session_.evaluating();
     record.camera = session_.view().picture.camera;

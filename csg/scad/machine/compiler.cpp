@@ -19,6 +19,7 @@ Code Compiler::statement(ExprId e) {
 
 Code Compiler::function(std::span<const Argument> parameters, ExprId body, std::uint32_t this_parameter) {
     code_.parameters = parameters;
+    code_.first_parameter = parameters.empty() ? 0 : static_cast<std::uint32_t>(argument_index(parameters[0]));
     code_.this_parameter = this_parameter;
     for (Register i = 0; i < parameters.size(); ++i) {
         code_.entries.push_back(here());
@@ -109,7 +110,7 @@ Value Compiler::constant_list(ExprId id) const {
     for (const ExprId part : p_.elements_of(p_[id])) {
         elements.push_back(p_[part].kind == ExprKind::Vector ? constant_list(part) : literal(p_[part]));
     }
-    return elements;
+    return Value::lasting(elements);
 }
 
 }  // namespace csg::scad

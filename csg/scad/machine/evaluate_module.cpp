@@ -127,12 +127,22 @@ void Evaluator::instantiate_if(const Instantiation& first, const Frame* frame, N
     for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
         const NodeId group = builder_.combine(Operation::Group, nodes, location((*i)->where), modifiers(**i));
         nodes.assign(1, group);
+        note_statement(**i);
     }
     out.insert(out.end(), nodes.begin(), nodes.end());
 }
 
 csg::Modifiers Evaluator::modifiers(const Instantiation& i) const {
     return {i.modifiers.background, i.modifiers.highlight, i.modifiers.root};
+}
+
+void Evaluator::count_nodes(const Instantiation& i, std::size_t made) {
+    if (made != 0) {
+        note_statement(i);
+    }
+    if ((nodes_ += made) > request_.limits.nodes) {
+        fail(i.where, fmt::format("The model has more than {} nodes", request_.limits.nodes));
+    }
 }
 
 void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& out) {
@@ -165,9 +175,7 @@ void Evaluator::instantiate(const Instantiation& i, const Frame* frame, Nodes& o
         fail_out_of_memory(i.where);
     }
     has_root_modifier_ |= i.modifiers.root;
-    if ((nodes_ += out.size() - before) > request_.limits.nodes) {
-        fail(i.where, fmt::format("The model has more than {} nodes", request_.limits.nodes));
-    }
+    count_nodes(i, out.size() - before);
 }
 
 /// Values of the arguments, which see the caller's variables.

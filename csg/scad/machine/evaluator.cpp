@@ -6,12 +6,11 @@
 #include <random>
 
 #include "csg/scad/builtin/data_file.h"
+#include "csg/tree/least_fineness.h"
 
 namespace csg::scad {
 
 namespace {
-
-constexpr double kSmallestFineness = 0.01;
 
 std::uint32_t index_of_special(const Program& program, const Resolution& resolution, std::string_view name) {
     const Symbol symbol = program.symbols.find(name);
@@ -24,20 +23,22 @@ Value vector_of(const std::array<double, 3>& v) {
 
 }  // namespace
 
-Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink, const char* stack_limit)
+Evaluator::Evaluator(const Program& program, Compiled& compiled, const Request& request, MessageSink sink,
+                     const char* stack_limit)
     : p_(program),
       request_(request),
       sink_(std::move(sink)),
       stack_limit_(stack_limit),
-      resolver_(program),
-      r_(resolver_.resolution()),
+      r_(compiled.resolver.resolution()),
       is_undef_(find_builtin_function("is_undef")),
       len_(find_builtin_function("len")),
       parent_modules_index_(index_of_special(program, r_, "$parent_modules")),
       fn_index_(index_of_special(program, r_, "$fn")),
       fa_index_(index_of_special(program, r_, "$fa")),
       fs_index_(index_of_special(program, r_, "$fs")),
-      fe_index_(index_of_special(program, r_, "$fe")) {
+      fe_index_(index_of_special(program, r_, "$fe")),
+      resolver_(compiled.resolver),
+      compiled_(compiled) {
     host_.warn = [this](std::string text) { warn(p_[call_].where, std::move(text)); };
     host_.warn_without_place = [this](std::string text) { warn({}, std::move(text)); };
     host_.argument_name = [this](std::size_t i) {
@@ -52,8 +53,6 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
     host_.max_elements = request.limits.list_elements;
     limit_elements(request.limits.list_elements);
     end_values_at(request.stop);
-    strings_.reserve(p_.symbols.size() + p_.lazy.most.names);
-    function_codes_.assign(p_.functions.size() + p_.lazy.most.functions, nullptr);
     dynamic_.assign(r_.dynamics, Value::unset());
     units_.resize(p_.units.size());
     for (std::uint32_t file = 0; file < p_.sources.size(); ++file) {
@@ -73,9 +72,19 @@ Evaluator::Evaluator(Program& program, const Request& request, MessageSink sink,
     set_special("$vpr", vector_of(request.view.rotation));
     set_special("$vpd", request.view.distance);
     set_special("$vpf", request.view.fov);
+    exchange_code();
+}
+
+void Evaluator::exchange_code() {
+    strings_.swap(compiled_.strings);
+    codes_.swap(compiled_.codes);
+    function_codes_.swap(compiled_.function_codes);
+    literal_codes_.swap(compiled_.literal_codes);
+    std::swap(statement_codes_, compiled_.statement_codes);
 }
 
 Evaluator::~Evaluator() {
+    exchange_code();
     // Closures that hold each other would keep each other alive.
     std::vector<Value> captures;
     for (const Value& value : knotted_) {
@@ -123,9 +132,9 @@ Fineness Evaluator::fineness(const SourceRange& where) {
         fineness.fe = std::max(most, 0.0);
     }
     const auto clamp = [&](const char* name, double& number) {
-        if (number < kSmallestFineness) {
-            warn(where, fmt::format("{} too small - clamping to {:f}", name, kSmallestFineness));
-            number = kSmallestFineness;
+        if (number < kLeastFineness) {
+            warn(where, fmt::format("{} too small - clamping to {:f}", name, kLeastFineness));
+            number = kLeastFineness;
         }
     };
     clamp("$fs", fineness.fs);
@@ -164,7 +173,7 @@ void Evaluator::fail_recursion(const SourceRange& where, std::string_view what, 
                                     : fmt::format("Recursion detected {} '{}'", what, name(callee)));
 }
 
-SourceLocation Evaluator::location(const SourceRange& where) {
+SourceLocation Evaluator::location(const SourceRange& where) const {
     return {where.file < tree_files_.size() ? tree_files_[where.file] : 0, where.line, where.column};
 }
 
@@ -238,6 +247,36 @@ void Evaluator::take_view(ViewSettings& view) {
     take_number("$vpf", view.fov);
 }
 
+void Evaluator::note_statement(const Instantiation& i) {
+    const auto index = static_cast<std::size_t>(&i - p_.instantiations.data());
+    if (index >= noted_.size()) {
+        noted_.resize(p_.instantiations.size());
+    }
+    noted_[index] = 1;
+}
+
+std::vector<Statement> Evaluator::noted_statements() const {
+    std::vector<Statement> statements;
+    for (std::size_t index = 0; index < noted_.size(); ++index) {
+        if (noted_[index] == 0) {
+            continue;
+        }
+        const Instantiation& i = p_.instantiations[index];
+        const SourceFile& file = p_.sources[i.where.file];
+        const auto byte = [&file](std::uint32_t line, std::uint32_t column) {
+            return static_cast<std::uint32_t>(file.mark_bytes() + file.offset(line, column));
+        };
+        statements.push_back({location(i.where), byte(i.where.line, i.where.column),
+                              byte(i.where.end_line, i.where.end_column), name(i.name),
+                              !i.is_if && r_.module_of_instantiation[index].user.id != kNone});
+    }
+    // A file that is read twice has its statements twice.
+    std::ranges::sort(statements, {}, &Statement::where);
+    const auto repeated = std::ranges::unique(statements, {}, &Statement::where);
+    statements.erase(repeated.begin(), repeated.end());
+    return statements;
+}
+
 Tree Evaluator::run(ViewSettings& view) {
     const BlockId block = p_.units[0].block;
     UnitFrame& main = units_[0];
@@ -251,7 +290,7 @@ Tree Evaluator::run(ViewSettings& view) {
         return builder_.finish(kNoNode);
     }
     const NodeId top = builder_.combine(Operation::Group, nodes, {});
-    return builder_.finish(has_root_modifier_ ? find_root(top) : top);
+    return builder_.finish(has_root_modifier_ ? find_root(top) : top, noted_statements());
 }
 
 }  // namespace csg::scad

@@ -5,15 +5,14 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "csg/scad/builtin/builtin_functions.h"
-#include "csg/scad/machine/code_table.h"
+#include "csg/scad/machine/compiled.h"
 #include "csg/scad/machine/compiler.h"
-#include "csg/scad/machine/resolver.h"
 #include "csg/scad/machine/trace.h"
 #include "csg/scad/scad.h"
 #include "csg/scad/syntax/ast.h"
@@ -64,8 +63,9 @@ using Nodes = std::vector<NodeId>;
 
 class Evaluator {
   public:
-    /// Builds bodies of the program that are lazy; nothing else of it changes.
-    Evaluator(Program& program, const Request& request, MessageSink sink, const char* stack_limit);
+    /// `compiled` is of the program, and grows with what is run. All must outlive it.
+    Evaluator(const Program& program, Compiled& compiled, const Request& request, MessageSink sink,
+              const char* stack_limit);
     ~Evaluator();
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
@@ -82,7 +82,7 @@ class Evaluator {
     void warn(const SourceRange& where, std::string text);
     void emit(Severity severity, const SourceRange& where, std::string text);
     [[noreturn]] void fail(const SourceRange& where, std::string text);
-    [[nodiscard]] SourceLocation location(const SourceRange& where);
+    [[nodiscard]] SourceLocation location(const SourceRange& where) const;
     /// What `$fn`, `$fa` and `$fs` say now; warns at `where` of values that are too small.
     [[nodiscard]] Fineness fineness(const SourceRange& where);
     /// Restores `$` variables to what they were.
@@ -140,8 +140,9 @@ class Evaluator {
     }
     [[nodiscard]] const Resolution& resolution() const { return r_; }
     /// That the program needs a file besides its sources.
-    void note_data_file(const std::string& path) { data_files_.insert(path); }
-    [[nodiscard]] const std::set<std::string>& data_files() const { return data_files_; }
+    void note_data_file(const std::string& path) { data_files_.try_emplace(path, disk_state(path)); }
+    /// As they were before they were read.
+    [[nodiscard]] const std::map<std::string, DiskState>& data_files() const { return data_files_; }
 
   private:
     friend class DynamicMark;
@@ -173,7 +174,13 @@ class Evaluator {
         return index == kNone ? nullptr : &dynamic_[index];
     }
     void set_special(std::string_view name, Value value);
+    void exchange_code();
     void take_view(ViewSettings& view);
+    /// The statement has made so many nodes; fails where there are too many now.
+    void count_nodes(const Instantiation& i, std::size_t made);
+    /// Notes that the statement made a node.
+    void note_statement(const Instantiation& i);
+    [[nodiscard]] std::vector<Statement> noted_statements() const;
     NodeId find_root(NodeId top);
 
     class Activation;
@@ -270,14 +277,13 @@ class Evaluator {
     const Request& request_;
     MessageSink sink_;
     const char* stack_limit_;
-    Resolver resolver_;
     const Resolution& r_;
     FunctionHost host_;
     const ActiveStep* innermost_ = nullptr;
     ExprId call_ = kNone;  ///< Of the built-in function that runs.
     ValueStack stack_;
     std::vector<Value> dynamic_;
-    std::vector<Value> strings_;   ///< By symbol, once they are used. Never moves.
+    std::vector<Value> strings_;   ///< By symbol, once they are used. Does not move.
     std::vector<Value> gathered_;  ///< Elements of the lists that are being made, the innermost last.
     std::deque<Code> codes_;
     std::vector<const Code*> function_codes_, literal_codes_;  ///< Null until they are called.
@@ -309,7 +315,10 @@ class Evaluator {
     std::uint32_t parent_modules_index_;  ///< Dynamic indices; kNone where the program does not mention the variable.
     std::uint32_t fn_index_, fa_index_, fs_index_, fe_index_;
     std::size_t nodes_ = 0;
-    std::set<std::string> data_files_;
+    std::vector<char> noted_;  ///< By instantiation; the last may be missing.
+    std::map<std::string, DiskState> data_files_;
+    Resolver& resolver_;
+    Compiled& compiled_;  ///< Its code is here while it grows: `run` asks for it at every call.
 };
 
 }  // namespace csg::scad

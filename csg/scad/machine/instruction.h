@@ -134,6 +134,7 @@ struct Code {
     std::vector<std::uint32_t> entries;     ///< Where to begin when so many of the first parameters are known.
     std::uint32_t registers = 0;
     std::span<const Argument> parameters;
+    std::uint32_t first_parameter = 0;     ///< Their place among Program::arguments.
     std::uint32_t this_parameter = kNone;  ///< The one named `this` of a function value.
 };
 

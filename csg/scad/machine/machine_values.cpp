@@ -54,7 +54,7 @@ const Value& Evaluator::text_constant(Symbol text) {
     }
     Value& value = strings_[text];
     if (value.is_unset()) {
-        value = name(text);
+        value = Value::lasting(name(text));
     }
     return value;
 }

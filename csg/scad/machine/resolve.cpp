@@ -14,22 +14,8 @@ bool declares_for_children(std::string_view name) {
 }
 
 Resolver::Resolver(Program& program) : p_(program) {
-    const NodeCounts& more = p_.lazy.most;
-    r_.of_expression.reserve(p_.expressions.size() + more.expressions);
-    r_.argument_slots.reserve(p_.arguments.size() + more.arguments);
-    r_.repeated_parameters.reserve(p_.arguments.size() + more.arguments);
-    r_.assignment_slots.reserve(p_.assignments.size() + more.assignments);
-    r_.locals_of_function.reserve(p_.functions.size() + more.functions);
-    r_.module_of_instantiation.reserve(p_.instantiations.size() + more.instantiations);
-    r_.frame_slots.reserve(p_.blocks.size() + more.blocks);
-    r_.module_info.reserve(p_.modules.size() + more.modules);
-    r_.dynamic_of_symbol.reserve(p_.symbols.size() + more.names);
-    grow();
-    for (Symbol symbol = 0; symbol < p_.symbols.size(); ++symbol) {
-        if (p_.symbols.text(symbol).starts_with('$')) {
-            r_.dynamic_of_symbol[symbol] = r_.dynamics++;
-        }
-    }
+    reserve();
+    number_dynamic_names();
     unit_known_.assign(p_.units.size(), false);
     roots_.resize(p_.units.size());
     for (UnitId unit = 0; unit < p_.units.size(); ++unit) {
@@ -45,6 +31,56 @@ Resolver::Resolver(Program& program) : p_(program) {
     need_unit(0);
     if (p_.units[0].block != kNone) {
         resolve_instantiations(p_.blocks[p_.units[0].block], roots_[0]);
+    }
+}
+
+void Resolver::reserve() {
+    const NodeCounts& more = p_.lazy.most;
+    const auto keep_room = [](auto& table, std::size_t size) {
+        if (table.capacity() < size) {
+            table.reserve(table.empty() ? size : size + size / 4);  // Again: there may be more such.
+        }
+    };
+    keep_room(r_.of_expression, p_.expressions.size() + more.expressions);
+    keep_room(r_.argument_slots, p_.arguments.size() + more.arguments);
+    keep_room(r_.repeated_parameters, p_.arguments.size() + more.arguments);
+    keep_room(r_.assignment_slots, p_.assignments.size() + more.assignments);
+    keep_room(r_.locals_of_function, p_.functions.size() + more.functions);
+    keep_room(r_.module_of_instantiation, p_.instantiations.size() + more.instantiations);
+    keep_room(r_.frame_slots, p_.blocks.size() + more.blocks);
+    keep_room(r_.module_info, p_.modules.size() + more.modules);
+    keep_room(r_.dynamic_of_symbol, p_.symbols.size() + more.names);
+}
+
+void Resolver::number_dynamic_names() {
+    const auto known = static_cast<Symbol>(r_.dynamic_of_symbol.size());
+    grow();
+    for (Symbol symbol = known; symbol < p_.symbols.size(); ++symbol) {
+        if (p_.symbols.text(symbol).starts_with('$')) {
+            r_.dynamic_of_symbol[symbol] = r_.dynamics++;
+        }
+    }
+}
+
+void Resolver::redefine() {
+    reserve();
+    number_dynamic_names();
+    const Block& block = p_.blocks[p_.units[0].block];
+    for (const Argument& a : p_.assignments_of(block)) {
+        const auto variable = roots_[0].variables.find(a.name);
+        r_.assignment_slots[static_cast<std::size_t>(&a - p_.assignments.data())] =
+            dynamic_name(a.name) ? dynamic(a.name) : variable->second;
+    }
+    resolve_main_assignments();
+}
+
+/// Those whose value has not been seen yet.
+void Resolver::resolve_main_assignments() {
+    block_ = &roots_[0];
+    for (const Argument& a : p_.assignments_of(p_.blocks[p_.units[0].block])) {
+        if (main_values_.insert(a.value).second) {
+            statement_expression(a.value);
+        }
     }
 }
 
@@ -82,7 +118,11 @@ void Resolver::gather_passed() {
 void Resolver::need_unit(UnitId unit) {
     if (!unit_known_[unit] && p_.units[unit].block != kNone) {
         unit_known_[unit] = true;
-        resolve_assignments(p_.blocks[p_.units[unit].block], roots_[unit]);
+        if (unit == 0) {
+            resolve_main_assignments();
+        } else {
+            resolve_assignments(p_.blocks[p_.units[unit].block], roots_[unit]);
+        }
     }
 }
 

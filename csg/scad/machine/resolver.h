@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "csg/scad/machine/resolve.h"
@@ -65,12 +66,17 @@ class Resolver {
     }
     /// The assignments of a used file.
     void need_unit(UnitId unit);
+    /// The main file's block has other assignments now, to variables of the same names. What was found out about all
+    /// else stays.
+    void redefine();
 
   private:
     void resolve_top_function(std::uint32_t id);
     void resolve_top_module(std::uint32_t id);
     /// Makes the tables as long as the program's arrays are now. They do not move.
     void grow();
+    void reserve();
+    void number_dynamic_names();
 
     // resolve.cpp
 
@@ -78,6 +84,7 @@ class Resolver {
     std::uint32_t dynamic(Symbol name) const { return r_.dynamic_of_symbol[name]; }
     bool dynamic_name(Symbol name) const { return r_.dynamic_of_symbol[name] != kNone; }
     void declare(BlockId id, BlockScope& scope, const BlockScope* outer, std::span<const Argument> extra, bool root);
+    void resolve_main_assignments();
     void resolve_assignments(const Block& block, const BlockScope& scope);
     void resolve_instantiations(const Block& block, const BlockScope& scope);
     void resolve_block(BlockId id, const BlockScope& scope);
@@ -126,6 +133,7 @@ class Resolver {
     bool passed_known_ = false;
     std::vector<BlockScope> roots_;
     std::vector<bool> function_known_, module_known_, unit_known_;
+    std::unordered_set<ExprId> main_values_;  ///< Of the main file's assignments, those that are resolved.
     std::vector<UnitId> unit_of_function_, unit_of_module_;  ///< Of those at top level.
     const BlockScope* block_ = nullptr;
     Activation* activation_ = nullptr;

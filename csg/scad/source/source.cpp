@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 
+#include "csg/scad/source/characters.h"
 #include "csg/scad/source/paths.h"
 
 namespace csg::scad {
@@ -30,18 +31,35 @@ struct SourceFile::Lines {
     std::vector<std::size_t> starts{0};
 };
 
-SourceFile::SourceFile(std::string name, std::string text)
-    : name_(std::move(name)), text_(std::move(text)), lines_(std::make_shared<Lines>()) {}
+namespace {
 
-std::string_view SourceFile::line(std::uint32_t line) const {
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+}  // namespace
+
+SourceFile::SourceFile(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)), lines_(std::make_shared<Lines>()) {
+    if (text_.starts_with(kByteOrderMark)) {
+        text_.erase(0, kByteOrderMark.size());
+        mark_bytes_ = kByteOrderMark.size();
+    }
+}
+
+const std::vector<std::size_t>& SourceFile::line_starts() const {
     std::vector<std::size_t>& starts = lines_->starts;
     std::call_once(lines_->once, [&] {
-        for (std::size_t i = 0; i < text_.size(); ++i) {
-            if (text_[i] == '\n' || (text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'))) {
-                starts.push_back(i + 1);
-            }
+        const char* const begin = text_.data();
+        const char* const end = begin + text_.size();
+        for (const char* at = end_of_line(begin, end); at != end; at = end_of_line(at, end)) {
+            at += at[0] == '\r' && end - at > 1 && at[1] == '\n' ? 2 : 1;
+            starts.push_back(static_cast<std::size_t>(at - begin));
         }
     });
+    return starts;
+}
+
+std::string_view SourceFile::line(std::uint32_t line) const {
+    const std::vector<std::size_t>& starts = line_starts();
     if (line == 0 || line > starts.size()) {
         return {};
     }
@@ -53,9 +71,30 @@ std::string_view SourceFile::line(std::uint32_t line) const {
     return std::string_view(text_).substr(begin, end - begin);
 }
 
-std::uint32_t SourceSet::add(SourceFile file) {
+std::size_t SourceFile::offset(std::uint32_t line, std::uint32_t column) const {
+    const std::vector<std::size_t>& starts = line_starts();
+    if (line == 0 || column == 0 || line > starts.size()) {
+        return line == 0 || column == 0 ? 0 : text_.size();
+    }
+    return std::min(starts[line - 1] + (column - 1), text_.size());
+}
+
+SourceLocation SourceFile::place(std::size_t offset) const {
+    const std::vector<std::size_t>& starts = line_starts();
+    const std::size_t at = std::min(offset, text_.size());
+    const auto next = std::upper_bound(starts.begin(), starts.end(), at);
+    const std::size_t begin = *std::prev(next);
+    return {0, static_cast<std::uint32_t>(next - starts.begin()), static_cast<std::uint32_t>(at - begin) + 1};
+}
+
+std::uint32_t SourceSet::add(SharedSource file) {
     files_.push_back(std::move(file));
     return static_cast<std::uint32_t>(files_.size() - 1);
+}
+
+ByteRange SourceSet::bytes_of(const SourceRange& range) const {
+    const SourceFile& file = *files_[range.file];
+    return {file.offset(range.line, range.column), file.offset(range.end_line, range.end_column)};
 }
 
 namespace {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -37,29 +36,53 @@ struct SourceRange {
 /// One text, immutable. Lines end with \n, \r\n or \r.
 class SourceFile {
   public:
+    /// A byte order mark at the beginning of the text is left out.
     SourceFile(std::string name, std::string text);
 
     [[nodiscard]] const std::string& name() const { return name_; }  ///< The path as it was found, or a made-up name.
     [[nodiscard]] const std::string& text() const { return text_; }
     /// Without its line end. `line` counts from 1; empty outside the file.
     [[nodiscard]] std::string_view line(std::uint32_t line) const;
+    /// Of the byte that stands there, in text(); the end of the text at most. `line` and `column` count from 1.
+    [[nodiscard]] std::size_t offset(std::uint32_t line, std::uint32_t column) const;
+    /// Where that byte stands, as SourceRange counts; of the end of the text at most.
+    [[nodiscard]] SourceLocation place(std::size_t offset) const;  ///< Its `file` is 0.
+    /// How many bytes of the file precede text(): those of a byte order mark.
+    [[nodiscard]] std::size_t mark_bytes() const { return mark_bytes_; }
 
   private:
     struct Lines;
+    [[nodiscard]] const std::vector<std::size_t>& line_starts() const;
     std::string name_;
     std::string text_;
+    std::size_t mark_bytes_ = 0;
     std::shared_ptr<Lines> lines_;  ///< Where they begin, once somebody has asked: most texts are never shown.
 };
 
+/// A half-open range of bytes of a text.
+struct ByteRange {
+    std::size_t begin = 0, end = 0;
+    bool operator==(const ByteRange&) const = default;
+};
+
 /// All texts of a program; a file's index is its SourceLocation::file. A file that is included twice is listed once.
+/// Copies share the texts.
 class SourceSet {
   public:
-    std::uint32_t add(SourceFile file);
-    [[nodiscard]] const SourceFile& operator[](std::uint32_t file) const { return files_[file]; }
+    std::uint32_t add(SourceFile file) { return add(std::make_shared<const SourceFile>(std::move(file))); }
+    std::uint32_t add(std::shared_ptr<const SourceFile> file);
+    /// Another text takes the place of `file`.
+    void replace(std::uint32_t file, SourceFile by) {
+        files_[file] = std::make_shared<const SourceFile>(std::move(by));
+    }
+    [[nodiscard]] const SourceFile& operator[](std::uint32_t file) const { return *files_[file]; }
     [[nodiscard]] std::size_t size() const { return files_.size(); }
+    [[nodiscard]] const std::shared_ptr<const SourceFile>& shared(std::uint32_t file) const { return files_[file]; }
+    /// Of a known range, in its file's text.
+    [[nodiscard]] ByteRange bytes_of(const SourceRange& range) const;
 
   private:
-    std::deque<SourceFile> files_;  // A deque, so that texts stay where they are while others come.
+    std::vector<std::shared_ptr<const SourceFile>> files_;
 };
 
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{64} << 20;
@@ -71,6 +94,10 @@ struct ReadError {
 };
 
 using ReadResult = std::variant<std::string, ReadError>;
+
+/// A file that is shared by all who read it.
+using SharedSource = std::shared_ptr<const SourceFile>;
+using SourceResult = std::variant<SharedSource, ReadError>;
 
 /// Gives the text of a path. Tests, standard input and the viewer put their own in place of `read_source_file`.
 using SourceReader = std::function<ReadResult(const std::string& path)>;

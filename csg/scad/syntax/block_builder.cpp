@@ -3,6 +3,10 @@
 namespace csg::scad {
 
 std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
+    if (keep_all_) {
+        assignments_.push_back(assignment);
+        return std::nullopt;
+    }
     const auto [at, is_new] = places_.try_emplace(assignment.name, assignments_.size());
     if (is_new) {
         assignments_.push_back(assignment);
@@ -13,6 +17,10 @@ std::optional<SourceRange> BlockBuilder::assign(const Argument& assignment) {
     const SourceRange first = overwritten_.try_emplace(index, known.where).first->second;
     known = assignment;
     return first;
+}
+
+PieceStatements BlockBuilder::take() {
+    return {std::move(assignments_), std::move(functions_), std::move(modules_), std::move(instantiations_)};
 }
 
 BlockId BlockBuilder::finish(Program& program) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/scad/syntax/ast.h"
+#include "csg/scad/syntax/piece.h"
 
 namespace csg::scad {
 
@@ -13,6 +14,10 @@ class BlockBuilder {
   public:
     /// Where the variable was assigned before; the first place and the last value stay.
     std::optional<SourceRange> assign(const Argument& assignment);
+    /// From now on all assignments are kept as they come, for take().
+    void keep_all() { keep_all_ = true; }
+    [[nodiscard]] std::size_t assignment_count() const { return assignments_.size(); }
+    [[nodiscard]] PieceStatements take();
     void add(const FunctionDefinition& f) { functions_.push_back(f); }
     void add(const ModuleDefinition& m) { modules_.push_back(m); }
     void add(const Instantiation& i) { instantiations_.push_back(i); }
@@ -20,6 +25,7 @@ class BlockBuilder {
     [[nodiscard]] BlockId finish(Program& program);
 
   private:
+    bool keep_all_ = false;
     std::vector<Argument> assignments_;
     std::vector<FunctionDefinition> functions_;
     std::vector<ModuleDefinition> modules_;

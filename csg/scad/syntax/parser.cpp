@@ -12,19 +12,29 @@ Parser::Parser(Files& files, UnitId unit, bool lazy)
 namespace {
 
 /// The unit's block, or kNone and a message.
-BlockId parse_unit(Files& files, UnitId unit, std::span<const std::string> definitions, bool lazy) {
+BlockId parse_unit(Files& files, UnitId unit, bool lazy) {
+    Parser parser(files, unit, lazy);
     try {
-        return Parser(files, unit, lazy).unit(definitions);
+        return parser.unit();
     } catch (SyntaxError& error) {
+        if (parser.at_piece()) {
+            throw PieceMisfit();
+        }
         report(files.sink(), {Severity::Error, error.where, std::move(error.text), true});
         return kNone;
     }
 }
 
-/// Nothing moves when lazy bodies are built.
-void reserve_for_lazy(Program& program) {
+}  // namespace
+
+void make_room(Program& program, bool again) {
     const NodeCounts& most = program.lazy.most;
-    const auto keep_room = [](auto& array, std::size_t more) { array.reserve(more == 0 ? 0 : array.size() + more); };
+    const auto keep_room = [again](auto& array, std::size_t more) {
+        const std::size_t size = array.size() + more;
+        if (more != 0 && size > array.capacity()) {
+            array.reserve(again ? size + size / 4 : size);
+        }
+    };
     keep_room(program.expressions, most.expressions);
     keep_room(program.elements, most.elements);
     keep_room(program.arguments, most.arguments);
@@ -35,24 +45,29 @@ void reserve_for_lazy(Program& program) {
     keep_room(program.blocks, most.blocks);
 }
 
-}  // namespace
-
 Parsed parse(const ParseRequest& request) {
     Parsed parsed;
     Program& program = parsed.program;
     const MessageSink sink = [&](const Message& message) { parsed.messages.push_back(message); };
     Files files(request, program, sink);
-    program.units[0].block = parse_unit(files, 0, request.definitions, request.lazy);
+    program.units[0].block = parse_unit(files, 0, request.lazy);
     parsed.ok = program.units[0].block != kNone;
+    parsed.main_messages = parsed.messages.size();
+    parsed.main_sources = program.sources.size();
+    if (parsed.ok) {
+        parsed.definitions = Definitions(program);
+        parsed.ok = parsed.definitions.set(program, request.definitions, sink, &files);
+        parsed.definition_messages = parsed.messages.size() - parsed.main_messages;
+    }
     for (UnitId unit = 1; parsed.ok && unit < program.units.size(); ++unit) {  // Units bring in more units.
-        program.units[unit].block = parse_unit(files, unit, {}, request.lazy);
+        program.units[unit].block = parse_unit(files, unit, request.lazy);
     }
     for (Unit& unit : program.units) {
         for (Use& use : unit.uses) {
             use.unit = use.unit != kNone && program.units[use.unit].block == kNone ? kNone : use.unit;
         }
     }
-    reserve_for_lazy(program);
+    make_room(program);
     return parsed;
 }
 

@@ -11,8 +11,6 @@
 namespace csg::scad {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 bool is_font(std::string_view name) {
     if (name.size() < 4) {
         return false;
@@ -29,7 +27,8 @@ Files::Files(const ParseRequest& request, Program& program, const MessageSink& s
     : request_(request), program_(program), sink_(sink) {
     std::error_code error;
     working_directory_ = std::filesystem::current_path(error).string();
-    const std::uint32_t main = add(request.path, request.text);
+    const std::uint32_t main = program.sources.add(
+        request.main != nullptr ? request.main : std::make_shared<const SourceFile>(request.path, request.text));
     by_path_.emplace(identity(request.path), main);
     base_directory_ = folder_of_path(normal_path(request.path));
     base_directory_ += base_directory_.empty() || base_directory_.ends_with('/') ? "" : "/";
@@ -42,11 +41,15 @@ std::string Files::identity(const std::string& path) const {
     return normal_path(path_in(working_directory_, path));
 }
 
-std::uint32_t Files::add(std::string name, std::string text) {
-    if (text.starts_with(kByteOrderMark)) {
-        text.erase(0, kByteOrderMark.size());
+SourceResult Files::read(const std::string& path) const {
+    if (request_.find) {
+        return request_.find(path);
     }
-    return program_.sources.add(SourceFile(std::move(name), std::move(text)));
+    ReadResult result = request_.reader(path);
+    if (auto* const text = std::get_if<std::string>(&result)) {
+        return std::make_shared<const SourceFile>(path, std::move(*text));
+    }
+    return std::get<ReadError>(std::move(result));
 }
 
 Files::Found Files::find(const std::string& name, std::uint32_t from, std::span<const std::uint32_t> open) {
@@ -84,9 +87,9 @@ Files::Found Files::find_existing(const Candidates& candidates, std::span<const 
             }
             return {known->second, *path, {}};
         }
-        ReadResult result = request_.reader(*path);
-        if (auto* const text = std::get_if<std::string>(&result)) {
-            const std::uint32_t file = add(*path, std::move(*text));
+        SourceResult result = read(*path);
+        if (auto* const source = std::get_if<SharedSource>(&result)) {
+            const std::uint32_t file = program_.sources.add(std::move(*source));
             by_path_.emplace(std::move(key), file);
             return {file, *path, {}};
         }

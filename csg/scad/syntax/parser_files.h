@@ -29,16 +29,21 @@ class Files {
     /// Notes a `use <name>` in the file `from` for `unit`; the used file becomes a unit to be parsed later.
     void use(const std::string& name, std::uint32_t from, UnitId unit, const SourceRange& where);
 
+    /// The file as a piece; null where it is to be read token by token.
+    [[nodiscard]] std::shared_ptr<const Piece> piece(std::uint32_t file) const {
+        return request_.piece_of ? request_.piece_of(program_.sources.shared(file)) : nullptr;
+    }
+
     /// Counts what inclusions cost. False where the program has become too large.
     [[nodiscard]] bool account(std::uint32_t file);
 
     [[nodiscard]] Program& program() { return program_; }
     [[nodiscard]] const MessageSink& sink() const { return sink_; }
-    [[nodiscard]] std::uint32_t add(std::string name, std::string text);
     /// Relative to the directory of the main file, where it is inside it.
     [[nodiscard]] std::string name_in_messages(std::uint32_t file) const;
 
   private:
+    [[nodiscard]] SourceResult read(const std::string& path) const;
     struct Found {
         std::optional<std::uint32_t> file;
         std::string path;

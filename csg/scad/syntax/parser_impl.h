@@ -25,12 +25,24 @@ class Parser {
   public:
     /// `lazy`: bodies of definitions at top level are not built, where that is all there is to say about them.
     Parser(Files& files, UnitId unit, bool lazy);
-    /// Builds lazy bodies.
+    /// Of a file that becomes a piece. Both must outlive it.
+    Parser(Program& part, std::uint32_t file, const MessageSink& sink) : program_(part), lazy_(true) {
+        tokens_.emplace(part, file, sink);
+    }
+    /// Reads what comes after the main file's text: definitions.
+    explicit Parser(Files& files) : files_(&files), program_(files.program()), unit_(0) {}
+    /// Builds lazy bodies, and definitions that name no files.
     explicit Parser(Program& program) : program_(program) {}
 
-    /// The block of the unit's file with what it includes, and after it the definitions of the command line. Throws
-    /// SyntaxError.
-    BlockId unit(std::span<const std::string> definitions);
+    /// The block of the unit's file with what it includes. Throws SyntaxError.
+    BlockId unit();
+    /// The file by itself. Throws SyntaxError where it is no piece.
+    void piece(Piece& piece);
+    /// Whether an error may be but one of pieces that do not go together.
+    [[nodiscard]] bool at_piece() const { return tokens_ && tokens_->at_piece(); }
+    /// Assignments of the main file's unit that stand in another text, name=expression, more of them after semicolons.
+    /// Throws SyntaxError.
+    void definitions(std::uint32_t file, const MessageSink& sink, std::vector<Argument>& out);
     ExprId function_body(const LazyBody& body);
     BlockId module_body(const LazyBody& body);
 
@@ -122,6 +134,8 @@ class Parser {
 
     // parser_statements.cpp
     void statement(BlockBuilder& block, Level level);
+    PieceStatements piece_statements();
+    void place_piece(BlockBuilder& block);
     void braces(BlockBuilder& block, Level level);
     void assignment(BlockBuilder& block);
     void module_definition(BlockBuilder& block, Level level);
@@ -129,8 +143,7 @@ class Parser {
     /// Whether what comes now is a body that need not be built: `read`, of a Preparser, reads it. Then it is passed
     /// over, and `lazy` is its index.
     bool pass_over(std::size_t (Preparser::*read)(std::size_t), Level level, std::uint32_t& lazy);
-    void definition(BlockBuilder& block, const std::string& text);
-    void warn_overwritten(const Argument& assignment, const SourceRange& before) const;
+    bool warn_overwritten(const Argument& assignment, const SourceRange& before) const;
     Modifiers modifiers();
     Instantiation instantiation();
     Instantiation if_chain(Modifiers modifiers);
@@ -139,7 +152,7 @@ class Parser {
     BlockId block_of(const Instantiation& only);
     [[noreturn]] void fail_statement(Level level) const;
 
-    Files* files_ = nullptr;  ///< Null for a lazy body, which names no files.
+    Files* files_ = nullptr;  ///< Null for what names no files.
     Program& program_;
     UnitId unit_ = kNone;
     bool lazy_ = false;

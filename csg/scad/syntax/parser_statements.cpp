@@ -5,29 +5,28 @@
 
 namespace csg::scad {
 
-BlockId Parser::unit(std::span<const std::string> definitions) {
+BlockId Parser::unit() {
     BlockBuilder block;
     while (!at(TokenKind::End)) {
-        if (!accept(TokenKind::Use)) {  // The stream of tokens has taken note of it.
+        if (at(TokenKind::Piece)) {
+            place_piece(block);
+        } else if (!accept(TokenKind::Use)) {  // The stream of tokens has taken note of it.
             statement(block, Level::Top);
         }
-    }
-    for (const std::string& text : definitions) {
-        definition(block, text);
     }
     return block.finish(program_);
 }
 
-/// Of the command line: name=expression, more of them after semicolons.
-void Parser::definition(BlockBuilder& block, const std::string& text) {
-    tokens_.emplace(*files_, files_->add(std::string(kCommandLine), text), unit_);
+void Parser::definitions(std::uint32_t file, const MessageSink& sink, std::vector<Argument>& out) {
+    files_ != nullptr ? tokens_.emplace(*files_, file, unit_) : tokens_.emplace(program_, file, sink);
     while (!at(TokenKind::End)) {
         if (!at_assignment()) {
             fail_expected("name=expression as a definition");
         }
         const Token name = take();
         take();
-        block.assign({name.name, expression(), from(name.where)});
+        const ExprId value = expression();
+        out.push_back({name.name, value, from(name.where)});
         if (!at(TokenKind::End)) {
             expect_semicolon("the definition");
         }
@@ -118,19 +117,24 @@ void Parser::assignment(BlockBuilder& block) {
 }
 
 /// Worth a word within one file, and where an included file takes away what the main file says. What the main file
-/// sets may be meant to replace what it includes; and two included files know nothing of each other.
-void Parser::warn_overwritten(const Argument& assignment, const SourceRange& before) const {
+/// sets may be meant to replace what it includes; and two included files know nothing of each other. Whether it was
+/// worth one.
+bool Parser::warn_overwritten(const Argument& assignment, const SourceRange& before) const {
     const std::uint32_t main = 0;
     const bool by_main = assignment.where.file == main;
     const bool one_file = assignment.where.file == before.file;
     if (one_file ? !by_main && assignment.where.line == before.line  // A file that is included again.
                  : by_main || before.file != main) {
-        return;
+        return false;
+    }
+    if (files_ == nullptr) {  // A piece has nothing to say.
+        fail(assignment.where, {});
     }
     const std::string file = by_main ? "" : fmt::format(" of \"{}\"", files_->name_in_messages(before.file));
     report(files_->sink(), {Severity::Warning, assignment.where,
                             fmt::format("\"{}\" was assigned on line {}{} but was overwritten",
                                         program_.symbols.text(assignment.name), before.line, file)});
+    return true;
 }
 
 bool Parser::pass_over(std::size_t (Preparser::*read)(std::size_t), Level level, std::uint32_t& lazy) {

@@ -13,13 +13,17 @@
 namespace csg::scad {
 
 enum class TokenKind : std::uint8_t {
+    // Behind these nothing is read before they are taken:
     End,
-    Error,       ///< name: what is wrong
+    Error,  ///< name: what is wrong
+    Piece,  ///< Statements that are parsed already (piece.h).
+    // Other files:
+    Include,  ///< name: the file, as written
+    Use,      ///< name: the file, as written
+    // What there is many of:
     Number,      ///< number
     String,      ///< name: the text, escapes resolved
     Identifier,  ///< name
-    Include,     ///< name: the file, as written
-    Use,         ///< name: the file, as written
     // Words:
     Module,
     Function,

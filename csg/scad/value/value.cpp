@@ -32,13 +32,17 @@ void count_in(std::size_t size) {
 }
 
 struct StringObject : ValueObject {
-    explicit StringObject(std::string t)
-        : ValueObject(ValueType::String), text(std::move(t)), length(code_point_count(text)) {
-        count_in(text.size() / sizeof(Value));
+    explicit StringObject(std::string t, bool lasting = false)
+        : ValueObject(ValueType::String),
+          text(std::move(t)),
+          length(code_point_count(text)),
+          counted(lasting ? 0 : text.size() / sizeof(Value)) {
+        count_in(counted);
     }
-    ~StringObject() { g_live_elements -= text.size() / sizeof(Value); }
+    ~StringObject() { g_live_elements -= counted; }
     const std::string text;
     const std::size_t length;
+    const std::size_t counted;
 };
 
 /// Rooms for short lists, which programs make and drop by the million: cut from larger pieces, and kept for the next
@@ -110,6 +114,14 @@ struct VectorObject : ListObject {
         list->size = moved.size();
         return list;
     }
+    /// One that is not counted, and lies in no piece of the thread that makes it.
+    static VectorObject* create_lasting(std::span<Value> moved) {
+        void* const room = ::operator new(sizeof(VectorObject) + moved.size() * sizeof(Value));
+        auto* const list = new (room) VectorObject(moved.size(), kLasting);
+        std::uninitialized_move(moved.begin(), moved.end(), list->data);
+        list->size = moved.size();
+        return list;
+    }
     static void remove(VectorObject* vector) {
         const std::size_t behind = vector->behind;
         vector->~VectorObject();
@@ -130,12 +142,14 @@ struct VectorObject : ListObject {
     [[nodiscard]] std::span<Value> elements() const { return {data, size}; }
 
   private:
-    explicit VectorObject(std::size_t elements)
-        : room(static_cast<std::uint32_t>(elements)), behind(static_cast<std::uint32_t>(elements)) {
+    static constexpr std::uint32_t kLasting = std::numeric_limits<std::uint32_t>::max();
+    explicit VectorObject(std::size_t elements) : VectorObject(elements, static_cast<std::uint32_t>(elements)) {}
+    VectorObject(std::size_t elements, std::uint32_t fit_behind)
+        : room(static_cast<std::uint32_t>(elements)), behind(fit_behind) {
         data = first_behind();
     }
     ~VectorObject() {
-        g_live_elements -= size;
+        g_live_elements -= behind == kLasting ? 0 : size;
         std::destroy_n(data, size);
         if (data != first_behind()) {
             ::operator delete(data);
@@ -154,7 +168,7 @@ struct VectorObject : ListObject {
         room = static_cast<std::uint32_t>(larger);
     }
     std::uint32_t room;          // How many elements fit where they lie.
-    const std::uint32_t behind;  // How many fit behind the object.
+    const std::uint32_t behind;  // How many fit behind the object; kLasting for one that never grows.
 };
 static_assert(sizeof(VectorObject) % alignof(Value) == 0);
 
@@ -245,6 +259,18 @@ Value::Value(std::vector<Value> elements) : type_(ValueType::Vector), object_(Ve
 Value Value::list(std::span<Value> elements) {
     Value value;
     value.object_ = VectorObject::create(elements);
+    value.type_ = ValueType::Vector;
+    return value;
+}
+Value Value::lasting(std::string text) {
+    Value value;
+    value.object_ = new StringObject(std::move(text), true);
+    value.type_ = ValueType::String;
+    return value;
+}
+Value Value::lasting(std::span<Value> elements) {
+    Value value;
+    value.object_ = VectorObject::create_lasting(elements);
     value.type_ = ValueType::Vector;
     return value;
 }

@@ -85,6 +85,10 @@ class Value {
     Value(std::vector<Value> elements);
     Value(const Range& range);
     explicit Value(ObjectEntries entries);
+    // Constants of a program, which are kept from run to run and may meet their end on another thread: they do not
+    // count as elements that are alive.
+    [[nodiscard]] static Value lasting(std::string text);
+    [[nodiscard]] static Value lasting(std::span<Value> elements);
     /// Takes over one reference.
     explicit Value(FunctionObject* function) : type_(ValueType::Function), object_(function) {}
     /// A list of the elements, which are moved out: one allocation, for the short lists that most are.

@@ -6,6 +6,7 @@ SolidScene solid_scene(const csg::Scene& scene, const csg::solid::Geometry& geom
     SolidScene result;
     result.geometry.planes = geometry.planes;
     csg::Scene& to = result.scene;
+    to.occurrences = scene.occurrences;
     std::vector<std::uint32_t> roots;
     for (const csg::Part& part : scene.parts) {
         if (part.kind != csg::PartKind::Solid && part.kind != csg::PartKind::Translucent) {
@@ -43,7 +44,7 @@ SolidScene solid_scene(const csg::Scene& scene, const csg::solid::Geometry& geom
         to.expressions.push_back(all);
     }
     to.parts.push_back({csg::PartKind::Solid, 0, static_cast<std::uint32_t>(to.expressions.size() - 1), 0,
-                        static_cast<csg::LeafId>(to.leaves.size())});
+                        static_cast<csg::LeafId>(to.leaves.size()), "model", {}});
     return result;
 }
 

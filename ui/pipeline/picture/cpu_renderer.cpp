@@ -5,13 +5,14 @@
 
 namespace ui {
 
-void CpuRenderer::hold(const Model& model) {
-    if (model_ && generation_ == model.generation) {
+void CpuRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine) {
+    if (scene_ && generation_ == model.generation && engine_ == &engine) {
         return;
     }
-    model_.reset();
-    model_ = std::make_unique<Held>(Held{goldfeather::ListsModel(model.scene, model.geometry),
-                                         goldfeather::surface_table(model.scene, model.geometry)});
+    scene_.reset();
+    table_ = goldfeather::surface_table(model.scene, model.geometry);
+    scene_ = engines_.prepare({model.scene, model.geometry, model.products}, engine);
+    engine_ = &engine;
     generation_ = model.generation;
 }
 
@@ -23,43 +24,34 @@ const npr::Paint& CpuRenderer::paint(const npr::StyleInfo& style) {
     return made;
 }
 
-void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, int sample,
-                              const std::stop_token& stop) {
+void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineInfo& engine,
+                              int sample, const std::stop_token& stop) {
     if (sample == 0) {
         statistics_ = {};
     }
     Stopwatch watch;
-    hold(model);
+    hold(model, engine);
     statistics_.upload_ms += watch.lap();
-    layers_.table = model_->table;
     const int layers = layers_to_peel(picture, model);
     const npr::CpuSubject subject{model.geometry.box.lo, model.geometry.box.hi,
                                   [&](const base::View& view) -> const layers::HostStack& {
                                       statistics_.style_ms += watch.lap();
-                                      goldfeather::ListsStats stats;
-                                      goldfeather::peel_lists(model_->lists, view, layers, 0, layers_, stats, stop);
+                                      stack_ = {};  // Its memory is used again.
+                                      stack_ = scene_->draw(view, layers, statistics_.walk, stop);
+                                      stack_.host->table = table_;
                                       statistics_.peel_ms += watch.lap();
                                       ++statistics_.samples;
-                                      goldfeather::add(statistics_.walk, stats);
-                                      layers::leave_out_sparse_layers(layers_, minimal_fraction_);
-                                      return layers_;
+                                      return *stack_.host;
                                   }};
     accumulator_.paint_sample(paint(*picture.style), picture, static_cast<std::size_t>(sample), subject, stop);
     statistics_.style_ms += watch.lap();
 }
 
-std::optional<glm::dvec3> CpuRenderer::pick(const Model& model, const base::Camera& camera) {
-    hold(model);
-    const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
-    layers::HostStack layers;
-    goldfeather::ListsStats ignored;
-    goldfeather::peel_lists(model_->lists, view, 1, 1, layers, ignored);
-    const float depth = layers.planes.front().depth.front();
-    if (!(depth > 0)) {
-        return std::nullopt;
-    }
-    const base::View::Ray ray = view.ray(0, 0);
-    return ray.origin + view.distance(depth) * ray.direction;
+std::shared_ptr<const layers::HostStack> CpuRenderer::pick(const Model& model, const base::View& view, int layers,
+                                                           const goldfeather::EngineInfo& engine) {
+    hold(model, engine);
+    goldfeather::WalkStats ignored;
+    return scene_->draw(view, layers, ignored).host;
 }
 
 }  // namespace ui

@@ -3,41 +3,41 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 
-#include "goldfeather/lists_cpu/lists_cpu.h"
+#include "goldfeather/engine_set.h"
+#include "layers/host_stack.h"
 #include "npr/painter/cpu_accumulate.h"
 #include "ui/pipeline/picture/picture_request.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
 
-/// Holds one model. All cores work on a picture.
+/// Holds one model, for an engine that needs no OpenGL. All cores work on a picture.
 class CpuRenderer {
   public:
     /// `minimal_fraction`: see goldfeather::EngineOptions.
-    explicit CpuRenderer(double minimal_fraction) : minimal_fraction_(minimal_fraction) {}
+    explicit CpuRenderer(double minimal_fraction) : engines_({.minimal_fraction = minimal_fraction}) {}
 
     /// See Renderer; flat pictures are as they are to be drawn.
-    void draw_sample(const Model& model, const npr::Picture& picture, int sample, const std::stop_token& stop = {});
+    void draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineInfo& engine, int sample,
+                     const std::stop_token& stop = {});
     [[nodiscard]] base::Image image() const { return accumulator_.image(); }
-    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera);
+    /// The first surfaces of a view of one pixel (0: all).
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,
+                                                                const goldfeather::EngineInfo& engine);
     /// Its choice of an engine is left to the caller.
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 
   private:
-    /// What is made of a model once.
-    struct Held {
-        goldfeather::ListsModel lists;
-        std::shared_ptr<const layers::SurfaceTable> table;
-    };
-    void hold(const Model& model);
+    void hold(const Model& model, const goldfeather::EngineInfo& engine);
     const npr::Paint& paint(const npr::StyleInfo& style);
 
-    double minimal_fraction_;
-    std::unique_ptr<const Held> model_;
-    std::uint64_t generation_ = 0;  ///< Of the model that `model_` was made of.
-    layers::HostStack layers_;      ///< Its memory is used again.
+    goldfeather::EngineSet engines_;
+    std::shared_ptr<const layers::SurfaceTable> table_;  ///< Of the model that is held.
+    std::unique_ptr<goldfeather::PreparedScene> scene_;  ///< The same, for the engine that it is held for.
+    const goldfeather::EngineInfo* engine_ = nullptr;
+    std::uint64_t generation_ = 0;  ///< Of the model.
+    layers::Stack stack_;           ///< Of the last sample.
     npr::CpuAccumulator accumulator_;
     std::map<const npr::StyleInfo*, npr::Paint> styles_;  ///< Made when first used.
     PictureStatistics statistics_;

@@ -3,16 +3,17 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/camera.h"
 #include "base/image.h"
 #include "gl/context.h"
+#include "goldfeather/choice.h"
+#include "goldfeather/engine_set.h"
+#include "layers/upload.h"
 #include "npr/accumulate.h"
 #include "npr/style.h"
-#include "peel/peeler.h"
 #include "ui/pipeline/model.h"
 #include "ui/pipeline/picture/picture_request.h"
 #include "ui/pipeline/statistics.h"
@@ -32,21 +33,28 @@ class GlRenderer {
                      int sample, const std::stop_token& stop = {});
     void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
     [[nodiscard]] base::Image image() { return accumulator_.image(); }
-    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera,
-                                                 const goldfeather::EngineChoice& engine);
+    /// The first surfaces of a view of one pixel (0: all).
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,
+                                                                const goldfeather::EngineChoice& engine);
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 
   private:
-    [[nodiscard]] bool holds(const Model& model, goldfeather::EngineKind engine) const;
-    void hold(const Model& model, goldfeather::EngineKind engine);
+    [[nodiscard]] bool holds(const Model& model, const goldfeather::EngineInfo& engine) const;
+    void hold(const Model& model, const goldfeather::EngineInfo& engine);
+    /// The first `max_layers` surfaces of the model that is held.
+    [[nodiscard]] layers::TextureStack peel(const base::View& view, int max_layers, goldfeather::WalkStats& stats,
+                                            const std::stop_token& stop = {});
     npr::Style& style(const npr::StyleInfo& info);
 
     const gl::Functions& gl_;
-    peel::Peeler peeler_;
+    goldfeather::EngineSet engines_;
+    layers::Upload upload_;
     npr::Accumulator accumulator_;
     std::map<const npr::StyleInfo*, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
-    std::unique_ptr<peel::PeelModel> model_;
-    std::uint64_t generation_ = 0;  ///< Of the model that `model_` holds.
+    std::shared_ptr<const layers::SurfaceBuffers> table_;                  ///< Of the model that is held.
+    std::unique_ptr<goldfeather::PreparedScene> scene_;  ///< The same, for the engine that it is held for.
+    const goldfeather::EngineInfo* engine_ = nullptr;
+    std::uint64_t generation_ = 0;  ///< Of the model.
     PictureStatistics statistics_;
 };
 

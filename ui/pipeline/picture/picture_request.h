@@ -15,7 +15,7 @@ struct PictureRequest : npr::Picture {
     PictureRequest() : Picture(npr::default_picture()) {}
     explicit PictureRequest(npr::Picture picture) : Picture(std::move(picture)) {}
 
-    std::optional<goldfeather::EngineKind> engine{};  ///< Absent: as the renderer was told.
+    const goldfeather::EngineInfo* engine = nullptr;  ///< Null: as the renderer was told.
 
     bool operator==(const PictureRequest&) const = default;
 };

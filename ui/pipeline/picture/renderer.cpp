@@ -26,12 +26,13 @@ GlRenderer& Renderer::with_opengl() {
     return *gl_;
 }
 
-bool Renderer::choose_cpu(const Model& model, std::optional<goldfeather::EngineKind> engine, int layers) {
+bool Renderer::choose_cpu(const Model& model, const goldfeather::EngineInfo* engine, int layers) {
     const bool software = context_ == nullptr || context_->software();
-    choice_ = goldfeather::choose_engine(engine ? engine : wanted_.kind, engine_conditions(model, software, layers));
-    const bool possible = choice_.engine == goldfeather::EngineKind::ListsCpu;
+    choice_ = goldfeather::choose_engine(engine != nullptr ? engine : wanted_.engine,
+                                         engine_conditions(model, software, layers));
+    const bool possible = !choice_.engine->capabilities.needs_opengl;
     if (painter_ == Painter::Cpu && !possible) {
-        throw std::runtime_error(fmt::format("the engine {} needs OpenGL", goldfeather::name(choice_.engine)));
+        throw std::runtime_error(fmt::format("the engine {} needs OpenGL", choice_.engine->name));
     }
     return possible && painter_ != Painter::OpenGl && software;
 }
@@ -42,7 +43,7 @@ void Renderer::draw_sample(const Model& model, const PictureRequest& request, in
         on_cpu_ = choose_cpu(model, request.engine, layers_to_peel(picture, model));
     }
     if (on_cpu_) {
-        cpu_.draw_sample(model, picture, sample, stop);
+        cpu_.draw_sample(model, picture, *choice_.engine, sample, stop);
         statistics_ = cpu_.statistics();
         statistics_.engine = choice_;
     } else {
@@ -56,11 +57,14 @@ base::Image Renderer::image() {
     return on_cpu_ ? cpu_.image() : gl_->image();
 }
 
-std::optional<glm::dvec3> Renderer::pick(const Model& model, const base::Camera& camera) {
+std::vector<PickedSurface> Renderer::pick(const Model& model, const base::Camera& camera, int layers) {
     const goldfeather::EngineChoice of_picture = choice_;
-    const bool on_cpu = choose_cpu(model, std::nullopt, 1);
+    const bool on_cpu = choose_cpu(model, nullptr, layers);
     const goldfeather::EngineChoice choice = std::exchange(choice_, of_picture);
-    return on_cpu ? cpu_.pick(model, camera) : with_opengl().pick(model, camera, choice);
+    const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
+    const auto stack =
+        on_cpu ? cpu_.pick(model, view, layers, *choice.engine) : with_opengl().pick(model, view, layers, choice);
+    return picked(model, view, *stack);
 }
 
 base::Image Renderer::render(const Model& model, const PictureRequest& request, const std::stop_token& stop) {

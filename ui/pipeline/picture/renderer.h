@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/image.h"
 #include "gl/context.h"
 #include "ui/pipeline/picture/cpu_renderer.h"
 #include "ui/pipeline/picture/gl_renderer.h"
+#include "ui/pipeline/picture/pick.h"
 #include "ui/pipeline/picture/picture_request.h"
 #include "ui/pipeline/statistics.h"
 
@@ -42,9 +44,9 @@ class Renderer {
     [[nodiscard]] bool drawn_with_opengl() const { return !on_cpu_; }
     void resolve(GLuint target, glm::ivec2 corner) { gl_->resolve(target, corner); }
 
-    /// The nearest point of the solid (world coordinates) in the middle of the camera's picture of one pixel; none
-    /// where there is nothing.
-    [[nodiscard]] std::optional<glm::dvec3> pick(const Model& model, const base::Camera& camera);
+    /// The surfaces in the middle of the camera's picture of one pixel (see pixel_camera): the first `layers`, nearest
+    /// first (0: all).
+    [[nodiscard]] std::vector<PickedSurface> pick(const Model& model, const base::Camera& camera, int layers = 1);
 
     /// Of the last picture.
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
@@ -52,8 +54,8 @@ class Renderer {
     [[nodiscard]] const gl::Context* context() const { return context_; }
 
   private:
-    /// Sets choice_; is the CPU to draw it? `engine`: absent where it is for wanted_ to say. `layers`: 0 for all.
-    bool choose_cpu(const Model& model, std::optional<goldfeather::EngineKind> engine, int layers);
+    /// Sets choice_; is the CPU to draw it? `engine`: null where it is for wanted_ to say. `layers`: 0 for all.
+    bool choose_cpu(const Model& model, const goldfeather::EngineInfo* engine, int layers);
     GlRenderer& with_opengl();
 
     goldfeather::EngineOptions wanted_;

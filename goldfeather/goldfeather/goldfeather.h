@@ -38,11 +38,10 @@ class Goldfeather {
     ~Goldfeather();
 
     /// Fills a stack with the first `max_layers` surfaces of the part (kAllLayers: all of them).
-    /// `leaves` holds the scene's leaves, `tables` what the ids stand for.
+    /// `leaves` holds the scene's leaves.
     /// Throws base::Stopped where `stop` asked for it.
     [[nodiscard]] layers::TextureStack walk(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
-                                            std::shared_ptr<const layers::SurfaceBuffers> tables, int max_layers,
-                                            WalkStats& stats, const std::stop_token& stop = {});
+                                            int max_layers, WalkStats& stats, const std::stop_token& stop = {});
 
   private:
     struct Band;

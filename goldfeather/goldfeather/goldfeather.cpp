@@ -1,4 +1,4 @@
-#include "goldfeather/goldfeather/engine.h"
+#include "goldfeather/goldfeather/goldfeather.h"
 
 #include <algorithm>
 #include <limits>
@@ -153,13 +153,11 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves, std:
 }
 
 layers::TextureStack Goldfeather::walk(const base::View& view, LeafBuffers& leaves, const PartProducts& part,
-                                       std::shared_ptr<const layers::SurfaceBuffers> tables, int max_layers,
-                                       WalkStats& stats, const std::stop_token& stop) {
+                                       int max_layers, WalkStats& stats, const std::stop_token& stop) {
     const ScreenPlan screen = plan(view, part.products, part.leaf_boxes, part.wound);
     layers::TextureStack stack;
     stack.size = view.size();
     stack.layers = 0;
-    stack.table = std::move(tables);
     grow(gl_, stack, max_layers == kAllLayers ? 4 : max_layers);
     stats.drawn_leaves += static_cast<std::uint32_t>(screen.leaves.size());
     stats.drawn_products += static_cast<std::uint32_t>(screen.products.size());
@@ -171,7 +169,7 @@ layers::TextureStack Goldfeather::walk(const base::View& view, LeafBuffers& leav
     int most = 0;
 
     upload(screen, leaves, part.open);
-    view_block_.update(view, stack.table->local_centre, stack.table->diagonal);
+    view_block_.update(view, leaves.frame().centre, leaves.frame().diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();

@@ -1,0 +1,109 @@
+#include "csg/scad/syntax/call_text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace csg::scad {
+
+namespace {
+
+bool is_literal_text(const Program& program, const Expr& e) {
+    return is_literal_kind(e.kind) ||
+           (e.kind == ExprKind::Unary && e.op == Operator::Negate && program[e.operand(0)].kind == ExprKind::Number);
+}
+
+void add_values(std::span<const Argument> arguments, std::vector<ExprId>& left) {
+    for (const Argument& a : arguments) {
+        left.push_back(a.value);
+    }
+}
+
+/// The expressions that one consists of, whatever its kind.
+void add_parts(const Program& program, const Expr& e, std::vector<ExprId>& left) {
+    left.insert(left.end(), e.operands.begin(), e.operands.end());
+    switch (e.kind) {
+        case ExprKind::Vector:
+            left.insert(left.end(), program.elements_of(e).begin(), program.elements_of(e).end());
+            break;
+        case ExprKind::ListForC:
+            add_values(program.update_of(e), left);
+            [[fallthrough]];
+        case ExprKind::Call:
+        case ExprKind::Let:
+        case ExprKind::Assert:
+        case ExprKind::Echo:
+        case ExprKind::Function:
+        case ExprKind::ListFor:
+        case ExprKind::ListLet:
+            add_values(program.arguments_of(e), left);
+            break;
+        default:
+            break;
+    }
+}
+
+std::vector<LiteralText> literals_in(const Program& program, ExprId value, std::uint32_t file) {
+    std::vector<LiteralText> literals;
+    std::vector<ExprId> left{value};
+    while (!left.empty()) {
+        const ExprId id = left.back();
+        left.pop_back();
+        if (id == kNone) {
+            continue;
+        }
+        const Expr& e = program[id];
+        if (!is_literal_text(program, e)) {
+            add_parts(program, e, left);
+        } else if (e.where.file == file) {
+            literals.push_back({id, program.sources.bytes_of(e.where)});
+        }
+    }
+    std::sort(literals.begin(), literals.end(),
+              [](const LiteralText& a, const LiteralText& b) { return a.bytes.begin < b.bytes.begin; });
+    return literals;
+}
+
+}  // namespace
+
+std::optional<CallText> call_at(const Program& program, const SourceLocation& place) {
+    const auto i = std::find_if(program.instantiations.begin(), program.instantiations.end(),
+                                [&](const Instantiation& each) { return each.where.begin() == place; });
+    if (i == program.instantiations.end()) {
+        return std::nullopt;
+    }
+    CallText call{place.file, program.symbols.text(i->name), program.sources.bytes_of(i->where), {}};
+    for (const Argument& a : program.arguments_of(*i)) {
+        const SourceRange& value = program[a.value].where;
+        if (a.where.file != place.file || value.file != place.file) {
+            return std::nullopt;
+        }
+        call.arguments.push_back({a.name == kNoSymbol ? std::string() : program.symbols.text(a.name),
+                                  program.sources.bytes_of(a.where), program.sources.bytes_of(value),
+                                  literals_in(program, a.value, place.file)});
+    }
+    return call;
+}
+
+std::optional<LiteralText> literal_at(const Program& program, std::uint32_t file, std::size_t offset) {
+    std::optional<LiteralText> best;
+    const SourceLocation place = program.sources[file].place(offset);
+    for (ExprId id = 0; id < program.expressions.size(); ++id) {
+        const Expr& e = program[id];
+        const SourceRange& where = e.where;
+        const bool around = where.file == file &&
+                            std::pair(where.line, where.column) <= std::pair(place.line, place.column) &&
+                            std::pair(place.line, place.column) <= std::pair(where.end_line, where.end_column);
+        if (!around || !is_literal_text(program, e)) {
+            continue;
+        }
+        const LiteralText literal{id, program.sources.bytes_of(where)};
+        // Of a number and its sign the sign; of two that touch the one behind.
+        if (!best || literal.bytes.begin >= best->bytes.end || literal.bytes.end > best->bytes.end ||
+            literal.bytes.begin < best->bytes.begin) {
+            best = literal;
+        }
+    }
+    return best;
+}
+
+}  // namespace csg::scad
