@@ -16,8 +16,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto no_files = [](const std::string& path) -> ReadResult {
         return ReadError{true, "cannot read " + path + ": there are no files here"};
     };
-    const Parsed parsed = parse({"fuzz.scad", text, {}, no_files, {}});
-    Parsed lazy = parse({"fuzz.scad", text, {}, no_files, {}, true});
+    ParseRequest request;
+    request.path = "fuzz.scad";
+    request.text = text;
+    request.reader = no_files;
+    request.search_path = {};
+    const Parsed parsed = parse(request);
+    request.lazy = true;
+    Parsed lazy = parse(request);
     const auto same = [](const Message& a, const Message& b) { return a.where == b.where && a.text == b.text; };
     if (lazy.ok != parsed.ok ||
         !std::equal(lazy.messages.begin(), lazy.messages.end(), parsed.messages.begin(), parsed.messages.end(), same))
