@@ -272,8 +272,8 @@ std::vector<Statement> Evaluator::noted_statements() const {
     }
     // A file that is read twice has its statements twice.
     std::ranges::sort(statements, {}, &Statement::where);
-    const auto repeated = std::ranges::unique(statements, {}, &Statement::where);
-    statements.erase(repeated.begin(), repeated.end());
+    const auto same_place = [](const Statement& a, const Statement& b) { return a.where == b.where; };
+    statements.erase(std::unique(statements.begin(), statements.end(), same_place), statements.end());
     return statements;
 }
 
