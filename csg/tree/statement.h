@@ -11,7 +11,7 @@ namespace csg {
 /// `name(arguments)`, without the children behind it; `if (condition)` is one as well.
 struct Statement {
     SourceLocation where;                        ///< Of its first byte: Node::where of all nodes that it made.
-    std::uint32_t begin_byte = 0, end_byte = 0;  ///< Offsets in its file; half-open.
+    std::uint32_t end_line = 0, end_column = 0;  ///< One past its last byte, counted as in `where`.
     std::string name;                            ///< "translate", "for", "if"; of a user-defined module.
     bool user_module = false;
 };

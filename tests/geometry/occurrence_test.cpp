@@ -17,8 +17,9 @@ struct Loaded {
         std::vector<std::string> calls;
         for (const csg::OccurrenceId id : csg::path_to(scene, scene.leaves[leaf].occurrence)) {
             if (const csg::Statement* s = tree().statement(scene.occurrences[id].node)) {
-                const std::string& text = (*run.evaluation.sources)[s->where.file].text();
-                calls.push_back(text.substr(s->begin_byte, s->end_byte - s->begin_byte) + "@" +
+                const csg::scad::SourceFile& source = (*run.evaluation.sources)[s->where.file];
+                const std::size_t begin = source.offset(s->where.line, s->where.column);
+                calls.push_back(source.text().substr(begin, source.offset(s->end_line, s->end_column) - begin) + "@" +
                                 std::to_string(s->where.line) + ":" + std::to_string(s->where.column));
             }
         }
@@ -89,14 +90,6 @@ TEST(Occurrences, BytesAreCountedInTheText) {
     ASSERT_EQ(loaded.scene.leaves.size(), 2u);
     EXPECT_EQ(loaded.calls(0), (Calls{"cube(\r\n  1)@2:10"}));
     EXPECT_EQ(loaded.calls(1), (Calls{"sphere(2)@4:1"}));
-}
-
-TEST(Occurrences, AByteOrderMarkCountsInTheFile) {
-    const Loaded loaded("\xEF\xBB\xBFunion() cube(1);");
-    ASSERT_EQ(loaded.tree().statements().size(), 2u);
-    EXPECT_EQ(loaded.tree().statements()[0].begin_byte, 3u);
-    EXPECT_EQ(loaded.tree().statements()[1].begin_byte, 11u);
-    EXPECT_EQ(loaded.tree().statements()[1].end_byte, 18u);
 }
 
 TEST(Occurrences, UserModulesAreTold) {

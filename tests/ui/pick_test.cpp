@@ -98,6 +98,17 @@ TEST_F(Pick, NamesACutAfterTheCutter) {
     EXPECT_EQ(text(s[0].at("calls")[4]), "hole(d = 5)");
 }
 
+TEST_F(Pick, CountsTheBytesOfTheFile) {
+    const std::string text = "\xEF\xBB\xBFunion() cube(9);";
+    folder_.write("mark.scad", text);
+    const Json s = surfaces("mark.scad", 3, 3);
+    ASSERT_EQ(s.size(), 2u);
+    const Json& cube = s[0].at("calls")[1];
+    const auto begin = cube.at("begin").get<std::size_t>();
+    EXPECT_EQ(begin, 11u) << "the byte order mark's three are of the file";
+    EXPECT_EQ(text.substr(begin, cube.at("end").get<std::size_t>() - begin), "cube(9)");
+}
+
 TEST_F(Pick, FollowsFilesThatAreUsed) {
     folder_.write("plate.scad", kPlate);
     folder_.write("lib.scad", kLib);

@@ -57,6 +57,26 @@ std::string place_of(const Model& model, const csg::SourceLocation& where) {
     return fmt::format("{}:{}:{}", model.tree->files()[where.file], where.line, where.column);
 }
 
+/// The text that holds the step's call; null where it is not known.
+const csg::scad::SourceFile* source_of(const PickReport& report, const Step& step) {
+    if (step.statement == nullptr) {
+        return nullptr;
+    }
+    const std::string& name = report.model.tree->files()[step.node.where.file];
+    for (std::uint32_t i = 0; i < report.sources.size(); ++i) {
+        if (report.sources[i].name() == name) {
+            return &report.sources[i];
+        }
+    }
+    return nullptr;
+}
+
+/// Of its call, in the text of `source`.
+csg::scad::ByteRange bytes_of(const Step& step, const csg::scad::SourceFile& source) {
+    const csg::Statement& s = *step.statement;
+    return {source.offset(s.where.line, s.where.column), source.offset(s.end_line, s.end_column)};
+}
+
 /// The call as it is written, on one line and not too long.
 std::string call_text(const PickReport& report, const Step& step) {
     const csg::Modifiers& modifiers = step.node.modifiers;
@@ -64,18 +84,12 @@ std::string call_text(const PickReport& report, const Step& step) {
     if (step.statement == nullptr) {
         return text + std::string(name_of(step));
     }
-    const std::string& file = report.model.tree->files()[step.node.where.file];
-    std::uint32_t source = 0;
-    while (source < report.sources.size() && report.sources[source].name() != file) {
-        ++source;
-    }
-    if (source == report.sources.size()) {
+    const csg::scad::SourceFile* const source = source_of(report, step);
+    if (source == nullptr) {
         return text + step.statement->name;
     }
-    const csg::scad::SourceFile& in = report.sources[source];
-    const std::size_t begin = step.statement->begin_byte - in.mark_bytes();
-    const auto written =
-        std::string_view(in.text()).substr(begin, step.statement->end_byte - step.statement->begin_byte);
+    const csg::scad::ByteRange bytes = bytes_of(step, *source);
+    const auto written = std::string_view(source->text()).substr(bytes.begin, bytes.end - bytes.begin);
     bool blank = false;
     std::size_t characters = text.size();
     for (const char c : written) {
@@ -130,14 +144,21 @@ Json color_json(const csg::Rgba& color) {
     return color.given() ? Json(csg::color_name(color)) : Json(nullptr);
 }
 
-Json to_json(const Model& model, const Step& step) {
+Json to_json(const PickReport& report, const Step& step) {
+    const csg::scad::SourceFile* const source = source_of(report, step);
+    Json begin = nullptr, end = nullptr;  // In the file, whose byte order mark is no part of the text.
+    if (source != nullptr) {
+        const csg::scad::ByteRange bytes = bytes_of(step, *source);
+        begin = source->mark_bytes() + bytes.begin;
+        end = source->mark_bytes() + bytes.end;
+    }
     return {{"name", name_of(step)},
             {"module", step.statement != nullptr && step.statement->user_module},
-            {"file", model.tree->files()[step.node.where.file]},
+            {"file", report.model.tree->files()[step.node.where.file]},
             {"line", step.node.where.line},
             {"column", step.node.where.column},
-            {"begin", step.statement != nullptr ? Json(step.statement->begin_byte) : Json(nullptr)},
-            {"end", step.statement != nullptr ? Json(step.statement->end_byte) : Json(nullptr)},
+            {"begin", begin},
+            {"end", end},
             {"child", step.child},
             {"of", step.children}};
 }
@@ -197,7 +218,7 @@ Json pick_json(const PickReport& report) {
         const std::vector<Step> steps = steps_to(report.model, s.occurrence);
         Json calls = Json::array();
         for (const Step& step : steps) {
-            calls.push_back(to_json(report.model, step));
+            calls.push_back(to_json(report, step));
         }
         surfaces.push_back(
             {{"layer", s.layer + 1},

@@ -262,12 +262,7 @@ std::vector<Statement> Evaluator::noted_statements() const {
             continue;
         }
         const Instantiation& i = p_.instantiations[index];
-        const SourceFile& file = p_.sources[i.where.file];
-        const auto byte = [&file](std::uint32_t line, std::uint32_t column) {
-            return static_cast<std::uint32_t>(file.mark_bytes() + file.offset(line, column));
-        };
-        statements.push_back({location(i.where), byte(i.where.line, i.where.column),
-                              byte(i.where.end_line, i.where.end_column), name(i.name),
+        statements.push_back({location(i.where), i.where.end_line, i.where.end_column, name(i.name),
                               !i.is_if && r_.module_of_instantiation[index].user.id != kNone});
     }
     // A file that is read twice has its statements twice.
