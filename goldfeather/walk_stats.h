@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "layers/limits.h"
+
 namespace goldfeather {
 
 struct WalkStats {
@@ -26,8 +28,7 @@ struct WalkStats {
     std::string fallback;                 ///< Why `lists-cpu` drew instead of the engine meant; empty where it did not.
 };
 
-/// All layers there are.
-inline constexpr int kAllLayers = 0;
+using layers::kAllLayers;
 
 /// Bytes of per-pixel state before a picture is split.
 inline constexpr std::size_t kDefaultMemoryBudget = std::size_t{128} << 20;

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "base/camera.h"
+#include "layers/limits.h"
 #include "npr/color_scheme.h"
 #include "npr/parameter.h"
 
@@ -12,7 +13,7 @@ namespace npr {
 struct StyleInfo;
 
 /// As many layers as the style looks at, or all that there are.
-inline constexpr int kLayersOfStyle = -1, kAllLayersWanted = 0;
+inline constexpr int kLayersOfStyle = -1, kAllLayersWanted = layers::kAllLayers;
 
 /// All that is wished of a picture, typed: whoever reads text (the command line) or has controls (the window) fills
 /// this one value, and both painters see it by reference (Frame, CpuFrame).

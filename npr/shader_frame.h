@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/view_values.h"
+#include "npr/edges/line_code.h"
 #include "npr/frame_values.h"
 #include "npr/painter/cpu_frame.h"
 #include "npr/srgb.h"
@@ -15,7 +16,7 @@ using namespace glm;  // Shader files say vec3, dot and mix.
 
 /// What npr/frame.glsl and the textures are to shaders, under the same names. Each thread has its own copy: members of
 /// shader files are not const. Keeps references into the frame.
-struct Frame : FrameValues {
+struct Frame : FrameValues, LineCode {
     explicit Frame(const CpuFrame& frame);
 
     base::ViewValues view;
@@ -53,7 +54,6 @@ struct Frame : FrameValues {
 
 #include "npr/surface_color.glsl"
 
-#include "npr/edges/edge_point.glsl"
 #include "npr/edges/line_ink.glsl"
 
     /// Do two pixels see the same planes of the same leaves, in all layers?

@@ -42,7 +42,7 @@ class Style {
 
 /// For styles that look for a surface in all layers of the neighbours, whichever layers are drawn.
 [[nodiscard]] constexpr int all_layers(bool /*translucent*/) {
-    return 0;
+    return layers::kAllLayers;
 }
 
 /// What is known of a style without a context. pixel_style() and lined_style() (npr/styles) make one of little.

@@ -36,6 +36,6 @@ void main() {
     int axis = link_axis(links[i]);
     ivec2 p = link_lower(links[i], textureSize(layer_depths, 0).x);
     int last = search_link(links[i], p, p + ivec2(1 - axis, axis));
-    for (int layer = 0; layer <= min(last, kEdgeLayers - 1); ++layer)
+    for (int layer = 0; layer <= min(last, kLayersApart - 1); ++layer)
         imageStore(edge_points, ivec3(p, edge_slice(layer, axis)), uvec4(0u));
 }

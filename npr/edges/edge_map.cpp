@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 
 #include "base/stop.h"
+#include "layers/limits.h"
 
 namespace npr {
 namespace {
 
-constexpr int kEdgeLayers = 16, kEdgeTile = 4;  // As in npr/edges/edge_point.glsl.
+constexpr int kEdgeTile = shader::LineCode().kEdgeTile;
 
 constexpr std::size_t candidate_bytes(std::uint32_t room) {
     return 8 * (static_cast<std::size_t>(room) + 1);
@@ -39,7 +39,7 @@ EdgeMap::EdgeMap(const gl::Functions& gl)
 }
 
 void EdgeMap::resize(glm::ivec2 size, int layers) {
-    const int slices = 2 * std::min(layers, kEdgeLayers);
+    const int slices = 2 * std::min(layers, layers::kLayersApart);
     if (!marks_ || marks_.size() != size) {
         marks_ = gl::Texture::make_2d(gl_, GL_R32UI, size);
         tiles_ = make_edge_tiles(gl_, size);
@@ -103,7 +103,30 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
         gl_.DispatchCompute(groups(count), 1, 1);
         gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
+    has_facts_ = settings.facts;
+    if (has_facts_)
+        find_facts(frame, settings, count);
     bind();
+}
+
+void EdgeMap::find_facts(const Frame& frame, const EdgeSettings& settings, std::uint32_t candidates) {
+    if (!facts_ || facts_.size() != points_.size() || facts_.layers() != 2 * points_.layers())
+        facts_ = gl::Texture::make_2d_array(gl_, GL_R32UI, points_.size(), 2 * points_.layers());
+    if (!find_facts_)
+        find_facts_.emplace(gl_, std::initializer_list<std::string_view>{"npr/edges/edge_facts.comp"});
+    if (candidates == 0)
+        return;
+    find_facts_->program().set("crease_angle", glm::radians(settings.crease_degrees));
+    find_facts_->program().set("part_edges", settings.parts);
+    for (const bool clearing : {true, false}) {
+        gl_.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32UI);
+        gl_.BindImageTexture(1, facts_.id(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
+        find_facts_->program().set("clearing", clearing);
+        find_facts_->use(frame);
+        gl_.DispatchCompute(groups(candidates), 1, 1);
+    }
+    gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 std::vector<HostEdge> EdgeMap::read_back() const {
@@ -117,22 +140,22 @@ std::vector<HostEdge> EdgeMap::read_back() const {
     };
     const std::vector<std::uint32_t> marks = read(marks_, pixels);
     const std::vector<std::uint32_t> points = read(points_, pixels * static_cast<std::size_t>(points_.layers()));
+    const std::vector<std::uint32_t> facts =
+        has_facts_ ? read(facts_, pixels * static_cast<std::size_t>(facts_.layers())) : std::vector<std::uint32_t>();
+    shader::LineCode code;
     std::vector<HostEdge> edges;
     for (int slice = 0; slice < points_.layers(); ++slice)
         for (std::size_t i = 0; i < pixels; ++i) {
             const int axis = slice % 2, layer = slice / 2;
-            if ((marks[i] >> (layer + kEdgeLayers * axis) & 1U) == 0)
+            if ((marks[i] >> (layer + layers::kLayersApart * axis) & 1U) == 0)
                 continue;
-            // As npr/edges/edge_point.glsl packs them.
-            const std::uint32_t bits = points[pixels * static_cast<std::size_t>(slice) + i];
-            const float along = static_cast<float>(bits >> 10 & 1023U) / 1023.0F;
-            const float angle = (static_cast<float>(bits & 1023U) + 0.5F) * (glm::pi<float>() / 1024.0F);
+            const auto e = code.unpack_edge(points[pixels * static_cast<std::size_t>(slice) + i]);
+            const std::size_t words = 2 * pixels * static_cast<std::size_t>(slice) + i;
             const glm::vec2 lower(static_cast<float>(i % static_cast<std::size_t>(size.x)),
                                   static_cast<float>(i / static_cast<std::size_t>(size.x)));
-            edges.push_back({lower + 0.5F + jitter_ + (axis == 0 ? glm::vec2(along, 0) : glm::vec2(0, along)),
-                             {std::cos(angle), std::sin(angle)},
-                             layer,
-                             bits >> 30 == 2});
+            edges.push_back({lower + 0.5F + jitter_ + (axis == 0 ? glm::vec2(e.at, 0) : glm::vec2(0, e.at)), e.across,
+                             layer, e.kind == code.kProfileEdge,
+                             has_facts_ ? code.unpack_facts({facts[words], facts[words + pixels]}) : code.no_facts()});
         }
     return edges;
 }
@@ -142,6 +165,8 @@ void EdgeMap::bind() const {
     marks_.bind(2);
     tiles_.bind(3);
     points_.bind(4);
+    if (has_facts_)
+        facts_.bind(8);
 }
 
 }  // namespace npr

@@ -1,5 +1,7 @@
 #include "npr/edges/edge_parameters.h"
 
+#include "layers/limits.h"
+
 namespace npr {
 
 Parameter line_width(float initial) {
@@ -10,6 +12,10 @@ Parameter crease_angle() {
 }
 Parameter part_edges() {
     return Parameter::toggle("parts", "Edges between parts and colors", EdgeSettings().parts);
+}
+
+Parameter first_layers() {
+    return Parameter::integer("layers", "Layers (0: all)", layers::kAllLayers, 0, layers::kMostLayersOfControl);
 }
 
 }  // namespace npr

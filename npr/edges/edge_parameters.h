@@ -11,12 +11,15 @@ namespace npr {
 [[nodiscard]] Parameter crease_angle();
 /// "parts": whether boundaries of parts and of colors on smooth surfaces are edges.
 [[nodiscard]] Parameter part_edges();
+/// "layers": the first so many are drawn, or all.
+[[nodiscard]] Parameter first_layers();
 
 /// What counts as an edge.
 struct EdgeSettings {
     float crease_degrees = 33;  ///< Between normals, from which a bend is an inner edge.
     bool parts = true;          ///< Whether boundaries of parts and of colors on smooth surfaces are inner edges.
     bool visible_only = false;  ///< Only edges that no opaque surface hides are asked for; there may be others.
+    bool facts = false;         ///< Whether what lines are is asked for, too (npr/edges/line_facts.glsl).
 };
 
 }  // namespace npr

@@ -45,11 +45,10 @@ ivec2 link_lower(uint link, int width) {
     return ivec2(pixel % width, pixel / width);
 }
 
-// The last layer of the edge map holds all deeper ones too.
-const int kEdgeLayers = 16;
+#include "layers/limits.glsl"
 
 int edge_layer(int layer) {
-    return min(layer, kEdgeLayers - 1);
+    return min(layer, kLayersApart - 1);
 }
 
 // The slice that holds the points of a layer, on links to the right (axis 0) or up.
@@ -59,7 +58,7 @@ int edge_slice(int layer, int axis) {
 
 // A pixel's mark: which layers have an edge on its link.
 uint edge_mark(int layer, int axis) {
-    return 1u << (edge_layer(layer) + kEdgeLayers * axis);
+    return 1u << (edge_layer(layer) + kLayersApart * axis);
 }
 
 // Marks are summed up for tiles of this many pixels, squared.

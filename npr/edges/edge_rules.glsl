@@ -25,10 +25,33 @@ bool is_crease(ivec2 p, int layer, ivec2 q, Continuation c) {
     return angle > crease_angle + min(bend_ahead(p, layer, -offset) + bend_ahead(q, c.layer, offset), curved);
 }
 
+// Where the planes of two surfaces of a pixel meet, seen from the link to its neighbor.
+struct Meeting {
+    vec2 apart;    // across the line; 0: they do not meet
+    float at;      // on the link
+    float beside;  // pixels from the link to the line
+};
+
+Meeting meeting(Surface s, Surface t, ivec2 offset) {
+    Meeting m;
+    m.apart = depth_gradient(s.plane) - depth_gradient(t.plane);
+    m.at = 0.5f;
+    m.beside = 1e30f;
+    if (m.apart == vec2(0.0f))
+        return m;
+    // Nearly along the line in which they meet, the point of the link tells little, and matters little.
+    float closing = dot(m.apart, vec2(offset));
+    float gap = t.depth - s.depth;
+    m.at = abs(closing) > 1e-3f * length(m.apart) ? gap / closing : 0.5f;
+    m.beside = abs(gap - clamp(m.at, 0.0f, 1.0f) * closing) / length(m.apart);
+    return m;
+}
+
 struct Outline {
-    int partner;  // layer; -1: none
+    int partner;   // layer; -1: none
     float at;
     vec2 across;
+    float beside;  // pixels from the link to the line in which their planes meet
 };
 
 // A surface that ends does so where it meets the other side of the solid, or of the gap, which is the next or the last
@@ -38,25 +61,18 @@ Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
     o.partner = -1;
     o.at = 0.5f;
     o.across = vec2(offset);
-    float best = 1e30f;
+    o.beside = 1e30f;
     for (int other = max(layer - 1, 0); other <= layer + 1; ++other) {
         Surface t = layer_surface(p, other, ray);
         if (other == layer || !t.hit || t.leaving == s.leaving)
             continue;
-        vec2 apart = depth_gradient(s.plane) - depth_gradient(t.plane);
-        if (apart == vec2(0.0f))
-            continue;
-        // Nearly along the line in which they meet, the point of the link tells little, and matters little.
-        float closing = dot(apart, vec2(offset));
-        float gap = t.depth - s.depth;
-        float at = abs(closing) > 1e-3f * length(apart) ? gap / closing : 0.5f;
-        float beside = abs(gap - clamp(at, 0.0f, 1.0f) * closing) / length(apart);  // in pixels
-        if (beside < best) {
-            best = beside;
+        Meeting m = meeting(s, t, offset);
+        if (m.beside < o.beside) {
+            o.beside = m.beside;
             o.partner = other;
-            // On curved surfaces front and back need not be neighbours.
-            o.at = at < -0.1f || at > 2.0f ? 0.5f : clamp(at, 0.0f, 1.0f);
-            o.across = normalize(apart);
+            // On curved surfaces front and back need not be neighbors.
+            o.at = m.at < -0.1f || m.at > 2.0f ? 0.5f : clamp(m.at, 0.0f, 1.0f);
+            o.across = normalize(m.apart);
         }
     }
     return o;
@@ -66,6 +82,9 @@ struct FoundEdge {
     bool found;
     EdgePoint point;  // `at` from the pixel that was asked
     int layer;
+    int other;   // layer of the surface beyond the edge: of the neighbour, or where a surface ends of the pixel itself
+                 // (-1: unknown)
+    bool bends;  // is it one by its angle?
 };
 
 // The edge of a surface of `p` on the way to its neighbour at `offset`. Both must be in the picture.
@@ -73,6 +92,7 @@ FoundEdge edge_of(int layer, ivec2 p, ivec2 offset) {
     FoundEdge e;
     e.found = true;
     e.layer = layer;
+    e.bends = false;
     vec3 ray = pixel_ray(p);
     Surface s = layer_surface(p, layer, ray);
     Continuation c = continuation(s, p, offset);
@@ -82,12 +102,12 @@ FoundEdge edge_of(int layer, ivec2 p, ivec2 offset) {
         if (o.partner >= 0 && o.partner < layer && !continuation(layer_surface(p, o.partner, ray), p, offset).found)
             e.found = false;
         e.point = edge_point(kProfileEdge, 1.0f, o.at, o.across);
+        e.other = o.beside < 3.0f ? o.partner : -1;
         return e;
     }
-    bool bends = is_crease(p, layer, p + offset, c);
-    if (!bends && part_edges)
-        bends = !look_alike(s.leaf, leaf_of(surface_ids(p + offset, c.layer)));
-    e.found = bends;
+    e.bends = is_crease(p, layer, p + offset, c);
+    e.found = e.bends || (part_edges && !look_alike(s.leaf, leaf_of(surface_ids(p + offset, c.layer))));
+    e.other = c.layer;
     e.layer = min(layer, c.layer);
     float size = length(c.across);
     e.point = edge_point(kInnerEdge, 1.0f, c.at, size > 0.0f ? c.across / size : vec2(offset));

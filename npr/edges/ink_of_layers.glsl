@@ -1,5 +1,5 @@
 // The ink of all layers' lines in one pixel.
-float ink_of_layers[kEdgeLayers];
+float ink_of_layers[kLayersApart];
 bool lines_near = false;
 
 void find_ink(ivec2 pixel, float width, float hidden_width, float profile_strength, float inner_strength) {
@@ -9,7 +9,7 @@ void find_ink(ivec2 pixel, float width, float hidden_width, float profile_streng
 }
 
 bool line_near(int layer) {
-    return lines_near && layer < kEdgeLayers;
+    return lines_near && layer < kLayersApart;
 }
 
 float line_ink(int layer) {

@@ -15,7 +15,7 @@ uint layers_near(vec2 at, float width) {
         for (int y = tiles.y; y <= tiles.w; ++y)
             for (int x = tiles.x; x <= tiles.z; ++x)
                 marks |= texelFetch(edge_tiles, ivec2(x, y), 0).x;
-    return (marks | marks >> kEdgeLayers) & 0xffffu;
+    return (marks | marks >> kLayersApart) & ((1u << kLayersApart) - 1u);
 }
 
 void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, float width, bool hard) {
@@ -55,8 +55,8 @@ Edge edge_at(vec2 at, int layer, float width) {
 // Lines of all layers in one search: the ink of each, by the strengths of its edges. `hidden_width` is that of all
 // layers but the first, and not above `width`.
 void all_edges_at(vec2 at, float width, float hidden_width, float profile_strength, float inner_strength,
-                  out float ink[kEdgeLayers]) {
-    for (int i = 0; i < kEdgeLayers; ++i)
+                  out float ink[kLayersApart]) {
+    for (int i = 0; i < kLayersApart; ++i)
         ink[i] = 0.0;
     ivec4 links = links_near(at, width);
     for (int y = links.y; y <= links.w; ++y)
@@ -65,7 +65,7 @@ void all_edges_at(vec2 at, float width, float hidden_width, float profile_streng
             while (marks != 0u) {
                 int bit = findLSB(marks);
                 marks &= marks - 1u;
-                int axis = bit / kEdgeLayers, layer = bit % kEdgeLayers;
+                int axis = bit / kLayersApart, layer = bit % kLayersApart;
                 uint bits = texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x;
                 EdgePoint e = unpack_edge(bits);
                 vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);

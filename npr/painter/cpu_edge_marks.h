@@ -5,14 +5,16 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "layers/limits.h"
+
 namespace npr {
 
 /// For blocks of pixels, which kinds of lines may cover them: what the tiles of npr/edges/edge_point.glsl are to
 /// shaders.
 class EdgeMarks {
   public:
-    /// A bit for each of npr/edges/edge_point.glsl's layers, and one for lines beyond their ends.
-    static constexpr std::uint32_t kBeyond = 1U << 16;
+    /// A bit for each layer that is kept apart, and one for lines beyond their ends.
+    static constexpr std::uint32_t kBeyond = 1U << layers::kLayersApart;
 
     /// Forgets all marks.
     void resize(glm::ivec2 picture);

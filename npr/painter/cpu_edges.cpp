@@ -18,10 +18,11 @@ struct EdgeSearch : Frame {
         : Frame(frame),
           part_edges(settings.parts),
           visible_only(settings.visible_only),
+          facts(settings.facts),
           crease_angle(radians(settings.crease_degrees)),
           crease_cosine(cos(crease_angle)) {}
 
-    bool part_edges, visible_only;
+    bool part_edges, visible_only, facts;
     float crease_angle, crease_cosine;
 
 #include "npr/edges/same_surface.glsl"
@@ -30,6 +31,8 @@ struct EdgeSearch : Frame {
 #include "npr/edges/edge_search.glsl"
 
 #include "npr/edges/edge_rules.glsl"
+
+#include "npr/edges/line_rules.glsl"
 
     void add(uint, int layer, uint end) {
         candidates.push_back({layer, end != 0U});
@@ -54,13 +57,15 @@ struct EdgeSearch : Frame {
         search_link(0, p, p + step);
         const auto first = static_cast<std::ptrdiff_t>(edges.size());
         for (const Candidate& c : candidates) {
-            const FoundEdge e = edge_of(c.layer, c.upper ? p + step : p, c.upper ? -step : step);
+            const ivec2 from = c.upper ? p + step : p, onward = c.upper ? -step : step;
+            const FoundEdge e = edge_of(c.layer, from, onward);
             if (e.found) {
                 const float at = clamp(e.point.at, 0.0F, 1.0F);
-                keep({p, vec2(p) + (c.upper ? 1.0F - at : at) * vec2(step), e.point.across,
-                      static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(edge_layer(e.layer)),
-                      e.point.kind == kProfileEdge},
-                     edges, first);
+                keep(
+                    {p, vec2(p) + (c.upper ? 1.0F - at : at) * vec2(step), e.point.across,
+                     static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(edge_layer(e.layer)),
+                     e.point.kind == kProfileEdge, facts ? pack_facts(line_facts(c.layer, from, onward, e)) : uvec2(0)},
+                    edges, first);
             }
         }
     }

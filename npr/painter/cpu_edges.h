@@ -15,8 +15,9 @@ struct CpuEdge {
     glm::vec2 at{0};         ///< Where, counted in samples: pixel (x, y) has its sample at (x, y), whatever the jitter.
     glm::vec2 across{0};     ///< Unit vector across the edge, either way.
     std::uint8_t axis = 0;   ///< 0: the link goes to the right, 1: up.
-    std::uint8_t layer = 0;  ///< The last of npr/edges/edge_point.glsl's layers holds all deeper ones too.
+    std::uint8_t layer = 0;  ///< The last of layers::kLayersApart is that of all deeper ones, too.
     bool profile = false;
+    glm::uvec2 facts{0};  ///< As npr/edges/line_facts.glsl packs them, where they were asked for.
 };
 
 /// By the tile (layers::HostStack) of the link's lower pixel, in an order that does not depend on threads.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "layers/limits.h"
 #include "npr/painter/cpu_edges.h"
 #include "npr/painter/cpu_tiles.h"
 #include "npr/shader_frame.h"
@@ -22,11 +23,9 @@ struct LineSettings {
 /// pixel is spread here from edge to edge.
 class TileInk {
   public:
-    static constexpr int kLayers = 16;  ///< As in npr/edges/edge_point.glsl.
-
     /// `edges` must outlive the object.
     TileInk(const CpuFrame& frame, const CpuEdges& edges, const LineSettings& lines)
-        : tiles_(frame.layers), edges_(edges), lines_(lines), ink_(kLayers * kPixels) {}
+        : tiles_(frame.layers), edges_(edges), lines_(lines), ink_(layers::kLayersApart * kPixels) {}
 
     /// Draws the lines of a tile, and forgets those of the tile before. `rules`: any of the frame.
     void draw(int tile, shader::Frame& rules);

@@ -21,7 +21,7 @@ struct LinedFrame : shader::Frame {
         return !ink.near(p) && !ink.near(left) && same_surfaces(p, left);
     }
 
-    [[nodiscard]] bool line_near(int layer) const { return layer < kEdgeLayers && ink.near(at); }
+    [[nodiscard]] bool line_near(int layer) const { return layer < kLayersApart && ink.near(at); }
     [[nodiscard]] float line_ink(int layer) const { return ink.ink(layer, at); }
 };
 

@@ -39,7 +39,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::hidden_strength>(Parameter::number("hidden", "Strength of hidden edges", 0.45F, 0, 1)),
         setting<&Settings::hidden_falloff>(Parameter::number("falloff", "Fading from layer to layer", 0.75F, 0, 1)),
         setting<&Settings::tone>(Parameter::number("tone", "Tone of a layer", 0.07F, 0, 0.25F)),
-        setting<&Settings::most_layers>(Parameter::integer("layers", "Layers (0: all)", 0, 0, 64)),
+        setting<&Settings::most_layers>(first_layers()),
         setting<&Settings::grid>(Parameter::toggle("grid", "Grid on the paper", false)),
         setting<&Settings::grid_spacing>(Parameter::integer("grid-spacing", "Spacing of the grid", 16, 4, 128)),
         setting<&Settings::hidden_width>(),

@@ -19,7 +19,7 @@ vec4 blueprint(ivec2 pixel) {
     }
     float bare = 1.0f;  // of the paper, not yet covered by lines
     float strength = 1.0f;
-    for (int i = 0; i < min(layers, kEdgeLayers) && line_near(i); ++i) {
+    for (int i = 0; i < min(layers, kLayersApart) && line_near(i); ++i) {
         bare *= 1.0f - strength * line_ink(i);
         strength = i == 0 ? hidden_strength : strength * hidden_falloff;
     }

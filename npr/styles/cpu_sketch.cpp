@@ -21,7 +21,7 @@ struct SketchPixels : shader::Frame, SketchSettings {
     const CpuSketchNoise& noise;
 
     [[nodiscard]] uint layers_near(vec2 at, float /*thick*/) const {
-        return beyond.marks().near(at) & ((1U << kEdgeLayers) - 1);
+        return beyond.marks().near(at) & ((1U << kLayersApart) - 1);
     }
 
     Edge edge_at(vec2 at, int layer, float thick) {

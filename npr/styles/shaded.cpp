@@ -5,7 +5,7 @@ namespace npr {
 namespace {
 
 int layers(bool translucent) {
-    return translucent ? 0 : 1;
+    return translucent ? layers::kAllLayers : 1;
 }
 
 using namespace glm;  // As shader files do.

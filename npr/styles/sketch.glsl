@@ -56,7 +56,7 @@ float visible_lines(vec2 at, uint lines, float thick) {
 float hidden_lines(vec2 at, float thick) {
     float ink = 0.0f;
     uint lines = layers_near(at, thick);
-    for (int i = 1; i < min(layer_count, kEdgeLayers) && lines >> i != 0u; ++i)
+    for (int i = 1; i < min(layer_count, kLayersApart) && lines >> i != 0u; ++i)
         if ((lines >> i & 1u) != 0u) {
             Edge edge = edge_at(at, i, thick);
             ink = max(ink, max(edge.profile, 0.8f * edge.inner));

@@ -30,7 +30,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::falloff>(Parameter::number("falloff", "Fading of edges from layer to layer", 0.93F, 0, 1)),
         setting<&Settings::cue>(Parameter::number("cue", "Fading of what is far", 0.45F, 0, 1)),
         setting<&Settings::colors>(Parameter::choice("colors", "Colors of", 0, {"model", "layers", "none"})),
-        setting<&Settings::most_layers>(Parameter::integer("layers", "Layers (0: all)", 0, 0, 64)),
+        setting<&Settings::most_layers>(first_layers()),
     };
     return all;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "layers/limits.h"
 #include "ui/command_line/option_declarations.h"
 #include "ui/command_line/option_values.h"
 #include "ui/pipeline/suggestion.h"
@@ -17,7 +18,6 @@ namespace ui {
 namespace {
 
 constexpr int kLargestSide = 16384;
-constexpr int kMostLayers = 65535;
 
 std::vector<std::pair<std::string, const goldfeather::EngineInfo*>> engine_names() {
     std::vector<std::pair<std::string, const goldfeather::EngineInfo*>> names{{"auto", nullptr}};
@@ -217,7 +217,7 @@ void interpret(Options& o, const RawOptions& raw) {
     }
     if (!raw.layers.empty()) {
         o.picture.layers =
-            raw.layers == "all" ? npr::kAllLayersWanted : read_integer("--layers", raw.layers, 1, kMostLayers);
+            raw.layers == "all" ? npr::kAllLayersWanted : read_integer("--layers", raw.layers, 1, layers::kMostLayers);
     }
     if (!raw.parts.empty()) {
         o.parts = read_parts(raw.parts);

@@ -1,0 +1,139 @@
+// What a line is and what hides it, for an edge that npr/edges/edge_rules.glsl found. Valid in shaders and, within a
+// struct with the same names, in C++.
+
+// How often the ray of a pixel goes into an opaque part before a layer: the surfaces of a part by turns enter and leave
+// it, so these are the stretches within parts that lie before, or begin before. One that holds the eye does not hide.
+int solids_before(ivec2 p, int layer) {
+    int solids = 0;
+    for (int i = 0; i < layer; ++i) {
+        uvec2 ids = surface_ids(p, i);
+        if (ids.x == kNoSurface)
+            break;
+        if (!is_leaving(ids) && opaque(ids))
+            ++solids;
+    }
+    return solids;
+}
+
+uint kind_between(Surface s, Surface t, bool bends) {
+    if (s.part != t.part)
+        return kPartBorder;
+    if (!bends)
+        return kColorBorder;
+    return s.leaf == t.leaf ? kCrease : kIntersection;
+}
+
+struct Anchor {
+    bool found;
+    float along;
+};
+
+// Where the ray through `at` (counted in samples, as lines are) passes the line in which two planes meet: exactly, and
+// so whatever the surfaces' depth, the jitter, and the small distance of `at` from the line.
+Anchor anchor_on(uint plane, uint other, vec2 at) {
+    Anchor a;
+    a.found = false;
+    a.along = 0.0f;
+    vec4 m = plane_rows[min(plane, other)];
+    vec4 n = plane_rows[max(plane, other)];
+    vec3 both = cross(vec3(m), vec3(n));
+    float square = dot(both, both);
+    if (square < 1e-10f)
+        return a;
+    vec3 foot = (m.w * cross(vec3(n), both) + n.w * cross(both, vec3(m))) / square;  // nearest to the planes' origin
+    vec3 along = both / sqrt(square);
+    // The same way along parallel lines, whichever planes they are of.
+    float lead = abs(along.x) > 1e-5f ? along.x : abs(along.y) > 1e-5f ? along.y : along.z;
+    if (lead < 0.0f)
+        along = -along;
+    bool parallel = view.depth_range.z > 0.5f;
+    vec2 position = (at + 0.5f + jitter - 0.5f * vec2(view.picture)) * (2.0f * view.picture.z / view.picture.y);
+    mat3 to_eye = mat3(view.eye_from_world);
+    vec3 eye = (vec3(parallel ? position : vec2(0.0f), 0.0f) - centre_in_eye) * to_eye;
+    vec3 ray = normalize(vec3(parallel ? vec2(0.0f) : position, -1.0f) * to_eye);
+    float slant = dot(ray, along);
+    float aside = 1.0f - slant * slant;
+    if (aside < 1e-6f)  // seen as a point
+        return a;
+    vec3 way = eye - foot;
+    a.found = true;
+    a.along = (dot(along, way) - slant * dot(ray, way)) / aside + dot(along, vec3(view.local_centre));
+    return a;
+}
+
+// A plane found at a line, and how far from it in pixels.
+struct Wall {
+    uint plane;
+    float beside;
+};
+
+// The nearer of `wall` and the planes in which the surface's part ends on the other side, where they meet its own plane.
+Wall nearer_wall(Wall wall, Surface s, ivec2 p, ivec2 offset) {
+    vec3 ray = pixel_ray(p);
+    for (int i = 0; i < layer_count; ++i) {
+        Surface t = layer_surface(p, i, ray);
+        if (!t.hit)
+            break;
+        if (t.part != s.part || t.leaving == s.leaving)
+            continue;
+        float beside = meeting(s, t, offset).beside;
+        if (beside < wall.beside) {
+            wall.beside = beside;
+            wall.plane = t.plane;
+        }
+    }
+    return wall;
+}
+
+// The surface of another part that one of `p` touches where it ends, on the way to `q`.
+Surface touched(Surface s, ivec2 p, ivec2 q) {
+    vec3 ray = pixel_ray(q);
+    vec2 gradient = depth_gradient(s.plane);
+    for (int i = 0; i < layer_count; ++i) {
+        Surface t = layer_surface(q, i, ray);
+        if (!t.hit)
+            break;
+        if (t.part == s.part || t.leaving != s.leaving)
+            continue;
+        vec2 other = depth_gradient(t.plane);
+        if (meet(nearer(s, gradient, t, other, q - p), s, gradient, other, dot(s.normal, t.normal)))
+            return t;
+    }
+    return no_surface();
+}
+
+// As edge_of was asked for `e`, which it found.
+LineFacts line_facts(int layer, ivec2 p, ivec2 offset, FoundEdge e) {
+    LineFacts f = no_facts();
+    ivec2 q = p + offset;
+    bool ends = e.point.kind == kProfileEdge;
+    Surface s = layer_surface(p, layer, pixel_ray(p));
+    f.surfaces = e.layer;
+    f.solids = ends || layer <= e.other ? solids_before(p, layer) : solids_before(q, e.other);
+    Wall wall;
+    wall.plane = s.plane;
+    wall.beside = 0.75f;
+    if (ends) {
+        Surface t = touched(s, p, q);
+        f.kind = t.hit ? kPartBorder : kSilhouette;
+        if (t.hit)
+            wall.plane = t.plane;
+        else if (e.other >= 0)
+            wall.plane = plane_of(surface_ids(p, e.other));
+    } else {
+        Surface t = layer_surface(q, e.other, pixel_ray(q));
+        f.kind = kind_between(s, t, e.bends);
+        if (layer == e.other)
+            f.solids = min(f.solids, solids_before(q, layer));
+        wall.plane = t.plane;
+        // A flat border is where the two parts touch, known if that is among the layers.
+        if (t.plane == s.plane)
+            wall = nearer_wall(nearer_wall(wall, s, p, offset), t, q, -offset);
+    }
+    if (wall.plane != s.plane) {
+        Anchor a = anchor_on(s.plane, wall.plane, vec2(p) + e.point.at * vec2(offset));
+        f.anchored = a.found;
+        f.along = a.along;
+    }
+    return f;
+}
