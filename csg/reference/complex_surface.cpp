@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_map>
 
+#include "csg/reference/flat_areas.h"
 #include "csg/reference/manifold.h"
 
 namespace csg::reference {
@@ -12,17 +14,20 @@ class SurfaceMaker {
   public:
     SurfaceMaker(const CellComplex& complex, const RegionValues& values) : complex_(complex), values_(values) {}
 
-    Mesh make(std::size_t points, const std::function<glm::dvec3(std::uint32_t)>& place) {
+    Mesh make(std::size_t points, const std::function<glm::dvec3(std::uint32_t)>& place,
+              const std::function<glm::dvec3(std::uint32_t)>& normal, const std::stop_token& stop) {
         Mesh mesh;
         std::vector<std::uint32_t> cell_of;
+        Kinds kinds;
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
             if (!is_surface(complex_.cells[c]))
                 continue;
+            const std::uint32_t kind = kinds.of(complex_.cells[c].plane, turned(complex_.cells[c]), values_.owners[c]);
             for (glm::uvec3 t : complex_.cells[c].triangles) {
                 if (turned(complex_.cells[c]))
                     std::swap(t.y, t.z);
                 mesh.triangles.push_back(t);
-                mesh.sources.push_back(values_.owners[c]);
+                mesh.sources.push_back(kind);
                 cell_of.push_back(c);
             }
         }
@@ -36,10 +41,36 @@ class SurfaceMaker {
             }
         }
         separate_sheets(mesh, turns(mesh, cell_of));
+        std::vector<glm::dvec3> normals;
+        for (const Kinds::Kind& kind : kinds.all)
+            normals.push_back(normal(kind.plane) * (kind.turned ? -1.0 : 1.0));
+        merge_flat_areas(mesh, normals, stop);
+        for (std::uint32_t& source : mesh.sources)
+            source = kinds.all[source].owner;
         return mesh;
     }
 
   private:
+    /// Of triangles that are one area where they are neighbors.
+    struct Kinds {
+        struct Kind {
+            std::uint32_t plane;
+            bool turned;
+            LeafId owner;
+        };
+        std::uint32_t of(std::uint32_t plane, bool turned, LeafId owner) {
+            if (all.empty() || all.back().plane != plane)
+                of_plane.clear();  // Cells come plane by plane.
+            const std::uint64_t key = std::uint64_t{owner} << 1 | (turned ? 1U : 0U);
+            const auto [found, added] = of_plane.try_emplace(key, static_cast<std::uint32_t>(all.size()));
+            if (added)
+                all.push_back({plane, turned, owner});
+            return found->second;
+        }
+        std::vector<Kind> all;
+        std::unordered_map<std::uint64_t, std::uint32_t> of_plane;
+    };
+
     [[nodiscard]] bool is_surface(const ComplexCell& cell) const {
         return values_.solid[cell.above] != values_.solid[cell.below];
     }
@@ -88,8 +119,9 @@ class SurfaceMaker {
 }  // namespace
 
 Mesh surface(const CellComplex& complex, const RegionValues& values, std::size_t points,
-             const std::function<glm::dvec3(std::uint32_t)>& place) {
-    return SurfaceMaker(complex, values).make(points, place);
+             const std::function<glm::dvec3(std::uint32_t)>& place,
+             const std::function<glm::dvec3(std::uint32_t)>& normal, const std::stop_token& stop) {
+    return SurfaceMaker(complex, values).make(points, place, normal, stop);
 }
 
 }  // namespace csg::reference

@@ -76,8 +76,14 @@ Mesh exact_boolean(const LeafGroup& group, const GroupExpression& expression, un
     const ExactSpace space(faces, segments.points());
     const CellComplex complex = make_complex(cells_of_planes(faces, segments, rule, threads, stop), space, stop);
     const RegionValues values = evaluate_regions(complex, expression, rule, stop);
-    Mesh mesh = surface(complex, values, segments.points().size(),
-                        [&](std::uint32_t id) { return segments.points().rounded(id); });
+    Mesh mesh = surface(
+        complex, values, segments.points().size(), [&](std::uint32_t id) { return segments.points().rounded(id); },
+        [&](std::uint32_t plane) {
+            const ExactFace& face = faces.faces[faces.planes[plane].face];
+            const glm::dvec3& a = faces.corner(face, 0);
+            return glm::cross(faces.corner(face, 1) - a, faces.corner(face, 2) - a);
+        },
+        stop);
     collapse_empty_edges(mesh);
     drop_thin_pieces(mesh);
     return mesh;

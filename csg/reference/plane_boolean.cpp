@@ -40,8 +40,9 @@ Mesh plane_boolean(const LeafGroup& group, const GroupExpression& expression, un
     const PlaneSpace space(group, content);
     const CellComplex complex = make_complex(cells_of_planes(content, rule, threads, stop), space, stop);
     const RegionValues values = evaluate_regions(complex, expression, rule, stop);
-    return surface(complex, values, content.points.points().size(),
-                   [&](std::uint32_t id) { return content.points[id]; });
+    return surface(
+        complex, values, content.points.points().size(), [&](std::uint32_t id) { return content.points[id]; },
+        [&](std::uint32_t plane) { return content.planes[plane].plane.normal; }, stop);
 }
 
 }  // namespace csg::reference

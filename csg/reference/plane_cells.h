@@ -1,6 +1,9 @@
 // The cells of one plane: maximal areas that no segment crosses, with how often the faces of leaves cover them.
 #pragma once
 
+#include <span>
+#include <utility>
+
 #include "csg/reference/segments.h"
 #include "csg/reference/winding.h"
 
@@ -25,5 +28,10 @@ struct PlaneCells {
 /// Triangulates (constrained Delaunay) the plane's segments after they have been split. Cells that no leaf covers are
 /// left out. Throws Undecided.
 [[nodiscard]] PlaneCells make_cells(const Content& content, const PlaneContent& plane, const InsideRule& rule);
+
+/// Triangles (constrained Delaunay) that fill what lies to the left of `border`, edges between `points` in a plane,
+/// counter-clockwise about its normal. Throws Undecided where edges cross or touch but in their ends, or do not close.
+[[nodiscard]] std::vector<glm::uvec3> fill_area(std::span<const std::pair<std::uint32_t, std::uint32_t>> border,
+                                                std::span<const glm::dvec3> points, const glm::dvec3& normal);
 
 }  // namespace csg::reference

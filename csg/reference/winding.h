@@ -19,6 +19,8 @@ using Covers = std::vector<Cover>;  ///< Sorted by leaf.
 class InsideRule {
   public:
     explicit InsideRule(const LeafGroup& group);
+    /// Of one closed leaf, number 0.
+    InsideRule() : even_odd_{0} {}
 
     /// The count itself for a closed leaf, 0 or 1 for any other.
     [[nodiscard]] std::int32_t reduced(LeafId leaf, std::int32_t count) const {
