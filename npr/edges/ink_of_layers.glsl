@@ -4,8 +4,13 @@ bool lines_near = false;
 
 void find_ink(ivec2 pixel, float width, float hidden_width, float profile_strength, float inner_strength) {
     lines_near = layers_near(vec2(pixel), width) != 0u;
-    if (lines_near)
-        all_edges_at(vec2(pixel), width, hidden_width, profile_strength, inner_strength, ink_of_layers);
+    if (!lines_near)
+        return;
+#ifdef LINE_TYPES
+    typed_edges_at(vec2(pixel), width, ink_of_layers);
+#else
+    all_edges_at(vec2(pixel), width, hidden_width, profile_strength, inner_strength, ink_of_layers);
+#endif
 }
 
 bool line_near(int layer) {

@@ -13,6 +13,8 @@ struct LineCode {
 #include "npr/edges/edge_point.glsl"
 
 #include "npr/edges/line_facts.glsl"
+
+#include "npr/edges/line_types.glsl"
 };
 
 }  // namespace shader

@@ -13,9 +13,11 @@ struct LineFacts {
     uint kind;      // 0: no line
     int surfaces;   // all those before it
     int solids;     // that it is behind: how often the ray goes into opaque parts before it
-    bool anchored;  // is `along` known?
-    float along;    // in world units along the line in which two planes meet, from the point of it nearest to the
-                    // world's origin: the same for a point of the model in every picture
+    bool anchored;  // are the following known?
+    float along;    // of the point in which the line of two planes is seen: its world coordinate by the axis to which
+                    // the line is most parallel. So a point of the model has the same in every picture, and pieces of a
+                    // bent line go on in each other
+    float slope;    // by how much `along` changes on a unit of the line's length, 0.57 to 1
 };
 
 LineFacts no_facts() {
@@ -25,24 +27,26 @@ LineFacts no_facts() {
     f.solids = 0;
     f.anchored = false;
     f.along = 0.0f;
+    f.slope = 1.0f;
     return f;
 }
 
-// Counts in that many bits; the largest number is that of all larger ones.
-const int kMostSurfaces = 0x3fff;
-const int kMostSolids = 0x1fff;
+// Of surfaces, and of solids; that number stands for all larger ones.
+const int kMostHiding = 1023;
 
 uvec2 pack_facts(LineFacts f) {
-    uint counts = uint(min(f.surfaces, kMostSurfaces)) << 13 | uint(min(f.solids, kMostSolids));
-    return uvec2(f.kind << 28 | (f.anchored ? 1u : 0u) << 27 | counts, floatBitsToUint(f.along));
+    uint counts = uint(min(f.surfaces, kMostHiding)) << 10 | uint(min(f.solids, kMostHiding));
+    uint slope = uint(f.slope * 255.0f + 0.5f);
+    return uvec2(f.kind << 29 | (f.anchored ? 1u : 0u) << 28 | slope << 20 | counts, floatBitsToUint(f.along));
 }
 
 LineFacts unpack_facts(uvec2 words) {
     LineFacts f;
-    f.kind = words.x >> 28;
-    f.anchored = (words.x >> 27 & 1u) != 0u;
-    f.surfaces = int(words.x >> 13) & kMostSurfaces;
-    f.solids = int(words.x) & kMostSolids;
+    f.kind = words.x >> 29;
+    f.anchored = (words.x >> 28 & 1u) != 0u;
+    f.surfaces = int(words.x >> 10) & kMostHiding;
+    f.solids = int(words.x) & kMostHiding;
     f.along = uintBitsToFloat(words.y);
+    f.slope = float(words.x >> 20 & 255u) / 255.0f;
     return f;
 }

@@ -23,9 +23,17 @@ uint kind_between(Surface s, Surface t, bool bends) {
     return s.leaf == t.leaf ? kCrease : kIntersection;
 }
 
+// The axis to which a direction is most parallel; the first of those that are about equal.
+int main_axis(vec3 direction) {
+    vec3 size = abs(direction);
+    int axis = size.y > size.x + 1e-4f ? 1 : 0;
+    return size.z > size[axis] + 1e-4f ? 2 : axis;
+}
+
 struct Anchor {
     bool found;
     float along;
+    float slope;
 };
 
 // Where the ray through `at` (counted in samples, as lines are) passes the line in which two planes meet: exactly, and
@@ -34,6 +42,7 @@ Anchor anchor_on(uint plane, uint other, vec2 at) {
     Anchor a;
     a.found = false;
     a.along = 0.0f;
+    a.slope = 1.0f;
     vec4 m = plane_rows[min(plane, other)];
     vec4 n = plane_rows[max(plane, other)];
     vec3 both = cross(vec3(m), vec3(n));
@@ -42,10 +51,6 @@ Anchor anchor_on(uint plane, uint other, vec2 at) {
         return a;
     vec3 foot = (m.w * cross(vec3(n), both) + n.w * cross(both, vec3(m))) / square;  // nearest to the planes' origin
     vec3 along = both / sqrt(square);
-    // The same way along parallel lines, whichever planes they are of.
-    float lead = abs(along.x) > 1e-5f ? along.x : abs(along.y) > 1e-5f ? along.y : along.z;
-    if (lead < 0.0f)
-        along = -along;
     bool parallel = view.depth_range.z > 0.5f;
     vec2 position = (at + 0.5f + jitter - 0.5f * vec2(view.picture)) * (2.0f * view.picture.z / view.picture.y);
     mat3 to_eye = mat3(view.eye_from_world);
@@ -56,8 +61,11 @@ Anchor anchor_on(uint plane, uint other, vec2 at) {
     if (aside < 1e-6f)  // seen as a point
         return a;
     vec3 way = eye - foot;
+    vec3 nearest = foot + along * ((dot(along, way) - slant * dot(ray, way)) / aside);
+    int axis = main_axis(along);
     a.found = true;
-    a.along = (dot(along, way) - slant * dot(ray, way)) / aside + dot(along, vec3(view.local_centre));
+    a.along = nearest[axis] + view.local_centre[axis];
+    a.slope = abs(along[axis]);
     return a;
 }
 
@@ -134,6 +142,7 @@ LineFacts line_facts(int layer, ivec2 p, ivec2 offset, FoundEdge e) {
         Anchor a = anchor_on(s.plane, wall.plane, vec2(p) + e.point.at * vec2(offset));
         f.anchored = a.found;
         f.along = a.along;
+        f.slope = a.slope;
     }
     return f;
 }

@@ -75,6 +75,43 @@ void all_edges_at(vec2 at, float width, float hidden_width, float profile_streng
         }
 }
 
+#ifdef LINE_TYPES
+#include "npr/edges/line_facts.glsl"
+#include "npr/edges/line_types.glsl"
+
+layout(binding = 8) uniform usampler2DArray edge_facts;
+layout(std430, binding = 4) readonly buffer LineTypes { LineType line_types[]; };
+uniform float line_unit;  // see pattern_ink
+
+// What is known of the line on a link; there must be one.
+LineFacts facts_at(ivec2 lower, int layer, int axis) {
+    ivec3 first = ivec3(lower, 2 * edge_slice(layer, axis));
+    return unpack_facts(uvec2(texelFetch(edge_facts, first, 0).x, texelFetch(edge_facts, first + ivec3(0, 0, 1), 0).x));
+}
+
+// Lines of all layers by their types. `width`: that of the style.
+void typed_edges_at(vec2 at, float width, out float ink[kLayersApart]) {
+    for (int i = 0; i < kLayersApart; ++i)
+        ink[i] = 0.0;
+    ivec4 links = links_near(at, width);
+    for (int y = links.y; y <= links.w; ++y)
+        for (int x = links.x; x <= links.z; ++x) {
+            uint marks = texelFetch(edge_marks, ivec2(x, y), 0).x;
+            while (marks != 0u) {
+                int bit = findLSB(marks);
+                marks &= marks - 1u;
+                int axis = bit / kLayersApart, layer = bit % kLayersApart;
+                EdgePoint e = unpack_edge(texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x);
+                LineFacts facts = facts_at(ivec2(x, y), layer, axis);
+                LineType type = line_types[type_of_line(facts)];
+                vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);
+                float coverage = e.strength * piece(from_point, e.across, type.width * width);
+                ink[layer] = max(ink[layer], type.strength * pattern_ink(type, facts, line_unit) * coverage);
+            }
+        }
+}
+#endif
+
 #ifdef OVERSHOOT
 layout(binding = 5) uniform usampler2DArray overshoot_points;
 layout(binding = 6) uniform usampler2D overshoot_tiles;

@@ -18,6 +18,17 @@ void TileInk::draw(int tile, shader::Frame& rules) {
     });
 }
 
+TileInk::Pen TileInk::pen_of(const CpuEdge& edge, shader::Frame& rules) const {
+    if (!lines_.facts) {
+        return {edge.layer == 0 ? lines_.width : lines_.hidden_width,
+                edge.profile ? lines_.profile_strength : lines_.inner_strength};
+    }
+    const LineFacts facts = rules.unpack_facts(edge.facts);
+    const LineType& row = lines_.types.rows[static_cast<std::size_t>(rules.type_of_line(facts))];
+    const shader::LineCode::LineType type{row.width, row.strength, row.dash, row.gap};
+    return {type.width * lines_.width, type.strength * rules.pattern_ink(type, facts, lines_.line_unit)};
+}
+
 void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {
     // A pixel looks as far as this for links: the other way round as in links_near of npr/edges/lines.glsl.
     const int reach = static_cast<int>(0.5F * lines_.width + 0.5F);
@@ -29,8 +40,7 @@ void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {
         drawn_ |= 1U << edge.layer;
         std::fill_n(ink_.begin() + static_cast<std::ptrdiff_t>(at(edge.layer, {0, 0})), kPixels, 0.0F);
     }
-    const float width = edge.layer == 0 ? lines_.width : lines_.hidden_width;
-    const float strength = edge.profile ? lines_.profile_strength : lines_.inner_strength;
+    const auto [width, strength] = pen_of(edge, rules);
     for (int y = lo.y; y < hi.y; ++y) {
         float* row = &ink_[at(edge.layer, {0, y - box_.lo.y})];
         for (int x = lo.x; x < hi.x; ++x) {

@@ -6,25 +6,19 @@
 #include <vector>
 
 #include "layers/limits.h"
+#include "npr/edges/line_types.h"
 #include "npr/painter/cpu_edges.h"
 #include "npr/painter/cpu_tiles.h"
 #include "npr/shader_frame.h"
 
 namespace npr {
 
-struct LineSettings {
-    float width = 1;         ///< Pixels, of the first layer's lines.
-    float hidden_width = 1;  ///< Of the others'.
-    float profile_strength = 1, inner_strength = 1;
-    bool hard = false;  ///< Without smoothing.
-};
-
 /// How much ink the lines of each layer leave in the pixels of one tile: what npr/edges/lines.glsl gathers pixel by
 /// pixel is spread here from edge to edge.
 class TileInk {
   public:
-    /// `edges` must outlive the object.
-    TileInk(const CpuFrame& frame, const CpuEdges& edges, const LineSettings& lines)
+    /// `edges` must outlive the object; found with the same settings.
+    TileInk(const CpuFrame& frame, const CpuEdges& edges, const LinedSettings& lines)
         : tiles_(frame.layers), edges_(edges), lines_(lines), ink_(layers::kLayersApart * kPixels) {}
 
     /// Draws the lines of a tile, and forgets those of the tile before. `rules`: any of the frame.
@@ -39,16 +33,21 @@ class TileInk {
     }
 
   private:
+    struct Pen {
+        float width;  ///< Pixels.
+        float strength;
+    };
     static constexpr std::size_t kPixels = static_cast<std::size_t>(Tiles::kSide) * Tiles::kSide;
     static std::size_t at(int layer, glm::ivec2 in_tile) {
         return static_cast<std::size_t>(layer) * kPixels +
                static_cast<std::size_t>(in_tile.y * Tiles::kSide + in_tile.x);
     }
     void spread(const CpuEdge& edge, shader::Frame& rules);
+    [[nodiscard]] Pen pen_of(const CpuEdge& edge, shader::Frame& rules) const;
 
     Tiles tiles_;
     const CpuEdges& edges_;
-    LineSettings lines_;
+    LinedSettings lines_;
     TileBounds box_;
     std::vector<float> ink_;
     std::array<std::uint32_t, Tiles::kSide> near_{};  ///< By row, a bit for each pixel.

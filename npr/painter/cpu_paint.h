@@ -9,7 +9,7 @@ namespace npr {
 
 /// A Frame with the ink of lines: what npr/edges/lines.glsl is to shaders.
 struct LinedFrame : shader::Frame {
-    LinedFrame(const CpuFrame& frame, const CpuEdges& edges, const LineSettings& lines)
+    LinedFrame(const CpuFrame& frame, const CpuEdges& edges, const LinedSettings& lines)
         : Frame(frame), ink(frame, edges, lines) {}
 
     TileInk ink;

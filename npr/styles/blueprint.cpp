@@ -4,10 +4,7 @@
 namespace npr {
 namespace {
 
-struct Settings : EdgeSettings {
-    float width{};
-    float hidden_width{};
-    float inner_strength{};
+struct Settings : LinedSettings {
     float hidden_strength{};  ///< Of the second layer's edges.
     float hidden_falloff{};   ///< From layer to layer.
     float tone{};             ///< Of one layer.
@@ -19,9 +16,10 @@ struct Settings : EdgeSettings {
     glm::vec3 line_color{};
     glm::vec3 wash_color{};
 
-    void complete(const Picture& /*picture*/) {
+    void complete(const Picture& picture) {
         const glm::vec3 blue = glm::vec3(0x1b, 0x3f, 0x8b) / 255.0F, white = glm::vec3(0xf6, 0xf8, 0xfc) / 255.0F;
         hidden_width = 0.8F * width;
+        complete_lines(picture);
         ground_color = ground == 0 ? blue : white;
         line_color = ground == 0 ? white : blue;
         wash_color = glm::vec3(0x5b, 0x97, 0xf2) / 255.0F;
@@ -42,6 +40,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::most_layers>(first_layers()),
         setting<&Settings::grid>(Parameter::toggle("grid", "Grid on the paper", false)),
         setting<&Settings::grid_spacing>(Parameter::integer("grid-spacing", "Spacing of the grid", 16, 4, 128)),
+        setting<&Settings::dashes>(line_dashes()),
         setting<&Settings::hidden_width>(),
         setting<&Settings::ground_color>(),
         setting<&Settings::line_color>(),
@@ -54,7 +53,7 @@ using namespace glm;  // As shader files do.
 
 struct BlueprintPixels : LinedFrame, Settings {
     BlueprintPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, {s.width, s.hidden_width, 1, s.inner_strength}), Settings(s) {}
+        : LinedFrame(frame, edges, s), Settings(s) {}
 #include "npr/styles/blueprint.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {

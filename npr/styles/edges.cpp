@@ -4,15 +4,18 @@
 namespace npr {
 namespace {
 
-struct Settings : EdgeSettings {
-    float width{};
-    float inner_strength{};
+struct Settings : LinedSettings {
     glm::vec3 edge_color{};
     float shade{};           ///< 0: paper, 1: surface colors.
     float light_strength{};  ///< 0: as they are, 1: lit.
     bool smooth_lines{};
 
-    void complete(const Picture& /*picture*/) { visible_only = true; }
+    void complete(const Picture& picture) {
+        visible_only = true;
+        hidden_width = width;
+        hard = !smooth_lines;
+        complete_lines(picture);
+    }
     static const SettingsTable<Settings>& table();
 };
 
@@ -34,7 +37,7 @@ using namespace glm;  // As shader files do.
 
 struct EdgesPixels : LinedFrame, Settings {
     EdgesPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, {s.width, s.width, 1, s.inner_strength, !s.smooth_lines}), Settings(s) {}
+        : LinedFrame(frame, edges, s), Settings(s) {}
 #include "npr/styles/edges.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {

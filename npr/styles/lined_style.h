@@ -1,29 +1,50 @@
 // Styles that are an edge map and one pass over the picture.
 #pragma once
 
+#include <optional>
+
 #include "npr/edges/edge_map.h"
+#include "npr/edges/line_types.h"
 #include "npr/styles/pixel_style.h"
 
 namespace npr {
 
-/// `Settings` are EdgeSettings and the style's own.
+/// `Settings` are LinedSettings and the style's own.
 template <typename Settings>
 class LinedStyle : public Style {
   public:
     /// As StylePass takes it. Throws gl::Error.
     LinedStyle(const gl::Functions& gl, std::string_view fragment)
-        : edge_map_(gl), pass_(gl, fragment, {Settings::table().declarations()}) {}
+        : gl_(gl), fragment_(fragment), edge_map_(gl), pass_(gl, fragment, {Settings::table().declarations()}) {}
 
     void draw(const Frame& frame) override {
         const Settings settings = settings_of<Settings>(frame.picture);
         edge_map_.draw(frame, settings);
-        pass_.set(settings);
-        pass_.draw(frame);
+        StylePass& pass = settings.facts ? typed_pass(settings) : pass_;
+        pass.set(settings);
+        pass.draw(frame);
     }
 
   private:
+    /// The same for lines drawn by their types.
+    StylePass& typed_pass(const LinedSettings& settings) {
+        if (!typed_pass_) {
+            const OwnShaders own{Settings::table().declarations(), {}, {{"LINE_TYPES", "1"}}};
+            typed_pass_.emplace(gl_, fragment_, own);
+            types_ = gl::Buffer(gl_);
+        }
+        types_.upload<LineType>(settings.types.rows, GL_DYNAMIC_DRAW);
+        types_.bind(GL_SHADER_STORAGE_BUFFER, 4);
+        typed_pass_->program().set("line_unit", settings.line_unit);
+        return *typed_pass_;
+    }
+
+    const gl::Functions& gl_;
+    std::string_view fragment_;
     EdgeMap edge_map_;
     StylePass pass_;
+    std::optional<StylePass> typed_pass_;  ///< Made when first asked for, as the buffer.
+    gl::Buffer types_;
 };
 
 /// `Pixels`: a LinedFrame, made of a CpuFrame, its edges and the settings.

@@ -41,7 +41,7 @@ float visible_lines(vec2 at, uint lines, float thick) {
     while (goes_on(seen, layer_count, 0.05f) && lines >> edge_layer(seen.layer) != 0u) {
         if ((lines >> edge_layer(seen.layer) & 1u) != 0u) {
             Edge edge = edge_at(at, seen.layer, thick);
-            ink = max(ink, seen.through * max(edge.profile, 0.72f * edge.inner));
+            ink = max(ink, seen.through * max(edge.profile, inner_strength * edge.inner));
         }
         Surface s = layer_surface(p, seen.layer, ray);
         vec4 tint = vec4(0.0f);
@@ -59,7 +59,7 @@ float hidden_lines(vec2 at, float thick) {
     for (int i = 1; i < min(layer_count, kLayersApart) && lines >> i != 0u; ++i)
         if ((lines >> i & 1u) != 0u) {
             Edge edge = edge_at(at, i, thick);
-            ink = max(ink, max(edge.profile, 0.8f * edge.inner));
+            ink = max(ink, max(edge.profile, hidden_inner * edge.inner));
         }
     return ink;
 }
@@ -88,7 +88,7 @@ float stroke_ink(int j, ivec2 pixel, vec4 noise, float grain) {
     float pressure = j == 0 ? 0.85f + 0.4f * swing : smoothstep(-0.35f, 0.5f, swing + 0.15f) * 0.7f;
     ink = deposit(ink, pressure, grain);
     if (behind)
-        ink = max(ink, hidden * deposit(hidden_lines(at, 0.75f * width), 0.7f * pressure, grain));
+        ink = max(ink, hidden * deposit(hidden_lines(at, hidden_width), 0.7f * pressure, grain));
     // A pen draws as dark as it can, whatever the pressure.
     return medium == 1 && j == 0 ? ink : ink * min(pressure, 1.0f);
 }

@@ -23,6 +23,9 @@ const SettingsTable<SketchSettings>& SketchSettings::table() {
         setting<&S::ink_color>(Parameter::color("ink", "Color of strokes", {0.16F, 0.15F, 0.17F})),
         setting<&S::paper_color>(Parameter::color("paper", "Color of the paper", {0.975F, 0.957F, 0.915F})),
         setting<&S::unit>(),
+        setting<&S::hidden_width>(),
+        setting<&S::inner_strength>(),
+        setting<&S::hidden_inner>(),
         setting<&S::correlated>(),
     };
     return all;
@@ -31,6 +34,9 @@ const SettingsTable<SketchSettings>& SketchSettings::table() {
 void SketchSettings::complete(const Picture& picture) {
     unit = static_cast<float>(picture.size.y) / 512.0F;
     width = width * std::sqrt(std::max(unit, 1.0F));
+    hidden_width = 0.75F * width;
+    inner_strength = 0.72F;
+    hidden_inner = 0.8F;
     wobble = unit * wobble;
     overshoot_length = unit * overshoot_length;
     correlated = medium != 2;

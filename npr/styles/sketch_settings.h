@@ -4,16 +4,18 @@
 #include <optional>
 
 #include "base/camera.h"
-#include "npr/edges/edge_parameters.h"
+#include "npr/edges/line_types.h"
 #include "npr/settings.h"
 
 namespace npr {
 
 /// Lengths in pixels.
-struct SketchSettings : EdgeSettings {
+struct SketchSettings : LinedSettings {
     glm::uint seed{};
-    float unit{};   ///< A 512th of the picture's height: drawings of all sizes look the same, …
-    float width{};  ///< … though with finer lines the larger they are.
+    /// A 512th of the picture's height: drawings of all sizes look the same, though with finer lines the larger they
+    /// are.
+    float unit{};
+    float hidden_inner{};  ///< Strength of hidden edges where a surface bends.
     float wobble{};
     int strokes{};
     float overshoot_length{};

@@ -4,17 +4,18 @@
 namespace npr {
 namespace {
 
-struct Settings : EdgeSettings {
-    float width{};
+struct Settings : LinedSettings {
     float opacity{};  ///< Of a layer that faces the eye.
     float rim{};
-    float profile_strength{};
-    float inner_strength{};
     float falloff{};
     float cue{};
     int colors{};       ///< 0: of the model, 1: by layer, 2: none.
     int most_layers{};  ///< 0: all.
 
+    void complete(const Picture& picture) {
+        hidden_width = width;
+        complete_lines(picture);
+    }
     static const SettingsTable<Settings>& table();
 };
 
@@ -31,6 +32,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::cue>(Parameter::number("cue", "Fading of what is far", 0.45F, 0, 1)),
         setting<&Settings::colors>(Parameter::choice("colors", "Colors of", 0, {"model", "layers", "none"})),
         setting<&Settings::most_layers>(first_layers()),
+        setting<&Settings::dashes>(line_dashes()),
     };
     return all;
 }
@@ -39,7 +41,7 @@ using namespace glm;  // As shader files do.
 
 struct XrayPixels : LinedFrame, Settings {
     XrayPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, {s.width, s.width, s.profile_strength, s.inner_strength}), Settings(s) {}
+        : LinedFrame(frame, edges, s), Settings(s) {}
 #include "npr/styles/xray.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {

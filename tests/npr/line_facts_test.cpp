@@ -256,18 +256,19 @@ TEST(LineFacts, AreNothingWhereNobodyAsks) {
 
 TEST(LineFacts, WordsComeBack) {
     npr::shader::LineCode code;
-    for (const LineFacts& f : {LineFacts{1, 0, 0, false, 0}, LineFacts{5, 77, 12, true, -3.25F},
-                               LineFacts{4, code.kMostSurfaces, code.kMostSolids, true, 1e9F}}) {
+    for (const LineFacts& f : {LineFacts{1, 0, 0, false, 0, 1}, LineFacts{5, 77, 12, true, -3.25F, 0.6F},
+                               LineFacts{4, code.kMostHiding, code.kMostHiding, true, 1e9F, 1}}) {
         const LineFacts back = code.unpack_facts(code.pack_facts(f));
         EXPECT_EQ(back.kind, f.kind);
         EXPECT_EQ(back.surfaces, f.surfaces);
         EXPECT_EQ(back.solids, f.solids);
         EXPECT_EQ(back.anchored, f.anchored);
         EXPECT_EQ(back.along, f.along);
+        EXPECT_NEAR(back.slope, f.slope, 0.002);
     }
-    const LineFacts most = code.unpack_facts(code.pack_facts({1, 1 << 20, 1 << 20, false, 0}));
-    EXPECT_EQ(most.surfaces, code.kMostSurfaces);
-    EXPECT_EQ(most.solids, code.kMostSolids);
+    const LineFacts most = code.unpack_facts(code.pack_facts({1, 1 << 20, 1 << 20, false, 0, 1}));
+    EXPECT_EQ(most.surfaces, code.kMostHiding);
+    EXPECT_EQ(most.solids, code.kMostHiding);
     EXPECT_EQ(most.kind, 1U);
 }
 
@@ -292,7 +293,7 @@ double error_along(const Sight& sight, const std::vector<HostEdge>& lines, const
                    const glm::dvec3& size, int& points) {
     double worst = 0;
     for (const HostEdge& e : lines) {
-        double nearest = 1e9, next = 1e9, expected = 0, unit = 0;
+        double nearest = 1e9, next = 1e9, expected = 0, slope = 1, unit = 0;
         for (const auto& [a, b] : box_edges(size)) {
             const glm::dvec3 from(placed * glm::dvec4(a, 1)), to(placed * glm::dvec4(b, 1));
             const auto away = [&](double t) {
@@ -308,11 +309,12 @@ double error_along(const Sight& sight, const std::vector<HostEdge>& lines, const
             }
             const double here = away(low);
             if (here < nearest) {
-                const glm::dvec3 p = glm::mix(from, to, low), way = glm::normalize(to - from);
-                const double lead = std::abs(way.x) > 1e-5 ? way.x : std::abs(way.y) > 1e-5 ? way.y : way.z;
+                const glm::dvec3 p = glm::mix(from, to, low), way = glm::normalize(to - from), size_of = glm::abs(way);
+                const int axis = size_of.x > std::max(size_of.y, size_of.z) ? 0 : size_of.y > size_of.z ? 1 : 2;
                 next = nearest;
                 nearest = here;
-                expected = glm::dot(p, lead < 0 ? -way : way);
+                expected = p[axis];
+                slope = size_of[axis];
                 unit = glm::distance(sight.project(p + 0.01 * way), sight.project(p)) / 0.01;
             } else {
                 next = std::min(next, here);
@@ -322,7 +324,8 @@ double error_along(const Sight& sight, const std::vector<HostEdge>& lines, const
             continue;
         ++points;
         EXPECT_TRUE(e.facts.anchored) << e.at.x << ", " << e.at.y;
-        worst = std::max(worst, unit * std::abs(e.facts.along - expected));
+        EXPECT_NEAR(e.facts.slope, slope, 0.003);
+        worst = std::max(worst, unit * std::abs(e.facts.along - expected) / slope);
     }
     return worst;
 }
@@ -357,6 +360,36 @@ TEST(LineFacts, BordersOfPartsAreAnchoredToo) {
     Sight as_one(two_blocks());
     as_one.look(flat_camera(as_one.box()), {200, 200});
     EXPECT_FALSE(as_one.at({10, 5, 10}).anchored);
+}
+
+/// Along a bent line the coordinate goes on from piece to piece, but where the main axis changes.
+TEST(LineFacts, ThePiecesOfARimGoOnInEachOther) {
+    csg::Fineness fine;
+    fine.fn = 90;
+    Sight sight(scene::at({100, -40, 7}, scene::leaf(csg::Cylinder{6, 8, 8, false, fine})));
+    sight.look(flat_camera(sight.box()), {240, 240});
+    int rim = 0;
+    for (const HostEdge& e : sight.painted()) {
+        // Seen from above at an angle, so the upper rim's front is a crease of layer 0.
+        if (e.layer != 0 || kind(e.facts) != LineKind::Crease)
+            continue;
+        ++rim;
+        double nearest = 1e9, expected = 0;
+        for (double angle = 0; angle < 360; angle += 0.1) {
+            const glm::dvec3 p(100 + 8 * std::cos(glm::radians(angle)), -40 + 8 * std::sin(glm::radians(angle)), 13);
+            const double away = glm::distance(sight.project(p), glm::dvec2(e.at));
+            if (away < nearest) {
+                nearest = away;
+                // The tangent's main axis is that to which the radius is less parallel.
+                const bool by_y = std::abs(p.x - 100) > std::abs(p.y + 40);
+                expected = std::abs(std::abs(p.x - 100) - std::abs(p.y + 40)) < 1 ? 1e9 : by_y ? p.y : p.x;
+            }
+        }
+        if (expected < 1e8) {
+            EXPECT_NEAR(e.facts.along, expected, 0.15);
+        }
+    }
+    EXPECT_GT(rim, 60);
 }
 
 class LineFactsTest : public test_support::GlTest {};

@@ -56,6 +56,8 @@ std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>
     add("edges", {{"width", "4"}, {"parts", "off"}, {"shade", "0.3"}});
     add("blueprint", {{"grid", "on"}, {"ground", "white"}, {"layers", "2"}, {"width", "0.5"}});
     add("blueprint", {{"width", "3.3"}, {"crease", "4"}, {"inner", "0.3"}});
+    add("blueprint", {{"dashes", "on"}, {"width", "2"}});
+    add("xray", {{"dashes", "on"}});
     add("xray", {{"colors", "layers"}, {"rim", "0"}, {"layers", "3"}});
     add("xray", {{"colors", "none"}, {"opacity", "0.6"}, {"cue", "1"}, {"inner", "0.2"}});
     add("sketch", {{"hidden", "0.6"}, {"strokes", "4"}, {"width", "3"}, {"wobble", "9"}, {"color", "0.2"}});

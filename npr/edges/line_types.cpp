@@ -1,0 +1,49 @@
+#include "npr/edges/line_types.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace npr {
+namespace {
+
+constexpr std::array kKinds{LineKind::ColorBorder, LineKind::Crease, LineKind::Intersection, LineKind::PartBorder,
+                            LineKind::Silhouette};
+static_assert(kKinds.size() == LineTypes::kKinds);
+
+constexpr float kDash = 6, kDashGap = 3.5F, kDot = 1.5F, kDotGap = 3.5F;  // Pixels.
+
+}  // namespace
+
+LineTypes plain_types(const LinedSettings& settings) {
+    LineTypes types;
+    for (const LineKind kind : kKinds) {
+        const float strength = kind == LineKind::Silhouette ? settings.profile_strength : settings.inner_strength;
+        types.of(kind, Visibility::Visible) = {1, strength};
+        for (const Visibility hidden : {Visibility::Hidden, Visibility::DeeplyHidden})
+            types.of(kind, hidden) = {settings.hidden_width / settings.width, strength};
+    }
+    return types;
+}
+
+void LinedSettings::complete_lines(const Picture& picture) {
+    const LineTypes plain = plain_types(*this);
+    types = plain;
+    if (dashes)
+        for (const LineKind kind : kKinds) {
+            LineType& hidden = types.of(kind, Visibility::Hidden);
+            LineType& deep = types.of(kind, Visibility::DeeplyHidden);
+            std::tie(hidden.dash, hidden.gap) = std::pair(kDash, kDashGap);
+            std::tie(deep.dash, deep.gap) = std::pair(kDot, kDotGap);
+        }
+    facts = types != plain;
+    const base::Camera& camera = picture.camera;
+    const double height = 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);
+    line_unit = std::max(static_cast<float>(height / picture.size.y), 1e-30F);
+}
+
+Parameter line_dashes() {
+    return Parameter::toggle("dashes", "Dashes behind solids", false);
+}
+
+}  // namespace npr

@@ -1,0 +1,59 @@
+// How lines are drawn by what they are, as data that all lined styles share.
+#pragma once
+
+#include <array>
+
+#include "npr/edges/edge_parameters.h"
+#include "npr/edges/line_code.h"
+#include "npr/picture.h"
+
+namespace npr {
+
+/// By the solids before a line (npr/edges/line_facts.glsl).
+enum class Visibility { Visible, Hidden, DeeplyHidden };
+
+/// See npr/edges/line_types.glsl.
+struct LineType {
+    float width = 1;
+    float strength = 1;
+    float dash = 0;
+    float gap = 0;
+    bool operator==(const LineType&) const = default;
+};
+
+/// A type for each kind of line and visibility.
+struct LineTypes {
+    static constexpr std::size_t kKinds = shader::LineCode().kLineKinds;
+    static constexpr std::size_t kVisibilities = shader::LineCode().kVisibilities;
+
+    std::array<LineType, kKinds * kVisibilities> rows;  ///< In the order of type_of_line.
+
+    [[nodiscard]] LineType& of(LineKind kind, Visibility visibility) {
+        return rows[kVisibilities * (static_cast<std::size_t>(kind) - 1) + static_cast<std::size_t>(visibility)];
+    }
+    bool operator==(const LineTypes&) const = default;
+};
+
+/// What a style with lines knows of them. Lines of two widths, by whether a surface is before them, and of two
+/// strengths, by whether the surface ends there, are drawn from the edge map alone. Where the table of types tells more
+/// than that, the lines' facts are asked for, and each line is drawn as its type says.
+struct LinedSettings : EdgeSettings {
+    float width{};  ///< Pixels; that of the widest lines.
+    float hidden_width{};
+    float profile_strength = 1, inner_strength = 1;
+    bool hard = false;    ///< Without smoothing. Not with types.
+    bool dashes = false;  ///< Whether lines behind solids are dashed, and dotted behind more than one.
+    LineTypes types;
+    float line_unit = 1;  ///< Of the world: as large as a pixel at what the camera looks at.
+
+    /// To be called when the fields above the types are set.
+    void complete_lines(const Picture& picture);
+};
+
+/// Types that tell no more than two widths and two strengths.
+[[nodiscard]] LineTypes plain_types(const LinedSettings& settings);
+
+/// "dashes": see LinedSettings.
+[[nodiscard]] Parameter line_dashes();
+
+}  // namespace npr
