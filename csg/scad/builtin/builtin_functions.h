@@ -1,6 +1,7 @@
 // The built-in functions of the language.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <span>
@@ -31,6 +32,7 @@ struct FunctionHost {
     std::vector<std::string> font_files;         ///< Of `use <font.ttf>`.
     std::vector<std::string_view> module_names;  ///< Of the user modules that run, the outermost first.
     SeededRandom random;                         ///< For rands(): the same in every run until it is given a seed.
+    std::uint64_t effects = 0;                   ///< Grows with all that would be otherwise were it done twice.
     std::size_t max_elements = 0;                ///< Of a list that a function makes.
 };
 

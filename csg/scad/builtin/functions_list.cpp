@@ -260,8 +260,9 @@ Value search(std::string_view name, std::span<const Value> a, FunctionHost& host
     return result;
 }
 
+/// Of the OpenSCAD whose language this is: its suite of that month holds (docs/COMPATIBILITY.md).
 Value version(std::string_view, std::span<const Value>, FunctionHost&) {
-    return std::vector<Value>{2021, 1, 0};
+    return std::vector<Value>{2026, 7, 1};
 }
 
 Value version_num(std::string_view name, std::span<const Value> a, FunctionHost& host) {
@@ -281,6 +282,7 @@ Value parent_module(std::string_view name, std::span<const Value> a, FunctionHos
         (a.size() == 1 && !check_type(name, a, 0, ValueType::Number, host))) {
         return {};
     }
+    ++host.effects;
     const double n = a.empty() ? 1 : std::trunc(a[0].number());
     if (n < 0) {
         host.warn(fmt::format("Negative parent module index ({:.0f}) not allowed", n));

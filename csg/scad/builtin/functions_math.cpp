@@ -216,6 +216,7 @@ Value rands(std::string_view name, std::span<const Value> a, FunctionHost& host)
         host.warn(fmt::format("rands() cannot create more than {} results", host.max_elements));
         return {};
     }
+    ++host.effects;
     if (a.size() == 4) {
         host.random.seed(seed_of(a[3].number()));  // Calls without a seed go on from here.
     }

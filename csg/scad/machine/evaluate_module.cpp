@@ -270,33 +270,4 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
     out.push_back(builder_.combine(Operation::Group, nodes, location(i.where), modifiers(i)));
 }
 
-/// The frame of a used file, whose `$` variables hold until the caller unwinds them.
-const Frame* Evaluator::enter_unit(UnitId id) {
-    const Frame* const frame = unit_frame(id);
-    for (const auto& [index, value] : units_[id].dynamics) {
-        bind_dynamic(index, value);
-    }
-    return frame;
-}
-
-const Frame* Evaluator::unit_frame(UnitId id) {
-    UnitFrame& unit = units_[id];
-    if (!unit.ready) {
-        unit.ready = true;  // Before its assignments: units may use each other in circles.
-        resolver_.need_unit(id);
-        const BlockId block = p_.units[id].block;
-        unit.slots.assign(r_.frame_slots[block], Value::unset());
-        unit.frame = {nullptr, unit.slots.data(), nullptr};
-        const DynamicMark mark(*this);
-        run_assignments(p_.blocks[block], unit.frame);
-        for (const Argument& a : p_.assignments_of(p_.blocks[block])) {
-            if (dynamic_name(a.name)) {
-                const std::uint32_t index = r_.assignment_slots[static_cast<std::size_t>(&a - p_.assignments.data())];
-                unit.dynamics.emplace_back(index, dynamic_[index]);
-            }
-        }
-    }
-    return &unit.frame;
-}
-
 }  // namespace csg::scad

@@ -147,6 +147,7 @@ void Evaluator::warn(const SourceRange& where, std::string text) {
 }
 
 void Evaluator::emit(Severity severity, const SourceRange& where, std::string text) {
+    ++host_.effects;
     report(sink_, {severity, where, std::move(text)});
 }
 
@@ -274,8 +275,8 @@ std::vector<Statement> Evaluator::noted_statements() const {
 
 Tree Evaluator::run(ViewSettings& view) {
     const BlockId block = p_.units[0].block;
-    UnitFrame& main = units_[0];
-    main.ready = true;  // Used files may use the main file.
+    UnitFrame& main = units_[0].frames.emplace_back();
+    units_[0].running = &main;  // Used files may use the main file.
     main.slots.assign(r_.frame_slots[block], Value::unset());
     main.frame = {nullptr, main.slots.data(), nullptr};
     Nodes nodes;

@@ -194,7 +194,7 @@ class Evaluator {
 
     // machine_values.cpp
 
-    Value variable(const VariableRef& ref, const Frame* frame, const Activation* a) const;
+    Value variable(const VariableRef& ref, const Frame* frame, const Activation* a);
     Value variable_or_warn(const Instruction& i, const Activation& a);
     Value unknown_variable(ExprId id);
     const Value& text_constant(Symbol text);
@@ -259,8 +259,20 @@ class Evaluator {
                      Dynamics& dynamics, std::vector<std::pair<Symbol, Value>>& others);
     void bind_defaults(std::span<const Argument> parameters, const Frame* defining, Value* slots);
     void run_assignments(const Block& block, const Frame& frame);
-    const Frame* unit_frame(UnitId unit);
+
+    // evaluate_unit.cpp
+
+    struct UnitFrame;
+    /// The frame that functions and modules of a used file run in when they are called now.
     const Frame* enter_unit(UnitId unit);
+    UnitFrame& evaluate_unit(UnitId unit);
+    /// To be told of each reading of a `$` variable by an expression.
+    void note_read(std::uint32_t index) {
+        if (!readings_.empty()) {
+            note_read_of(index);
+        }
+    }
+    void note_read_of(std::uint32_t index);
 
     void unwind(std::size_t mark);
     /// Fails where the stack is nearly used up. `reserve` is what must be left: calls ask for more than expressions, so
@@ -300,13 +312,23 @@ class Evaluator {
     };
     std::vector<Late> late_;      ///< Captures that wait for their variable.
     std::vector<Value> knotted_;  ///< Closures that may hold each other: untied at the end.
+    /// What the assignments of a file gave once.
     struct UnitFrame {
         Frame frame;
         std::vector<Value> slots;
-        std::vector<std::pair<std::uint32_t, Value>> dynamics;  ///< The `$` variables that the file sets.
-        bool ready = false;
+        Dynamics reads;  ///< The `$` variables of others that it depends on, as they were.
     };
-    std::vector<UnitFrame> units_;
+    struct Unit {
+        std::deque<UnitFrame> frames;  ///< All: closures may refer to them.
+        std::vector<UnitFrame*> kept;  ///< Those that may serve again, the last used first.
+        UnitFrame* running = nullptr;
+    };
+    std::vector<Unit> units_;
+    struct Reading {
+        Dynamics* reads;
+        std::size_t mark;  ///< Where its own bindings begin in `undo_`.
+    };
+    std::vector<Reading> readings_;  ///< By evaluations of files that are under way.
     TreeBuilder builder_;
     std::vector<std::uint32_t> tree_files_;  ///< By file of the SourceSet.
     std::vector<std::uint32_t> source_of_;   ///< The other way round.

@@ -69,6 +69,7 @@ Value Evaluator::run(Activation& a, std::uint32_t entry) {
                 if (value.is_unset()) {
                     r[i.target] = variable_or_warn(i, a);
                 } else {
+                    note_read(i.b);
                     r[i.target] = value;
                 }
                 break;

@@ -109,7 +109,7 @@ Value Evaluator::call_function(const Instruction& i, Activation& caller) {
     return run(callee, code.entries[i.c]);
 }
 
-/// The frame that a function runs in; of a used file with its `$` variables, which hold until the function returns.
+/// The frame that a function runs in.
 const Frame* Evaluator::frame_of(const DefinitionRef& definition, const Frame* caller) {
     return definition.hops == kUsedUnit ? enter_unit(definition.unit) : outward(caller, definition.hops);
 }

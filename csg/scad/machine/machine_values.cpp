@@ -12,7 +12,7 @@
 namespace csg::scad {
 
 /// `a`: null where there are no locals.
-Value Evaluator::variable(const VariableRef& ref, const Frame* frame, const Activation* a) const {
+Value Evaluator::variable(const VariableRef& ref, const Frame* frame, const Activation* a) {
     switch (ref.place) {
         case Place::Children:
             return frame == nullptr || frame->module == nullptr
@@ -27,6 +27,7 @@ Value Evaluator::variable(const VariableRef& ref, const Frame* frame, const Acti
             return value.is_unset() ? a->function : value;
         }
         case Place::Dynamic:
+            note_read(ref.slot);
             return dynamic_[ref.slot];
         case Place::Block: {
             const Value& value = outward(frame, ref.hops)->slots[ref.slot];

@@ -1,5 +1,6 @@
 // == of values.
 #include <algorithm>
+#include <bit>
 
 #include "csg/scad/value/object.h"
 #include "csg/scad/value/value.h"
@@ -113,7 +114,43 @@ class Comparison {
     std::vector<std::pair<Values, Values>> pending_;
 };
 
+/// Counts down `budget` by what it looks at.
+bool identical_within(const Value& a, const Value& b, std::size_t& budget) {
+    if (a.type() != b.type() || budget == 0) {
+        return false;
+    }
+    --budget;
+    switch (a.type()) {
+        case ValueType::Bool:
+            return a.boolean() == b.boolean();
+        case ValueType::Number:
+            return std::bit_cast<std::uint64_t>(a.number()) == std::bit_cast<std::uint64_t>(b.number());
+        case ValueType::String:
+            return &a.string() == &b.string() || a.string() == b.string();
+        case ValueType::Vector: {
+            const Values x = a.elements(), y = b.elements();
+            return x.size() == y.size() &&
+                   (x.data() == y.data() ||
+                    std::equal(x.begin(), x.end(), y.begin(),
+                               [&](const Value& v, const Value& w) { return identical_within(v, w, budget); }));
+        }
+        case ValueType::Range:
+            return &a.range() == &b.range();
+        case ValueType::Function:
+            return &a.function() == &b.function();
+        case ValueType::Object:
+            return &a.entries() == &b.entries();
+        default:
+            return true;
+    }
+}
+
 }  // namespace
+
+bool identical(const Value& a, const Value& b) {
+    std::size_t budget = 64;
+    return identical_within(a, b, budget);
+}
 
 bool equal(const Value& a, const Value& b) {
     return is_compound(a) && is_compound(b) ? Comparison().run(a, b) : equal_simple(a, b);
