@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "csg/solid/bent_face.h"
 #include "csg/solid/ear_cutting.h"
 #include "csg/solid/indexed_outline.h"
 #include "csg/solid/sweep_triangulation.h"
@@ -81,6 +82,8 @@ void triangulate(std::span<const glm::dvec3> points, std::span<const std::uint32
         triangles.emplace_back(face[0], face[1], face[2]);
         return;
     }
+    if (is_bent(points, face) && triangulate_bent(points, face, triangles))
+        return;
     const std::vector<glm::dvec2> loop = project(points, face, newell_normal(points, face));
     if (is_convex(loop)) {
         triangulate_convex(face, triangles);
