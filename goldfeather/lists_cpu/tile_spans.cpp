@@ -17,7 +17,7 @@ constexpr std::int64_t kHalf = kSubpixels / 2;
 /// ⌊rest / kSubpixels⌋ / dy, whose numerator has less than 46 bits and whose denominator has less than 30: the quotient
 /// of doubles is at least 1/dy away from the next integer, so that its floor is exact.
 struct Edge {
-    double numerator, step, denominator;  ///< Of the row; from row to row; the denominator is 0 for a level edge.
+    double numerator, step, denominator;  ///< Of the first row; from row to row; the denominator is 0 for a level edge.
     bool up;
 
     Edge(const glm::i64vec2& p, const glm::i64vec2& q, std::int64_t x0, std::int64_t row) {
@@ -28,11 +28,49 @@ struct Edge {
         step = static_cast<double>(up ? dx : -dx);
         denominator = static_cast<double>(up ? dy : -dy);
     }
-    /// The last pixel whose sample is left of it or on it, at least -1 and at most `most`.
-    [[nodiscard]] int pixel(int most) const {
-        const double at = std::clamp(numerator / denominator, -1.0, static_cast<double>(most));
-        return static_cast<int>(at + 1.0) - 1;
+    /// Where it passes the samples of the i-th row, in pixels from the tile's corner: the floor is the last pixel whose
+    /// sample is left of it or on it.
+    [[nodiscard]] double at(int i) const { return (numerator + i * step) / denominator; }
+};
+
+/// Between which places the samples of each row are inside. Floors are taken last: they keep the order of numbers, and
+/// without them the loops below become vector instructions.
+class RowLimits {
+  public:
+    RowLimits(int rows, int width) : rows_(rows), width_(width) {
+        std::fill_n(left_.begin(), rows, -1.0);
+        std::fill_n(right_.begin(), rows, width - 1.0);
     }
+    /// False where nothing is left of any row.
+    [[nodiscard]] bool cut(const Edge& edge) {
+        if (rows_ > kFew) {
+            // Where it passes all rows beside the tile, nothing or all is cut off.
+            const auto [least, most] = std::minmax({edge.at(0), edge.at(rows_ - 1)});
+            if (most < 0 || least >= width_ - 1) {
+                return edge.up ? most >= 0 : most < 0;
+            }
+        }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(rows_); ++i) {
+            const double at = edge.at(static_cast<int>(i));
+            if (edge.up) {
+                right_[i] = at < right_[i] ? at : right_[i];
+            } else {
+                left_[i] = at > left_[i] ? at : left_[i];
+            }
+        }
+        return true;
+    }
+    [[nodiscard]] int first(int i) const {
+        return static_cast<int>(std::min(left_[static_cast<std::size_t>(i)], static_cast<double>(width_)) + 1.0);
+    }
+    [[nodiscard]] int last(int i) const {
+        return static_cast<int>(std::max(right_[static_cast<std::size_t>(i)], -1.0) + 1.0) - 1;
+    }
+
+  private:
+    static constexpr int kFew = 3;
+    int rows_, width_;
+    std::array<double, TileSpans::kSide> left_, right_;
 };
 
 }  // namespace
@@ -57,34 +95,33 @@ bool TileSpans::add(std::uint32_t triangle) {
         const std::size_t j = (i + 1) % 3;
         return Edge({t.x[i], t.y[i]}, {t.x[j], t.y[j]}, box_.x0, first_row);
     };
-    std::array<Edge, 3> edges{edge(0), edge(1), edge(2)};
+    const std::array<Edge, 3> edges{edge(0), edge(1), edge(2)};
     for (std::size_t i = 0; i < 3; ++i) {
         // The samples on a level edge at the top are not the triangle's.
         if (edges[i].denominator == 0 && t.y[i] == high && last_row * kSubpixels + kHalf == high) {
             --last_row;
         }
     }
-    const int width = box_.x1 - box_.x0;
-    for (std::int64_t y = first_row; y <= last_row; ++y) {
-        int first = 0, last = width - 1;
-        for (Edge& e : edges) {
-            if (e.denominator != 0) {
-                const int pixel = e.pixel(width);
-                if (e.up) {
-                    last = std::min(last, pixel);
-                } else {
-                    first = std::max(first, pixel + 1);
-                }
-                e.numerator += e.step;
-            }
+    const int rows = static_cast<int>(last_row - first_row) + 1;
+    if (rows <= 0) {
+        return true;
+    }
+    RowLimits limits(rows, box_.x1 - box_.x0);
+    for (const Edge& e : edges) {
+        if (e.denominator != 0 && !limits.cut(e)) {
+            return true;
         }
+    }
+    const int lowest = static_cast<int>(first_row) - box_.y0;
+    for (int i = 0; i < rows; ++i) {
+        const int first = limits.first(i), last = limits.last(i);
         if (first > last) {
             continue;
         }
         if (spans_.size() >= most_) {
             return false;
         }
-        const int row = static_cast<int>(y) - box_.y0;
+        const int row = lowest + i;
         std::uint32_t& begin = heads_[head(row, first)];
         spans_.push_back({triangle, begin, static_cast<std::uint32_t>(last)});
         begin = static_cast<std::uint32_t>(spans_.size() - 1);
