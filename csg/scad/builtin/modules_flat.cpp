@@ -67,10 +67,6 @@ std::vector<glm::dvec2> points_of(const ModuleContext& c, const Value& value) {
 
 std::vector<std::uint32_t> path_of(const ModuleContext& c, std::size_t path, const Value& value, std::size_t count) {
     std::vector<std::uint32_t> indices;
-    if (!value.is_vector()) {
-        c.warn(fmt::format("Unable to convert paths[{}] = {} to a vector of numbers", path, value.echo_text()));
-        return indices;
-    }
     const auto elements = value.elements();
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (!elements[i].is_number()) {
@@ -94,12 +90,11 @@ void run_polygon(const ModuleContext& c, Nodes& out) {
     const Value& paths = arguments["paths"];
     if (paths.is_vector()) {
         const auto given = paths.elements();
-        // A list of numbers is one path.
-        if (!given.empty() && given.front().is_number()) {
-            polygon->paths.push_back(path_of(c, 0, paths, polygon->points.size()));
-        } else {
-            for (std::size_t i = 0; i < given.size(); ++i) {
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            if (given[i].is_vector()) {
                 polygon->paths.push_back(path_of(c, i, given[i], polygon->points.size()));
+            } else {
+                c.warn(fmt::format("Unable to convert paths[{}] = {} to a vector of numbers", i, given[i].echo_text()));
             }
         }
         polygon->has_paths = !polygon->paths.empty();

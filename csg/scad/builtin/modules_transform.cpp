@@ -227,6 +227,9 @@ void run_color(const ModuleContext& c, Nodes& out) {
     }
     if (const auto alpha = arguments.number("alpha")) {
         color.a = static_cast<float>(*alpha);
+        if (*alpha < 0 || *alpha > 1) {
+            c.warn(fmt::format("color() expects alpha between 0.0 and 1.0. Value of {:.1f} is out of range", *alpha));
+        }
     }
     out.push_back(c.evaluator.builder().color(color, c.children(), c.location(), c.modifiers));
 }

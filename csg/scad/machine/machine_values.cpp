@@ -82,7 +82,7 @@ Value Evaluator::apply_unary(const Instruction& i, const Value& a) {
     return result;
 }
 
-/// `v.x`, `v.zy`, `v.rgb`, …: up to four of one set of letters; undef else, and where an element is missing.
+/// `v.x`, `v.zy`, `v.rgb`, …: up to four of one set of letters; undef else. Missing elements are undef.
 static Value swizzle(const Value& vector, std::string_view letters) {
     constexpr std::size_t kMost = 4;
     for (const std::string_view set : {"xyzw", "rgba"}) {
@@ -94,11 +94,7 @@ static Value swizzle(const Value& vector, std::string_view letters) {
         }
         std::vector<Value> result;
         for (const char letter : letters) {
-            const std::size_t index = set.find(letter);
-            if (index >= vector.elements().size()) {
-                return {};
-            }
-            result.push_back(vector.elements()[index]);
+            result.push_back(element_of(vector, static_cast<double>(set.find(letter))));
         }
         return result;
     }

@@ -142,9 +142,11 @@ double of_numbers(Operator op, double x, double y) {
 
 Value arithmetic(Operator op, const Value& a, const Value& b, std::string& problem, int depth = 0);
 
-/// A list of `count` elements, each of the operands that `left` and `right` give for it.
+/// A list of `count` elements, each of the operands that `left` and `right` give for it; undef, without a word, where
+/// they do not fit.
 template <typename Left, typename Right>
-Value each(Operator op, std::size_t count, Left&& left, Right&& right, std::string& problem, int depth) {
+Value each(Operator op, std::size_t count, Left&& left, Right&& right, int depth) {
+    std::string problem;
     const auto made = [&](auto&& f) {
         return Value::list_of(count, [&](std::size_t i) {
             const Value &x = left(i), &y = right(i);
@@ -182,12 +184,12 @@ Value arithmetic(Operator op, const Value& a, const Value& b, std::string& probl
         }
         if (op == Operator::Add || op == Operator::Subtract) {
             const std::size_t count = std::min(a.elements().size(), b.elements().size());
-            return each(op, count, element_of(a), element_of(b), problem, depth);
+            return each(op, count, element_of(a), element_of(b), depth);
         }
     } else if (scaling && a.is_vector() && b.is_number()) {
-        return each(op, a.elements().size(), element_of(a), same(b), problem, depth);
+        return each(op, a.elements().size(), element_of(a), same(b), depth);
     } else if (scaling && a.is_number() && b.is_vector()) {
-        return each(op, b.elements().size(), same(a), element_of(b), problem, depth);
+        return each(op, b.elements().size(), same(a), element_of(b), depth);
     }
     return undefined(op, a, b, problem);
 }
@@ -197,7 +199,8 @@ Value negate(const Value& a, std::string& problem, int depth) {
         return -a.number();
     }
     if (a.is_vector() && depth <= kMaxListDepth) {
-        return map(a.elements(), [&](const Value& e) { return negate(e, problem, depth + 1); });
+        std::string ignored;
+        return map(a.elements(), [&](const Value& e) { return negate(e, ignored, depth + 1); });
     }
     problem = fmt::format("undefined operation (-{})", type_name(a.type()));
     return {};
