@@ -72,7 +72,8 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& given, const RotateExtrude&
     }
     const double angle = std::clamp(how.angle, -360.0, 360.0);
     const int segments = circle_segments(hi - lo, how.fineness);
-    Sweep sweep{how.start, angle, static_cast<std::uint32_t>(std::max(1.0, std::ceil(segments * std::abs(angle) / 360))),
+    Sweep sweep{how.start, angle,
+                static_cast<std::uint32_t>(std::max(1.0, std::ceil(segments * std::abs(angle) / 360))),
                 std::abs(angle) == 360};
     if (sweep.steps > kMostTriangles / corners.size() / 2)
         throw GeometryError(

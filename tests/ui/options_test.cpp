@@ -43,6 +43,35 @@ TEST(Options, OutputsAreReadBySuffixInAnyOrder) {
     EXPECT_EQ(o.input, "m.scad");
 }
 
+/// What `openscad --help` of 2021.01 lists, but --animate, -s and -x.
+TEST(Options, OpenscadsOwnAreTaken) {
+    for (const std::vector<std::string>& option :
+         std::vector<std::vector<std::string>>{{"--export-format", "asciistl"},
+                                               {"-D", "x=1"},
+                                               {"-p", "sets.json", "-P", "one"},
+                                               {"--camera", "0,0,0,0,0,0,50"},
+                                               {"--autocenter"},
+                                               {"--viewall"},
+                                               {"--imgsize", "50,50"},
+                                               {"--render="},
+                                               {"--preview=throwntogether"},
+                                               {"--view", "axes,crosshairs,edges,scales"},
+                                               {"--projection", "o"},
+                                               {"--csglimit", "5"},
+                                               {"--colorscheme", "Nature"},
+                                               {"-d", "deps"},
+                                               {"-m", "make"},
+                                               {"-q"},
+                                               {"--hardwarnings"},
+                                               {"--check-parameters", "true"},
+                                               {"--check-parameter-ranges", "true"},
+                                               {"--debug", "all"}}) {
+        std::vector<std::string> line{"a.scad", "-o", "a.stl"};
+        line.insert(line.end(), option.begin(), option.end());
+        EXPECT_EQ(error(line), "no error") << option[0];
+    }
+}
+
 /// Command lines of paths alone are read without the table of options.
 TEST(Options, PathsAloneAreTheSame) {
     const Options o = read({"-o", "a.csg", "m.scad", "-o", "b.ECHO"});

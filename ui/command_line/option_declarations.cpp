@@ -102,6 +102,7 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
     text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
     text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
+    text("--debug", raw.debug, "Messages of OpenSCAD's own sources", "WHAT", accepted);
 }
 
 void declare_pick(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles) {

@@ -17,6 +17,7 @@ struct RawOptions {
     std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget,
         minimal_fraction, parts, at, format;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
+    std::string debug;  ///< Taken and left alone.
     std::vector<std::string> summary, features;
     bool version = false, help_export = false;
 };
