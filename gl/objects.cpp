@@ -29,6 +29,11 @@ void Buffer::upload_bytes(const void* data, std::size_t size, GLenum usage) {
         gl_->NamedBufferSubData(id_, 0, static_cast<GLsizeiptr>(size), data);
 }
 
+void Buffer::write_bytes(std::size_t offset, const void* data, std::size_t size) {
+    if (size)
+        gl_->NamedBufferSubData(id_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size), data);
+}
+
 Texture::Texture(const Functions& gl, GLenum target, GLenum format, glm::ivec2 size, int layers)
     : Name(gl, 0), format_(format), size_(size), layers_(layers) {
     gl.CreateTextures(target, 1, &id_);

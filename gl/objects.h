@@ -49,6 +49,12 @@ class Buffer : public Name {
         upload_bytes(data.data(), data.size_bytes(), usage);
     }
     void upload_bytes(const void* data, std::size_t size, GLenum usage);
+    /// Replaces bytes from `offset` on; they must be there.
+    template <typename T>
+    void write(std::size_t offset, std::span<const T> data) {
+        write_bytes(offset, data.data(), data.size_bytes());
+    }
+    void write_bytes(std::size_t offset, const void* data, std::size_t size);
     /// Allocates `size` bytes of undefined content.
     void reserve(std::size_t size, GLenum usage);
     void bind(GLenum target, GLuint index) const { gl_->BindBufferBase(target, index, id_); }

@@ -11,6 +11,7 @@
 
 #include "base/camera.h"
 #include "csg/solid/placed.h"
+#include "csg/solid/scene_change.h"
 #include "csg/tree/scene.h"
 #include "goldfeather/products.h"
 #include "goldfeather/walk_stats.h"
@@ -55,6 +56,10 @@ class PreparedScene {
     /// it. The memory of a stack that nobody holds any more is used again.
     [[nodiscard]] virtual layers::Stack draw(const base::View& view, int max_layers, WalkStats& stats,
                                              const std::stop_token& stop = {}) = 0;
+
+    /// The scene has been edited in place: makes good what was made of it, with what was. False where it must be
+    /// prepared anew, as it is here by default.
+    [[nodiscard]] virtual bool update(const csg::solid::SceneChange& /*change*/) { return false; }
 
   protected:
     PreparedScene() = default;

@@ -8,12 +8,9 @@ namespace {
 
 class SceneWithFallback : public PreparedScene {
   public:
-    SceneWithFallback(const EngineInput& input, Engine& meant, Engine& fallback) : input_(input), fallback_(fallback) {
-        try {
-            scene_ = meant.prepare(input);
-        } catch (const EngineObstacle& obstacle) {
-            obstacle_ = obstacle.what();
-        }
+    SceneWithFallback(const EngineInput& input, Engine& meant, Engine& fallback)
+        : input_(input), meant_(meant), fallback_(fallback) {
+        prepare();
     }
 
     layers::Stack draw(const base::View& view, int max_layers, WalkStats& stats, const std::stop_token& stop) override {
@@ -32,9 +29,33 @@ class SceneWithFallback : public PreparedScene {
         return other_->draw(view, max_layers, stats, stop);
     }
 
+    bool update(const csg::solid::SceneChange& change) override {
+        try {
+            if (!scene_ || !scene_->update(change)) {
+                prepare();
+            }
+        } catch (const EngineObstacle& obstacle) {
+            scene_.reset();
+            obstacle_ = obstacle.what();
+        }
+        if (other_ && !other_->update(change)) {
+            other_.reset();
+        }
+        return true;
+    }
+
   private:
+    void prepare() {
+        scene_.reset();  // Before the next is made: the two need not fit together.
+        try {
+            scene_ = meant_.prepare(input_);
+        } catch (const EngineObstacle& obstacle) {
+            obstacle_ = obstacle.what();
+        }
+    }
+
     EngineInput input_;
-    Engine& fallback_;
+    Engine &meant_, &fallback_;
     std::unique_ptr<PreparedScene> scene_, other_;  ///< Null where there is an obstacle; made when first needed.
     std::string obstacle_;                          ///< To every picture of the scene.
 };

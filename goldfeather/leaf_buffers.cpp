@@ -35,20 +35,26 @@ std::string LeafBuffers::obstacle(const gl::Functions& gl, const csg::solid::Geo
 
 LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry)
     : gl_(gl),
-      frame_(local_frame(geometry)),
-      planes_(geometry.planes.planes()),
+      geometry_(geometry),
       vertices_(gl),
       triangle_ids_(gl),
       plane_depths_(gl),
       positions_(gl),
       triangles_(gl) {
-    if (const std::string reason = obstacle(gl, geometry); !reason.empty()) {
+    upload();
+}
+
+void LeafBuffers::upload() {
+    if (const std::string reason = obstacle(gl_, geometry_); !reason.empty()) {
         throw EngineObstacle(reason);
     }
+    frame_ = local_frame(geometry_);
+    room_.resize(geometry_.leaves.size(), 0);
+    ranges_.clear();
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec2> ids;
-    for (csg::LeafId id = 0; id < geometry.leaves.size(); ++id) {
-        const csg::solid::PlacedLeaf& leaf = geometry.leaves[id];
+    for (csg::LeafId id = 0; id < geometry_.leaves.size(); ++id) {
+        const csg::solid::PlacedLeaf& leaf = geometry_.leaves[id];
         Range range{static_cast<std::uint32_t>(vertices.size()), 0};
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
             for (int corner = 0; corner < 3; ++corner)
@@ -56,6 +62,9 @@ LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& ge
             ids.emplace_back(leaf.planes[t].index, id);
         }
         range.vertex_count = static_cast<std::uint32_t>(vertices.size()) - range.first_vertex;
+        room_[id] = std::max(room_[id], range.vertex_count);
+        vertices.resize(range.first_vertex + room_[id]);
+        ids.resize(vertices.size() / 3);
         ranges_.push_back(range);
     }
     triangle_count_ = ids.size();
@@ -65,9 +74,45 @@ LeafBuffers::LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& ge
     triangles_.reserve(triangle_count_ * 2 * sizeof(glm::vec4), GL_DYNAMIC_COPY);  // as TriangleRow
 }
 
+void LeafBuffers::update(const csg::solid::SceneChange& change) {
+    const bool grown = std::any_of(change.leaves.begin(), change.leaves.end(), [&](csg::LeafId id) {
+        return 3 * geometry_.leaves[id].triangles.size() > room_[id];
+    });
+    if (change.centre || grown) {
+        upload();
+        return;
+    }
+    frame_ = local_frame(geometry_);
+    for (const csg::LeafId id : change.leaves)
+        write(id);
+    if (change.all_planes) {
+        for (csg::LeafId id = 0; id < ranges_.size(); ++id)
+            write_planes(id);
+    }
+}
+
+void LeafBuffers::write(csg::LeafId id) {
+    const csg::solid::PlacedLeaf& leaf = geometry_.leaves[id];
+    std::vector<glm::vec3> vertices;
+    for (const glm::uvec3& triangle : leaf.triangles) {
+        for (int corner = 0; corner < 3; ++corner)
+            vertices.emplace_back(leaf.points[triangle[corner]] - frame_.centre);
+    }
+    ranges_[id].vertex_count = static_cast<std::uint32_t>(vertices.size());
+    vertices_.write<glm::vec3>(ranges_[id].first_vertex * sizeof(glm::vec3), vertices);
+    write_planes(id);
+}
+
+void LeafBuffers::write_planes(csg::LeafId id) {
+    std::vector<glm::uvec2> ids;
+    for (const csg::solid::PlaneRef& plane : geometry_.leaves[id].planes)
+        ids.emplace_back(plane.index, id);
+    triangle_ids_.write<glm::uvec2>(ranges_[id].first_vertex / 3 * sizeof(glm::uvec2), ids);
+}
+
 void LeafBuffers::project(const base::View& view, const gl::Program& prepare, const std::stop_token& stop) {
     scratch_.clear();
-    for (const csg::solid::Plane& plane : planes_) {
+    for (const csg::solid::Plane& plane : geometry_.planes.planes()) {
         const base::View::PlaneDepth d = view.plane_depth(plane.normal, plane.offset);
         scratch_.emplace_back(d.a, d.b, d.c, d.edge_on ? 1.0F : 0.0F);
     }

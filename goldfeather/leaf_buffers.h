@@ -8,6 +8,7 @@
 
 #include "base/camera.h"
 #include "csg/solid/placed.h"
+#include "csg/solid/scene_change.h"
 #include "gl/program.h"
 #include "goldfeather/local_frame.h"
 
@@ -23,8 +24,12 @@ class LeafBuffers {
     /// Why a scene cannot be held: it has more triangles than a storage block has room for. Empty where it can.
     [[nodiscard]] static std::string obstacle(const gl::Functions& gl, const csg::solid::Geometry& geometry);
 
-    /// Throws EngineObstacle where there is an obstacle.
+    /// `geometry` must outlive it. Throws EngineObstacle where there is an obstacle.
     LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry);
+
+    /// Brings the buffers up to date with the geometry after a change that is none of structure: uploads the leaves
+    /// that have changed, unless one has more triangles than it ever had. Throws as above.
+    void update(const csg::solid::SceneChange& change);
 
     struct Range {
         std::uint32_t first_vertex = 0;
@@ -47,10 +52,15 @@ class LeafBuffers {
     static void describe_positions(const gl::Functions& gl, const gl::VertexArray& array);
 
   private:
+    void upload();
+    void write(csg::LeafId id);
+    void write_planes(csg::LeafId id);
+
     const gl::Functions& gl_;
+    const csg::solid::Geometry& geometry_;
     LocalFrame frame_;
-    std::vector<csg::solid::Plane> planes_;
     std::vector<Range> ranges_;
+    std::vector<std::uint32_t> room_;  ///< By LeafId: for so many vertices, the most that it has had.
     std::size_t triangle_count_ = 0;
     gl::Buffer vertices_, triangle_ids_, plane_depths_, positions_, triangles_;
     std::vector<glm::vec4> scratch_;

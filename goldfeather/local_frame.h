@@ -11,7 +11,8 @@ struct LocalFrame {
 };
 
 [[nodiscard]] inline LocalFrame local_frame(const csg::solid::Geometry& geometry) {
-    return geometry.box.empty() ? LocalFrame{} : LocalFrame{geometry.box.centre(), geometry.box.diagonal()};
+    return geometry.box.empty() ? LocalFrame{}
+                                : LocalFrame{geometry.centre.value_or(geometry.box.centre()), geometry.box.diagonal()};
 }
 
 }  // namespace goldfeather

@@ -23,6 +23,9 @@ class PartsScene {
     [[nodiscard]] layers::TextureStack draw(const DrawPart& draw_part, peel::Merge& merge, int max_layers,
                                             const std::stop_token& stop);
 
+    /// See PreparedScene.
+    [[nodiscard]] bool update(const csg::solid::SceneChange& change);
+
     [[nodiscard]] const EngineInput& input() const { return input_; }
     [[nodiscard]] LeafBuffers& leaves() { return leaves_; }
     /// With the scene's leaves.
@@ -31,6 +34,8 @@ class PartsScene {
     }
 
   private:
+    void note(csg::LeafId id);
+
     EngineInput input_;
     LeafBuffers leaves_;
     std::vector<csg::Box> boxes_;

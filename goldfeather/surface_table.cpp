@@ -20,25 +20,45 @@ layers::PartKind kind_of(const csg::Part& part) {
     return layers::PartKind::Solid;
 }
 
+glm::vec4 row_of(const csg::solid::Plane& plane, const glm::dvec3& local_centre) {
+    return {glm::vec3(plane.normal), static_cast<float>(plane.offset - glm::dot(plane.normal, local_centre))};
+}
+
+void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry) {
+    const LocalFrame frame = local_frame(geometry);
+    table.local_centre = frame.centre;
+    table.diagonal = frame.diagonal;
+    table.leaves.clear();
+    table.leaves.reserve(scene.leaves.size());
+    for (const csg::LeafInstance& leaf : scene.leaves) {
+        table.leaves.push_back({{leaf.color.r, leaf.color.g, leaf.color.b, leaf.color.a},
+                                {leaf.part, static_cast<std::uint32_t>(kind_of(scene.parts[leaf.part])), 0, 0}});
+    }
+    table.planes.clear();
+    table.planes.reserve(geometry.planes.planes().size());
+    for (const csg::solid::Plane& plane : geometry.planes.planes()) {
+        table.planes.push_back(row_of(plane, frame.centre));
+    }
+}
+
 }  // namespace
 
-std::shared_ptr<const layers::SurfaceTable> surface_table(const csg::Scene& scene,
-                                                          const csg::solid::Geometry& geometry) {
+std::shared_ptr<layers::SurfaceTable> surface_table(const csg::Scene& scene, const csg::solid::Geometry& geometry) {
     auto table = std::make_shared<layers::SurfaceTable>();
-    const LocalFrame frame = local_frame(geometry);
-    table->local_centre = frame.centre;
-    table->diagonal = frame.diagonal;
-    table->leaves.reserve(scene.leaves.size());
-    for (const csg::LeafInstance& leaf : scene.leaves) {
-        table->leaves.push_back({{leaf.color.r, leaf.color.g, leaf.color.b, leaf.color.a},
-                                 {leaf.part, static_cast<std::uint32_t>(kind_of(scene.parts[leaf.part])), 0, 0}});
-    }
-    table->planes.reserve(geometry.planes.planes().size());
-    for (const csg::solid::Plane& p : geometry.planes.planes()) {
-        table->planes.emplace_back(glm::vec3(p.normal),
-                                   static_cast<float>(p.offset - glm::dot(p.normal, table->local_centre)));
-    }
+    fill(*table, scene, geometry);
     return table;
+}
+
+void update(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry,
+            const csg::solid::SceneChange& change) {
+    if (change.structure || change.centre || change.all_planes) {
+        fill(table, scene, geometry);
+        return;
+    }
+    table.diagonal = local_frame(geometry).diagonal;
+    for (const std::uint32_t plane : change.planes) {
+        table.planes[plane] = row_of(geometry.planes.planes()[plane], table.local_centre);
+    }
 }
 
 }  // namespace goldfeather

@@ -21,6 +21,12 @@ SurfaceBuffers::SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& tabl
     planes.upload<glm::vec4>(table.planes);
 }
 
+void SurfaceBuffers::update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes) {
+    diagonal = table.diagonal;
+    for (const std::uint32_t plane : changed_planes)
+        planes.write<glm::vec4>(plane * sizeof(glm::vec4), {&table.planes[plane], 1});
+}
+
 void grow(const gl::Functions& gl, TextureStack& stack, int layers) {
     gl::Texture depth = gl::Texture::make_2d_array(gl, GL_R32F, stack.size, layers);
     gl::Texture surface = gl::Texture::make_2d_array(gl, GL_RG32UI, stack.size, layers);

@@ -15,6 +15,8 @@ namespace layers {
 /// SurfaceTable on the GPU.
 struct SurfaceBuffers {
     SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& table);
+    /// The table, as large as before, has other rows for these planes, and another diagonal.
+    void update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes);
 
     gl::Buffer leaves;  ///< Of LeafRow.
     gl::Buffer planes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <unordered_map>
 #include <vector>
@@ -23,6 +24,8 @@ struct PlacedLeaf {
     std::vector<glm::uvec3> triangles;  ///< Into `points`.
     std::vector<PlaneRef> planes;       ///< One per triangle.
     Box box;                            ///< World coordinates; empty where the leaf has no volume.
+    Plane face;                         ///< Outwards: that of the first triangles, better than their corners tell it.
+    std::uint32_t face_triangles = 0;   ///< So many of them.
 };
 
 /// All leaves of a scene, indexed by LeafId, and their planes.
@@ -30,8 +33,24 @@ struct Geometry {
     std::vector<PlacedLeaf> leaves;
     PlaneTable planes;
     Box box;                            ///< Of all leaves together.
+    std::optional<glm::dvec3> centre;   ///< Of what becomes floats; none: that of the box.
+    double flat = 1;                    ///< Thickness of outlines.
     std::vector<std::string> warnings;  ///< With file:line where known.
     std::vector<std::string> failures;  ///< Objects that are left out, or less than was asked for; as above.
+};
+
+/// What a scene had before it was edited, and keeps as far as it goes: numbers that concern all leaves then stay as
+/// they are while one of them moves. A default room keeps nothing.
+struct Room {
+    Box box;           ///< Of all leaves.
+    double reach = 0;  ///< The largest coordinate.
+
+    /// What the tolerance of coincidence is made of, for a scene with that largest coordinate: the room's, or, where
+    /// that is less, the next power of two.
+    [[nodiscard]] double reach_for(double largest) const;
+    /// Of what becomes floats, for a scene with that box: the middle of the room, unless the scene lies far outside;
+    /// then its own, on a coarse grid. None: the box's.
+    [[nodiscard]] std::optional<glm::dvec3> centre_for(const Box& box) const;
 };
 
 struct NodeGeometry;
@@ -80,8 +99,9 @@ class SolidCache {
 /// Places every leaf. Transforms run in double precision; a matrix that is not finite or is projective makes the leaf
 /// empty, and a failure, and so do coordinates beyond doubles; one with zero determinant makes it a leaf without
 /// volume. A leaf thinner than what coordinates as large as the scene's can tell apart is a failure, too. Outlines are
-/// slabs of thickness `flat` about their plane, whatever scales it. Throws base::Stopped where `stop` asked for it.
+/// slabs of thickness `flat` about their plane, whatever scales it. `room`: of the scene that this one was edited from.
+/// Throws base::Stopped where `stop` asked for it.
 [[nodiscard]] Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat = 1,
-                             const std::stop_token& stop = {});
+                             const std::stop_token& stop = {}, const Room& room = {});
 
 }  // namespace csg::solid

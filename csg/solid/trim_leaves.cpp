@@ -104,7 +104,9 @@ void compact(PlacedLeaf& leaf) {
     leaf.points = std::move(points);
 }
 
-void trim(PlacedLeaf& leaf, const Box& limit) {
+}  // namespace
+
+void trim_leaf(PlacedLeaf& leaf, const Box& limit) {
     bool cut = false;
     for (int axis = 0; axis < 3; ++axis) {
         for (const Half& half : {Half{axis, 1, limit.hi[axis]}, Half{axis, -1, -limit.lo[axis]}}) {
@@ -126,21 +128,21 @@ void trim(PlacedLeaf& leaf, const Box& limit) {
     }
 }
 
-}  // namespace
+std::optional<Box> trim_limit(const Scene& scene, const Part& part, std::span<const Box> boxes) {
+    const Box box = bounds(scene, part, boxes);
+    const double reach = kFarthestReach * box.diagonal();
+    return reach > 0 ? std::optional(Box{box.lo - reach, box.hi + reach}) : std::nullopt;
+}
 
 void trim_leaves(const Scene& scene, std::span<PlacedLeaf> leaves) {
     std::vector<Box> boxes;
     for (const PlacedLeaf& leaf : leaves)
         boxes.push_back(leaf.box);
     for (const Part& part : scene.parts) {
-        const Box box = bounds(scene, part, boxes);
-        const double reach = kFarthestReach * box.diagonal();
-        if (!(reach > 0))
-            continue;
-        const Box limit{box.lo - reach, box.hi + reach};
+        const std::optional<Box> limit = trim_limit(scene, part, boxes);
         for (PlacedLeaf& leaf : leaves.subspan(part.first_leaf, part.leaf_count)) {
-            if (!leaf.box.empty() && leaf.solid->closed)
-                trim(leaf, limit);
+            if (limit && !leaf.box.empty() && leaf.solid->closed)
+                trim_leaf(leaf, *limit);
         }
     }
 }

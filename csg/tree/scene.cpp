@@ -123,21 +123,23 @@ class SceneMaker {
         }
         walk_.quiet = false;
         walk_.cuts[id].copied = true;
-        open.back().built.push_back(combined(frame.node, operands));
+        open.back().built.push_back(combined(frame, operands));
     }
 
     [[nodiscard]] std::uint32_t united(const std::vector<std::uint32_t>& built) {
         return built.size() == 1 ? built[0] : add(ExpressionKind::Union, built);
     }
 
-    [[nodiscard]] std::uint32_t combined(NodeId node, const std::vector<std::uint32_t>& built) {
+    [[nodiscard]] std::uint32_t combined(const Frame& frame, const std::vector<std::uint32_t>& built) {
         if (built.size() == 1)
             return built[0];
-        const Operation op = tree().node(node).operation;
-        return add(op == Operation::Difference     ? ExpressionKind::Difference
-                   : op == Operation::Intersection ? ExpressionKind::Intersection
-                                                   : ExpressionKind::Union,
-                   built);
+        const Operation op = tree().node(frame.node).operation;
+        const std::uint32_t expression = add(op == Operation::Difference     ? ExpressionKind::Difference
+                                             : op == Operation::Intersection ? ExpressionKind::Intersection
+                                                                             : ExpressionKind::Union,
+                                             built);
+        scene_.expressions[expression].occurrence = frame.occurrence;
+        return expression;
     }
 
     [[nodiscard]] std::uint32_t add(ExpressionKind kind, const std::vector<std::uint32_t>& built) {
@@ -174,9 +176,10 @@ class SceneMaker {
 
     [[nodiscard]] std::uint32_t leave(const Frame& frame) {
         if (!walk_.is_leaf(frame.node))
-            return combined(frame.node, frame.built);
+            return combined(frame, frame.built);
         Expression e;
         e.kind = ExpressionKind::Leaf;
+        e.occurrence = frame.occurrence;
         e.leaf = static_cast<LeafId>(scene_.leaves.size());
         scene_.leaves.push_back({frame.node, frame.occurrence, frame.to_world, frame.color,
                                  tree().node(frame.node).where, static_cast<PartId>(scene_.parts.size())});

@@ -46,6 +46,9 @@ struct Expression {
     LeafId leaf = 0;                ///< For Leaf.
     std::uint32_t first_child = 0;  ///< Into Scene::expression_children; a Difference is first minus the others.
     std::uint32_t child_count = 0;  ///< A Union of none is empty.
+    /// Of the node that it is the expression of; where that is the only child of others, it is theirs as well. None
+    /// where a rule has put pieces together. Of what is added later: see scene_edit.h.
+    OccurrenceId occurrence = kNoOccurrence;
 };
 
 enum class PartKind : std::uint8_t {
@@ -71,6 +74,8 @@ struct Part {
     /// That of its material, which is that of the first operands, with its opacity; `given()` is false where there is
     /// none, or more than one.
     Rgba color;
+    /// Drawn as if its leaves had no surfaces. It counts for bounds and planes, so that other parts look as before.
+    bool hidden = false;
 };
 
 struct Scene {
@@ -84,6 +89,11 @@ struct Scene {
         return std::span(expression_children).subspan(e.first_child, e.child_count);
     }
 };
+
+/// Is the leaf's part hidden?
+[[nodiscard]] inline bool is_hidden(const Scene& scene, LeafId leaf) {
+    return scene.parts[scene.leaves[leaf].part].hidden;
+}
 
 /// What a scene is to show.
 enum class Showing : std::uint8_t {

@@ -29,6 +29,7 @@ class GoldfeatherEngine : public Engine {
             return {nullptr,
                     std::make_shared<layers::TextureStack>(parts_.draw(walk, engine_.merge_, max_layers, stop))};
         }
+        bool update(const csg::solid::SceneChange& change) override { return parts_.update(change); }
 
       private:
         GoldfeatherEngine& engine_;

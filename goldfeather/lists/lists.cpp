@@ -76,7 +76,8 @@ layers::TextureStack Lists::peel(const base::View& view, const csg::solid::Geome
     for (csg::LeafId id = 0; id < geometry.leaves.size(); ++id) {
         const csg::solid::PlacedLeaf& leaf = geometry.leaves[id];
         const LeafBuffers::Range range = leaves.ranges()[id];
-        if (range.vertex_count == 0 || leaf.box.empty() || view.screen_box(leaf.box.lo, leaf.box.hi).empty()) {
+        if (range.vertex_count == 0 || leaf.box.empty() || is_hidden(scene.scene, id) ||
+            view.screen_box(leaf.box.lo, leaf.box.hi).empty()) {
             ++stats.skipped_leaves;
             continue;
         }

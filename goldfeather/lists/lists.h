@@ -24,9 +24,10 @@
 
 namespace goldfeather {
 
-/// A scene on the GPU, ready for the lists.
+/// A scene on the GPU, ready for the lists; it must outlive this.
 struct ListsScene {
-    ListsScene(const gl::Functions& gl, const csg::Scene& scene) : blist(gl, Blist(scene)) {}
+    ListsScene(const gl::Functions& gl, const csg::Scene& s) : scene(s), blist(gl, Blist(s)) {}
+    const csg::Scene& scene;
     BlistBuffer blist;
 };
 

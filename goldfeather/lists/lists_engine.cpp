@@ -34,6 +34,12 @@ class ListsEngine : public Engine {
                 throw EngineObstacle(error.what());  // Of this picture.
             }
         }
+        bool update(const csg::solid::SceneChange& change) override {
+            if (!change.structure) {
+                leaves_.update(change);
+            }
+            return !change.structure;
+        }
 
       private:
         ListsEngine& engine_;

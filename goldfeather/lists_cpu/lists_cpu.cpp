@@ -78,7 +78,7 @@ void peel_lists(const ListsModel& model, const base::View& view, int max_layers,
     for (csg::LeafId id = 0; id < model.geometry.leaves.size(); ++id) {
         base::end_if_asked(stop);
         const csg::solid::PlacedLeaf& leaf = model.geometry.leaves[id];
-        if (leaf.box.empty() || view.screen_box(leaf.box.lo, leaf.box.hi).empty()) {
+        if (leaf.box.empty() || is_hidden(model.scene, id) || view.screen_box(leaf.box.lo, leaf.box.hi).empty()) {
             ++stats.skipped_leaves;
             continue;
         }

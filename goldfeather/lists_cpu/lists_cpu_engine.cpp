@@ -29,6 +29,8 @@ class ListsCpuEngine : public Engine {
             layers::leave_out_sparse_layers(*stack, engine_.settings_.minimal_fraction);
             return {stack, nullptr};
         }
+        /// Expressions are all that is made of a scene.
+        bool update(const csg::solid::SceneChange& change) override { return !change.structure; }
 
       private:
         ListsCpuEngine& engine_;

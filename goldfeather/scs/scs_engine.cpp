@@ -21,8 +21,12 @@ class ScsEngine : public Engine {
         Scene(ScsEngine& engine, const EngineInput& input) : engine_(engine), parts_(*engine.settings_.gl, input) {}
         layers::Stack draw(const base::View& view, int max_layers, WalkStats& stats,
                            const std::stop_token& stop) override {
-            for (const std::vector<Product>& products : parts_.input().products) {
-                const std::string obstacle = Scs::obstacle(view, parts_.input().geometry, products, max_layers);
+            const EngineInput& input = parts_.input();
+            for (std::size_t part = 0; part < input.products.size(); ++part) {
+                const std::string obstacle =
+                    input.scene.parts[part].hidden
+                        ? ""
+                        : Scs::obstacle(view, input.geometry, input.products[part], max_layers);
                 if (!obstacle.empty()) {
                     throw EngineObstacle(obstacle);
                 }
@@ -34,6 +38,7 @@ class ScsEngine : public Engine {
             return {nullptr,
                     std::make_shared<layers::TextureStack>(parts_.draw(peel, engine_.merge_, max_layers, stop))};
         }
+        bool update(const csg::solid::SceneChange& change) override { return parts_.update(change); }
 
       private:
         ScsEngine& engine_;

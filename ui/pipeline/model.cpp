@@ -1,12 +1,12 @@
 #include "ui/pipeline/model.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/stop.h"
+#include "ui/pipeline/model_parts.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -14,41 +14,6 @@ namespace ui {
 namespace {
 
 constexpr double kPreviewThickness = 1, kFlat = 0x1p-10;  // Of outlines by themselves, in world units.
-
-std::string place_of(const csg::Tree& tree, const csg::SourceLocation& where) {
-    if (!where.known() || where.file >= tree.files().size()) {
-        return "";
-    }
-    return fmt::format("{}:{}:{}: ", tree.files()[where.file], where.line, where.column);
-}
-
-std::uint64_t next_generation() {
-    static std::atomic<std::uint64_t> count{0};
-    return ++count;
-}
-
-/// The part's products; none for an empty part, nor for one over the budget.
-std::vector<goldfeather::Product> products_of(Model& model, const csg::Part& part, std::span<const csg::Box> boxes,
-                                              const goldfeather::Budget& budget, ModelStatistics& sum) {
-    goldfeather::NormalizationStats stats;
-    auto normalized = goldfeather::normalize(model.scene, part, boxes, budget, stats);
-    if (const auto* over = std::get_if<goldfeather::OverBudget>(&normalized)) {
-        const auto& where = model.scene.leaves[part.first_leaf].where;
-        model.over_budget = fmt::format(
-            "{}the part that begins here needs more than {} products ({} were made); "
-            "differences and intersections of large unions multiply",
-            place_of(*model.tree, where), budget.products, over->products);
-        model.box = csg::enclose(model.box, csg::bounds(model.scene, part, boxes));
-        return {};
-    }
-    sum.products_unpruned = std::min(1e18, sum.products_unpruned + stats.products_unpruned);
-    sum.products += stats.products;
-    sum.literals += stats.literals;
-    sum.pruned_products += stats.pruned_products;
-    sum.pruned_literals += stats.pruned_literals;
-    auto* found = std::get_if<goldfeather::SumOfProducts>(&normalized);
-    return found ? std::move(found->products) : std::vector<goldfeather::Product>{};
-}
 
 void throw_failures(const std::vector<std::string>& failures) {
     if (!failures.empty()) {
@@ -80,9 +45,11 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     }
     for (const csg::Part& part : model->scene.parts) {
         base::end_if_asked(stop);
-        model->products.push_back(products_of(*model, part, boxes, budget_, statistics));
-        for (const goldfeather::Product& product : model->products.back()) {
-            model->box = csg::enclose(model->box, product.box);
+        PartProducts made = products_of(*model, part, boxes, budget_, statistics);
+        model->box = csg::enclose(model->box, made.box);
+        model->products.push_back(std::move(made.products));
+        if (!made.over_budget.empty()) {
+            model->over_budget = std::move(made.over_budget);
         }
     }
     statistics.normalize_ms = watch.lap();

@@ -16,6 +16,20 @@ void CpuRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine
     generation_ = model.generation;
 }
 
+void CpuRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
+    if (!scene_ || generation_ != model.generation) {
+        return;
+    }
+    if ((engine_->capabilities.needs_products && !model.over_budget.empty()) || !scene_->update(change)) {
+        scene_.reset();  // It is made anew for the next picture.
+        return;
+    }
+    if (stack_.host) {
+        stack_.host->table.reset();  // Nobody else holds the table then.
+    }
+    goldfeather::update(*table_, model.scene, model.geometry, change);
+}
+
 const npr::Paint& CpuRenderer::paint(const npr::StyleInfo& style) {
     npr::Paint& made = styles_[&style];
     if (!made) {

@@ -25,6 +25,8 @@ class CpuRenderer {
     /// The first surfaces of a view of one pixel (0: all).
     [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,
                                                                 const goldfeather::EngineInfo& engine);
+    /// See Renderer.
+    void update(const Model& model, const csg::solid::SceneChange& change);
     /// Its choice of an engine is left to the caller.
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 
@@ -33,7 +35,7 @@ class CpuRenderer {
     const npr::Paint& paint(const npr::StyleInfo& style);
 
     goldfeather::EngineSet engines_;
-    std::shared_ptr<const layers::SurfaceTable> table_;  ///< Of the model that is held.
+    std::shared_ptr<layers::SurfaceTable> table_;        ///< Of the model that is held.
     std::unique_ptr<goldfeather::PreparedScene> scene_;  ///< The same, for the engine that it is held for.
     const goldfeather::EngineInfo* engine_ = nullptr;
     std::uint64_t generation_ = 0;  ///< Of the model.

@@ -21,10 +21,32 @@ void GlRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine)
     }
     scene_.reset();  // Before the next is made: the two need not fit together.
     table_.reset();
+    rows_.reset();
     table_ = std::make_shared<layers::SurfaceBuffers>(gl_, *goldfeather::surface_table(model.scene, model.geometry));
     scene_ = engines_.prepare({model.scene, model.geometry, model.products}, engine);
     engine_ = &engine;
     generation_ = model.generation;
+}
+
+void GlRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
+    if (!scene_ || generation_ != model.generation) {
+        return;
+    }
+    if ((engine_->capabilities.needs_products && !model.over_budget.empty()) || !scene_->update(change)) {
+        scene_.reset();  // It is made anew for the next picture.
+        return;
+    }
+    const bool all = !rows_ || change.structure || change.centre || change.all_planes;
+    if (!rows_) {
+        rows_ = goldfeather::surface_table(model.scene, model.geometry);
+    } else {
+        goldfeather::update(*rows_, model.scene, model.geometry, change);
+    }
+    if (all) {
+        table_ = std::make_shared<layers::SurfaceBuffers>(gl_, *rows_);
+    } else {
+        table_->update(*rows_, change.planes);
+    }
 }
 
 layers::TextureStack GlRenderer::peel(const base::View& view, int max_layers, goldfeather::WalkStats& stats,

@@ -36,6 +36,8 @@ class GlRenderer {
     /// The first surfaces of a view of one pixel (0: all).
     [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,
                                                                 const goldfeather::EngineChoice& engine);
+    /// See Renderer.
+    void update(const Model& model, const csg::solid::SceneChange& change);
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 
   private:
@@ -51,7 +53,8 @@ class GlRenderer {
     layers::Upload upload_;
     npr::Accumulator accumulator_;
     std::map<const npr::StyleInfo*, std::unique_ptr<npr::Style>> styles_;  ///< Made when first used.
-    std::shared_ptr<const layers::SurfaceBuffers> table_;                  ///< Of the model that is held.
+    std::shared_ptr<layers::SurfaceBuffers> table_;                        ///< Of the model that is held.
+    std::shared_ptr<layers::SurfaceTable> rows_;         ///< What is in it, once the model has been edited.
     std::unique_ptr<goldfeather::PreparedScene> scene_;  ///< The same, for the engine that it is held for.
     const goldfeather::EngineInfo* engine_ = nullptr;
     std::uint64_t generation_ = 0;  ///< Of the model.

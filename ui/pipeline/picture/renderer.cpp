@@ -53,6 +53,13 @@ void Renderer::draw_sample(const Model& model, const PictureRequest& request, in
     }
 }
 
+void Renderer::update(const Model& model, const csg::solid::SceneChange& change) {
+    cpu_.update(model, change);
+    if (gl_) {
+        gl_->update(model, change);
+    }
+}
+
 base::Image Renderer::image() {
     return on_cpu_ ? cpu_.image() : gl_->image();
 }

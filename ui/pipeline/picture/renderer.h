@@ -48,6 +48,11 @@ class Renderer {
     /// first (0: all).
     [[nodiscard]] std::vector<PickedSurface> pick(const Model& model, const base::Camera& camera, int layers = 1);
 
+    /// An EditableModel has changed in place. To be told by each commit to every renderer that may have drawn it,
+    /// before it draws it again; what it holds of the model is made good as far as it can be, instead of being made
+    /// anew.
+    void update(const Model& model, const csg::solid::SceneChange& change);
+
     /// Of the last picture.
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
     /// Null where no picture has needed one.

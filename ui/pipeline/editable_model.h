@@ -1,0 +1,38 @@
+// A model that is changed in place: a section moves, a part is dragged or hidden, a cutter is held to it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/solid/editable_scene.h"
+#include "ui/pipeline/model.h"
+
+namespace ui {
+
+/// A copy of a model, with a generation of its own. Edit it by `scene()`, `commit()`, and tell every renderer that may
+/// hold it what has changed (Renderer::update).
+class EditableModel {
+  public:
+    explicit EditableModel(const Model& model, const goldfeather::Budget& budget = {});
+
+    /// As of the last commit. Of the statistics only the times are those of the commit; counts are of the model before.
+    [[nodiscard]] const Model& model() const { return model_; }
+    [[nodiscard]] csg::solid::EditableScene& scene() { return scene_; }
+
+    /// Brings the geometry, and products and boxes of the parts that have changed, up to date. Leaves that could not be
+    /// placed are among the model's failures until the next commit.
+    [[nodiscard]] csg::solid::SceneChange commit();
+
+  private:
+    void normalize(csg::PartId part);
+
+    goldfeather::Budget budget_;
+    Model model_;
+    csg::solid::EditableScene scene_;
+    std::vector<std::string> failures_;     ///< Of the model before.
+    std::vector<csg::Box> boxes_;           ///< By leaf.
+    std::vector<csg::Box> part_boxes_;      ///< By part.
+    std::vector<std::string> over_budget_;  ///< By part: why it has no products.
+};
+
+}  // namespace ui
