@@ -85,6 +85,23 @@ const std::vector<OutOfReach> kOutOfReach = {
     {"csg/", {"layers/", "peel/", "npr/", "goldfeather/", "ui/"}},
 };
 
+/// What each room of csg/scad may include besides itself; "" is what stands in csg/scad itself. Machine and built-ins
+/// are one level: a call runs the one from the other.
+const std::map<std::string, Names> kLanguageMayInclude = {
+    {"value", {}},
+    {"source", {}},
+    {"syntax", {"source", "value"}},
+    {"customizer", {"syntax", "value"}},
+    {"text", {"customizer", "syntax", "value"}},
+    {"machine", {"", "builtin", "customizer", "source", "syntax", "text", "value"}},
+    {"builtin", {"machine", "source", "syntax", "value"}},
+    {"program", {"", "machine", "source", "syntax"}},
+    {"", {"builtin", "program", "source"}},
+};
+/// All that the machine knows of the built-ins: their tables, and the files that they read once for a run.
+const Names kKnownOfBuiltins = {"csg/scad/builtin/builtin_functions.h", "csg/scad/builtin/builtin_modules.h",
+                                "csg/scad/builtin/data_file.h"};
+
 /// The longest key of kMayInclude that is a folder of `path`, relative to the root; "" where there is none.
 std::string folder_of(const std::string& path) {
     std::string folder = fs::path(path).parent_path().string();
@@ -130,6 +147,27 @@ TEST(Architecture, IncludesGoDownOnly) {
         }
     }
     EXPECT_GT(checked, 50);
+}
+
+TEST(Architecture, IncludesGoDownWithinTheLanguage) {
+    const std::regex include("(?:^|\n)#include \"(csg/scad/[^\"]+)\"");
+    const auto room_of = [](const std::string& file) {
+        const std::string rest = file.substr(std::string("csg/scad/").size());
+        return rest.substr(0, rest.find('/') == std::string::npos ? 0 : rest.find('/'));
+    };
+    int checked = 0;
+    for (const std::string& file : files_of({"csg/scad"}, {".cpp", ".h"})) {
+        const std::string from = room_of(file), text = read_file(kRoot / file);
+        ASSERT_TRUE(kLanguageMayInclude.contains(from)) << file << " is in a room that this test does not know";
+        for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at) {
+            const std::string to = room_of((*at)[1]);
+            EXPECT_TRUE(to == from || kLanguageMayInclude.at(from).contains(to))
+                << file << " may not include " << (*at)[1];
+            EXPECT_TRUE(from != "machine" || to != "builtin" || kKnownOfBuiltins.contains((*at)[1])) << file;
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 100);
 }
 
 /// Files by the file that includes them first, of all that `file` includes, and what these include.

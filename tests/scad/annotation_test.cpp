@@ -1,7 +1,7 @@
 // What comments say about parameters. The expected texts are what OpenSCAD 2021.01 prints.
 #include <gtest/gtest.h>
 
-#include "csg/scad/syntax/annotations.h"
+#include "csg/scad/customizer/annotations.h"
 #include "csg/scad/text/ast_text.h"
 #include "tests/scad/parsing.h"
 

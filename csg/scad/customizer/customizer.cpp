@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "csg/scad/syntax/annotations.h"
-#include "csg/scad/text/expression_writer.h"
+#include "csg/scad/customizer/annotations.h"
+#include "csg/scad/value/quoted.h"
 #include "csg/scad/value/value.h"
 
 namespace csg::scad {

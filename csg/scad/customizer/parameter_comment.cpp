@@ -3,7 +3,7 @@
 #include <charconv>
 #include <optional>
 
-#include "csg/scad/text/expression_writer.h"
+#include "csg/scad/value/quoted.h"
 #include "csg/scad/value/value.h"
 
 namespace csg::scad {

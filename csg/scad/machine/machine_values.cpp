@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/scad/customizer/annotations.h"
 #include "csg/scad/machine/machine.h"
 #include "csg/scad/machine/operators.h"
-#include "csg/scad/syntax/annotations.h"
 #include "csg/scad/text/expression_text.h"
 #include "csg/scad/value/object.h"
 

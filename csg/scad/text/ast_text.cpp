@@ -1,7 +1,8 @@
 #include "csg/scad/text/ast_text.h"
 
-#include "csg/scad/syntax/annotations.h"
+#include "csg/scad/customizer/annotations.h"
 #include "csg/scad/text/expression_writer.h"
+#include "csg/scad/value/quoted.h"
 
 namespace csg::scad {
 namespace {

@@ -1,35 +1,10 @@
 #include "csg/scad/text/expression_text.h"
 
 #include "csg/scad/text/expression_writer.h"
+#include "csg/scad/value/quoted.h"
 #include "csg/scad/value/value.h"
 
 namespace csg::scad {
-
-std::string quoted(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        switch (c) {
-            case '"':
-                result += "\\\"";
-                break;
-            case '\\':
-                result += "\\\\";
-                break;
-            case '\t':
-                result += "\\t";
-                break;
-            case '\n':
-                result += "\\n";
-                break;
-            case '\r':
-                result += "\\r";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result + '"';
-}
 
 void ExpressionWriter::expression(ExprId id) {
     stack_.emplace_back(id);

@@ -38,7 +38,4 @@ class ExpressionWriter {
     std::vector<Piece> gathered_;  ///< Pieces of the expression being written, in order.
 };
 
-/// With quotes, and escapes where the language needs them.
-[[nodiscard]] std::string quoted(std::string_view text);
-
 }  // namespace csg::scad

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <concepts>
 
-#include "csg/scad/text/expression_writer.h"
 #include "csg/scad/value/number_text.h"
+#include "csg/scad/value/quoted.h"
 
 namespace csg::scad {
 

@@ -1,4 +1,4 @@
-#include "csg/scad/syntax/annotations.h"
+#include "csg/scad/customizer/annotations.h"
 
 #include <algorithm>
 
