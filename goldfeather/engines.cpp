@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <vector>
 
+#include "base/alternatives.h"
 #include "goldfeather/engine_table.h"
 
 namespace goldfeather {
@@ -32,13 +34,11 @@ const EngineInfo& fallback_engine() {
 }
 
 std::string engine_names() {
-    std::string names;
+    std::vector<std::string> names;
     for (const EngineInfo& engine : engines()) {
-        const bool first = names.empty(), last = &engine == &engines().back();
-        names += first ? "" : last ? " or " : ", ";
-        names += engine.name;
+        names.emplace_back(engine.name);
     }
-    return names;
+    return base::alternatives(names);
 }
 
 }  // namespace goldfeather

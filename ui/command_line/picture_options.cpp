@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "base/alternatives.h"
 #include "npr/style.h"
 #include "ui/pipeline/suggestion.h"
 
@@ -45,12 +46,11 @@ npr::Picture picture_of(npr::Picture picture, const PictureTexts& texts) {
 }
 
 std::string style_names() {
-    const auto styles = npr::styles();
-    std::string names;
-    for (std::size_t i = 0; i < styles.size(); ++i) {
-        names += fmt::format("{}{}", i == 0 ? "" : i + 1 < styles.size() ? ", " : " or ", styles[i].name);
+    std::vector<std::string> names;
+    for (const npr::StyleInfo& style : npr::styles()) {
+        names.emplace_back(style.name);
     }
-    return fmt::format("{} ({})", names, styles.front().name);
+    return fmt::format("{} ({})", base::alternatives(names), names.front());
 }
 
 }  // namespace ui
