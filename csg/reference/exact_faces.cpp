@@ -13,7 +13,7 @@ namespace {
 /// Of the largest coordinate: a few units in the last place.
 constexpr double kRounding = 0x1p-51;
 
-DoubleKernel::Point_3 exact(const glm::dvec3& p) {
+DoubleKernel::Point_3 to_point(const glm::dvec3& p) {
     return {p.x, p.y, p.z};
 }
 
@@ -65,7 +65,7 @@ class Collector {
         for (const glm::uvec3& t : placed.triangles) {
             const ExactFace face{{ids[t.x], ids[t.y], ids[t.z]}, leaf, 0};
             const glm::dvec3 &a = all_.corner(face, 0), &b = all_.corner(face, 1), &c = all_.corner(face, 2);
-            if (CGAL::collinear(exact(a), exact(b), exact(c)))
+            if (CGAL::collinear(to_point(a), to_point(b), to_point(c)))
                 continue;
             all_.faces.push_back(face);
             boxes_.push_back(enclose(enclose(enclose(Box(), a), b), c));
@@ -124,8 +124,8 @@ ExactFaces collect_faces(const LeafGroup& group, const std::stop_token& stop) {
 int side_of(const ExactFaces& all, const ExactFace& face, std::uint32_t corner) {
     if (std::find(face.corners.begin(), face.corners.end(), corner) != face.corners.end())
         return 0;
-    return CGAL::orientation(exact(all.corner(face, 0)), exact(all.corner(face, 1)), exact(all.corner(face, 2)),
-                             exact(all.corners[corner]));
+    return CGAL::orientation(to_point(all.corner(face, 0)), to_point(all.corner(face, 1)), to_point(all.corner(face, 2)),
+                             to_point(all.corners[corner]));
 }
 
 bool holds(const ExactFaces& all, const ExactFace& face, std::uint32_t corner) {
@@ -140,10 +140,10 @@ bool holds(const ExactFaces& all, const ExactFace& face, std::uint32_t corner) {
 }
 
 bool pierces(const ExactFaces& all, std::uint32_t from, std::uint32_t to, const ExactFace& face) {
-    const auto p = exact(all.corners[from]), q = exact(all.corners[to]);
+    const auto p = to_point(all.corners[from]), q = to_point(all.corners[to]);
     int least = 1, most = -1;
     for (std::size_t k = 0; k < 3; ++k) {
-        const int way = CGAL::orientation(p, q, exact(all.corner(face, k)), exact(all.corner(face, k + 1)));
+        const int way = CGAL::orientation(p, q, to_point(all.corner(face, k)), to_point(all.corner(face, k + 1)));
         least = std::min(least, way);
         most = std::max(most, way);
         if (least < 0 && most > 0)

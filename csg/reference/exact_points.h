@@ -17,6 +17,10 @@ using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
 /// Predicates of points whose coordinates are doubles.
 using DoubleKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+[[nodiscard]] inline ExactKernel::Point_3 exact(const glm::dvec3& p) {
+    return {p.x, p.y, p.z};
+}
+
 /// Finds or adds points by their exact value. Not for several threads: exact values are found on demand.
 class ExactPoints {
   public:

@@ -10,10 +10,6 @@
 namespace csg::reference {
 namespace {
 
-ExactKernel::Point_3 exact(const glm::dvec3& p) {
-    return {p.x, p.y, p.z};
-}
-
 std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
     return {std::min(a, b), std::max(a, b)};
 }

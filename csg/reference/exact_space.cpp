@@ -8,10 +8,6 @@
 namespace csg::reference {
 namespace {
 
-ExactKernel::Point_3 exact(const glm::dvec3& p) {
-    return {p.x, p.y, p.z};
-}
-
 /// Of the largest coordinate: wide against the rounding of where a ray begins.
 constexpr double kMargin = 1e-9;
 

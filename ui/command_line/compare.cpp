@@ -28,8 +28,6 @@ namespace ui {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 /// Those that an engine finds which finds `most` (goldfeather::kAllLayers: all).
 MeshLayers first_layers(MeshLayers layers, int most) {
     if (most != goldfeather::kAllLayers) {
@@ -112,7 +110,7 @@ int compare_with_mesh(const CompareOptions& o) {
         const base::Camera camera = o.camera ? *o.camera : spread_camera(0, 1, facts.box);
         openscad = compare_with_openscad(OpenscadProcess(o.input), csg::scad::csg_text(*evaluate(o, true).tree),
                                          *loaded.model, facts, camera, o.size);
-        good = good && openscad["volume"]["agrees"].get<bool>() && openscad["tree_agrees"].get<bool>();
+        good = good && openscad["volume"]["agrees"].truth() && openscad["tree_agrees"].truth();
     }
     Json json = {{"model", o.input},
                  {"against", o.against},

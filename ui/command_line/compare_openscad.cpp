@@ -47,18 +47,17 @@ std::string without_last_lines(std::string text) {
 
 }  // namespace
 
-nlohmann::ordered_json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree,
-                                             const Model& model, const csg::reference::MeshFacts& theirs,
-                                             const base::Camera& camera, int size) {
+Json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree, const Model& model,
+                           const csg::reference::MeshFacts& theirs, const base::Camera& camera, int size) {
     const csg::reference::MeshFacts ours = make_mesh(model).facts;
     const double off = std::abs(ours.volume - theirs.volume);
-    nlohmann::ordered_json json = {{"tree_agrees", without_last_lines(tree) == without_last_lines(openscad.tree())},
-                                   {"volume",
-                                    {{"openscad", theirs.volume},
-                                     {"csgscope", ours.volume},
-                                     {"relative_difference", off / ours.volume},
-                                     {"agrees", off <= rounding_of_openscad(ours) + 1e-6 * ours.volume}}},
-                                   {"picture", nullptr}};
+    Json json = {{"tree_agrees", without_last_lines(tree) == without_last_lines(openscad.tree())},
+                 {"volume",
+                  {{"openscad", theirs.volume},
+                   {"csgscope", ours.volume},
+                   {"relative_difference", off / ours.volume},
+                   {"agrees", off <= rounding_of_openscad(ours) + 1e-6 * ours.volume}}},
+                 {"picture", nullptr}};
     if (const auto picture = openscad.picture(camera, size)) {
         PictureRequest request;
         request.camera = camera;

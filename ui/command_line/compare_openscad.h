@@ -3,10 +3,9 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "base/camera.h"
 #include "ui/command_line/openscad_process.h"
+#include "ui/pipeline/json.h"
 #include "ui/pipeline/mesh/mesh.h"
 #include "ui/pipeline/model.h"
 
@@ -15,8 +14,7 @@ namespace ui {
 /// `tree`: the model's .csg text; `theirs`: facts of openscad's mesh. Volumes agree where they differ by no more than
 /// the six digits of openscad's file allow. {"tree_agrees": …, "volume": …, "picture": …}; the picture, which needs a
 /// display, is null where there is none, and else the share of pixels that only one of the two covers.
-[[nodiscard]] nlohmann::ordered_json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree,
-                                                           const Model& model, const csg::reference::MeshFacts& theirs,
-                                                           const base::Camera& camera, int size);
+[[nodiscard]] Json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree, const Model& model,
+                                         const csg::reference::MeshFacts& theirs, const base::Camera& camera, int size);
 
 }  // namespace ui

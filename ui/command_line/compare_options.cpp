@@ -1,11 +1,12 @@
 #include "ui/command_line/compare_options.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "ui/command_line/files.h"
+#include "ui/command_line/option_table.h"
 #include "ui/command_line/option_values.h"
 
 namespace ui {
@@ -13,42 +14,41 @@ namespace ui {
 CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     CompareOptions o;
     std::string camera, projection = "p", engine(o.engine->name);
-    CLI::App app("csgscope compare draws a model and compares all layers of the picture with a mesh.",
-                 "csgscope compare");
-    app.add_option("file", o.input, "The .scad file")->required();
-    app.add_option("--against", o.against,
-                   "cgal (the exact mesh), openscad (its tree, mesh and picture), FILE.stl, FILE.off or FILE.png");
+    OptionTable table("csgscope compare draws a model and compares all layers of the picture with a mesh.",
+                      "csgscope compare");
+    table.add({"file", "The .scad file"}, o.input, true);
+    table.add(
+        {"--against", "cgal (the exact mesh), openscad (its tree, mesh and picture), FILE.stl, FILE.off or FILE.png"},
+        o.against);
     std::map<std::string, const goldfeather::EngineInfo*> engines;
+    std::vector<std::string> names;
     std::string all, first;
     for (const goldfeather::EngineInfo& each : goldfeather::engines()) {
         engines.emplace(each.name, &each);
+        names.emplace_back(each.name);
         const bool finds_all = each.capabilities.most_layers == goldfeather::kAllLayers;
         (finds_all ? all : first) += std::string(each.name) + ", ";
     }
-    app.add_option("--engine", engine,
-                   fmt::format("{}or {}of which the first layer is compared ({})", all, first, o.engine->name))
-        ->check(CLI::IsMember(engines));
-    app.add_option("--views", o.views, "Views spread over the sphere, of both projections in turn (1)")
-        ->check(CLI::Range(1, 100));
-    app.add_option("--camera", camera, "One view instead: the numbers of csgscope --camera");
-    app.add_option("--projection", projection, "Of --camera: o (orthographic) or p (perspective, default)")
-        ->check(CLI::IsMember({"o", "p"}));
-    app.add_option("--imgsize", o.size, "Width and height in pixels (256)")->check(CLI::Range(16, 4096));
-    app.add_option("--report", o.report, "Folder for report.html, report.json and pictures of the differences");
-    app.add_option("--tolerance", o.tolerance, "Largest share of wrong pixels outside the band (0)")
-        ->check(CLI::Range(0.0, 1.0));
-    app.add_option("--reference", o.reference, "A picture to compare with, as --against FILE.png");
-    app.add_option("--reference-threshold", o.reference_threshold, "Largest share of pixels that may differ (0.01)")
-        ->check(CLI::Range(0.0, 1.0));
-    app.add_option("--time-limit", o.time_limit, "End with an error after so many seconds")
-        ->check(CLI::PositiveNumber & CLI::Range(0.0, 1e9));
+    std::sort(names.begin(), names.end());
+    table.add({"--engine", fmt::format("{}or {}of which the first layer is compared ({})", all, first, o.engine->name)},
+              engine, names);
+    table.add({"--views", "Views spread over the sphere, of both projections in turn (1)"}, o.views, 1, 100);
+    table.add({"--camera", "One view instead: the numbers of csgscope --camera"}, camera);
+    table.add({"--projection", "Of --camera: o (orthographic) or p (perspective, default)"}, projection, {"o", "p"});
+    table.add({"--imgsize", "Width and height in pixels (256)"}, o.size, 16, 4096);
+    table.add({"--report", "Folder for report.html, report.json and pictures of the differences"}, o.report);
+    table.add({"--tolerance", "Largest share of wrong pixels outside the band (0)"}, o.tolerance, 0.0, 1.0);
+    table.add({"--reference", "A picture to compare with, as --against FILE.png"}, o.reference);
+    table.add({"--reference-threshold", "Largest share of pixels that may differ (0.01)"}, o.reference_threshold, 0.0,
+              1.0);
+    table.add_positive({"--time-limit", "End with an error after so many seconds"}, o.time_limit, 1e9);
     try {
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    } catch (const CLI::CallForHelp&) {
-        write_output("-", app.help());
-        o.input.clear();
-        return o;
-    } catch (const CLI::ParseError& error) {
+        if (!table.read(arguments)) {
+            write_output("-", table.help());
+            o.input.clear();
+            return o;
+        }
+    } catch (const UsageError& error) {
         throw UsageError(fmt::format("compare: {}", error.what()));
     }
     o.engine = engines.at(engine);

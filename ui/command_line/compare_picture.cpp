@@ -36,11 +36,11 @@ int compare_with_picture(const CompareOptions& o) {
     }
     const double share = 4.0 * static_cast<double>(differ) / static_cast<double>(drawn.rgba.size());
     const bool good = share <= o.reference_threshold;
-    const nlohmann::ordered_json json = {{"model", o.input},
-                                         {"reference", o.reference},
-                                         {"pixels_that_differ", share},
-                                         {"threshold", o.reference_threshold},
-                                         {"within_threshold", good}};
+    const Json json = {{"model", o.input},
+                       {"reference", o.reference},
+                       {"pixels_that_differ", share},
+                       {"threshold", o.reference_threshold},
+                       {"within_threshold", good}};
     write_output("-", text_of(json));
     if (!o.report.empty()) {
         base::make_folder(o.report);

@@ -37,14 +37,14 @@ std::string picture(const base::Image& image, const char* alt) {
 }
 
 /// With three digits, where it is no whole number.
-std::string short_number(const nlohmann::ordered_json& value) {
-    return value.is_number_float() ? fmt::format("{:.3g}", value.get<double>()) : value.dump();
+std::string short_number(const Json& value) {
+    return value.is_fraction() ? fmt::format("{:.3g}", value.fraction()) : value.dump();
 }
 
 /// Rows of the layers, all pixels; none where a picture was compared with a picture.
 std::string layer_table(const ComparedView& view) {
-    const auto layers = view.all.find("layers");
-    if (layers == view.all.end() || layers->empty()) {
+    const Json* layers = view.all.find("layers");
+    if (layers == nullptr || layers->items().empty()) {
         return "";
     }
     std::string rows =
@@ -52,11 +52,10 @@ std::string layer_table(const ComparedView& view) {
         "error</th>"
         "<th>depth, RMS</th><th>depth, largest</th></tr>\n";
     std::size_t number = 0;
-    for (const auto& layer : *layers) {
+    for (const Json& layer : layers->items()) {
         rows += fmt::format("<tr><td>{}</td>", ++number);
-        for (const auto& [name, value] : layer.items()) {
-            rows += fmt::format("<td>{}</td>",
-                                value.is_number_float() ? fmt::format("{:.3g}", value.get<double>()) : value.dump());
+        for (const auto& [name, value] : layer.members()) {
+            rows += fmt::format("<td>{}</td>", short_number(value));
         }
         rows += "</tr>\n";
     }
@@ -98,12 +97,11 @@ std::string report_page(const std::string& title, const std::string& summary, co
             html(view.title), picture(view.expected, "reference"), picture(view.drawn, "picture"),
             picture(view.drawn, "picture"), picture(view.expected, "reference"),
             picture(view.difference, "differences"));
-        for (const auto& [name, value] : view.all.items()) {
-            const auto outside = view.outside.find(name);
+        for (const auto& [name, value] : view.all.members()) {
+            const Json* outside = view.outside.find(name);
             if (name != "layers") {
-                page +=
-                    fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html(name), short_number(value),
-                                outside == view.outside.end() || name == "edge_f_score" ? "" : short_number(*outside));
+                page += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html(name), short_number(value),
+                                    outside == nullptr || name == "edge_f_score" ? "" : short_number(*outside));
             }
         }
         page += layer_table(view);

@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "base/image.h"
+#include "ui/pipeline/json.h"
 
 namespace ui {
 
@@ -14,7 +13,7 @@ namespace ui {
 struct ComparedView {
     std::string title;
     base::Image drawn, expected, difference;
-    nlohmann::ordered_json all, outside;  ///< Errors of all pixels, and without the band.
+    Json all, outside;  ///< Errors of all pixels, and without the band.
 };
 
 /// One self-contained HTML page: each view side by side with a slider between the two, heat map and table.

@@ -41,7 +41,7 @@ std::string drawing(const Options& options, const csg::solid::Outline& outline, 
 
 }  // namespace
 
-std::optional<nlohmann::ordered_json> Geometry::figures() const {
+std::optional<Json> Geometry::figures() const {
     if (mesh) {
         return to_json(*mesh);
     }

@@ -18,7 +18,7 @@ struct Geometry {
     std::shared_ptr<const csg::solid::Outline> outline;
 
     /// to_json of what there is.
-    [[nodiscard]] std::optional<nlohmann::ordered_json> figures() const;
+    [[nodiscard]] std::optional<Json> figures() const;
 };
 
 /// Both throw base::Stopped where `stop` asked for it. Throws ModelError where an output cannot hold the model, or its

@@ -92,8 +92,8 @@ void write_output(const std::string& path, const std::string& bytes) {
     file.finish();
 }
 
-std::string text_of(const nlohmann::ordered_json& json) {
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+std::string text_of(const Json& json) {
+    return json.dump(2) + "\n";
 }
 
 std::string dependency_rules(const std::vector<std::string>& targets, const std::vector<std::string>& sources) {

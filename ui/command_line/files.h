@@ -6,9 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "base/file.h"
+#include "ui/pipeline/json.h"
 
 namespace ui {
 
@@ -35,7 +34,7 @@ class OutputFile {
 void write_output(const std::string& path, const std::string& bytes);
 
 /// JSON as it is written: indented, with a newline at its end. Names that are no UTF-8 are written with U+FFFD.
-[[nodiscard]] std::string text_of(const nlohmann::ordered_json& json);
+[[nodiscard]] std::string text_of(const Json& json);
 
 /// A rule for make, as OpenSCAD's -d writes it: each of `targets` depends on all of `sources`.
 [[nodiscard]] std::string dependency_rules(const std::vector<std::string>& targets,

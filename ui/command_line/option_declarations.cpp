@@ -4,26 +4,21 @@
 
 namespace ui {
 
-void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styles) {
+void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string& styles) {
     // Values may hold commas and begin with '-': every option takes exactly the argument after it.
     const auto text = [&](const char* names, std::string& value, const char* help, const char* type,
                           const char* group) {
-        return app.add_option(names, value, help)
-            ->type_name(type)
-            ->group(group)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+        table.add_last({names, help, type, group}, value);
     };
     const auto list = [&](const char* names, std::vector<std::string>& values, const char* help, const char* type,
                           const char* group) {
-        return app.add_option(names, values, help)
-            ->type_name(type)
-            ->group(group)
-            ->expected(1)
-            ->allow_extra_args(false)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        table.add_each({names, help, type, group}, values);
+    };
+    const auto flag = [&](const char* names, auto& value, const char* help, const char* group) {
+        table.add_flag({names, help, "", group}, value);
     };
     const char* const in = "Input and output";
-    app.add_option("file", raw.inputs, "The .scad file; - reads standard input")->type_name("");
+    table.add_rest({"file", "The .scad file; - reads standard input"}, raw.inputs);
     list("-o,--o", raw.outputs,
          "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .svg, .dxf, .pdf, .csg, .ast, .echo or .param; - is "
          "standard output. May be repeated. Without it a window opens",
@@ -44,8 +39,8 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
          in);
     list("--summary", raw.summary,
          "Print all (but parts), cache, time, camera, geometry, bounding-box, area, volume or parts", "WHAT", in);
-    app.add_flag("-q,--quiet", o.quiet, "Print errors only")->group(in);
-    app.add_flag("--hardwarnings", o.hard_warnings, "Stop at the first warning")->group(in);
+    flag("-q,--quiet", o.quiet, "Print errors only", in);
+    flag("--hardwarnings", o.hard_warnings, "Stop at the first warning", in);
 
     const char* const checks = "Limits and checks";
     text("--time-limit", raw.time_limit, "End with an error after that time, whatever is being done", "SECONDS",
@@ -73,17 +68,16 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
          "RULE", picture);
     text("--samples", raw.samples,
          "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
-    app.add_flag("--transparent-background", o.picture.transparent_background, "No background")->group(picture);
-    app.add_flag("--render", raw.render,
-                 "Draw the result: $preview false, neither % nor # parts, outlines flat, framed exactly")
-        ->group(picture);
-    app.add_flag("--preview", raw.preview, "Evaluate with $preview true (default)")->group(picture);
+    flag("--transparent-background", o.picture.transparent_background, "No background", picture);
+    flag("--render", raw.render,
+         "Draw the result: $preview false, neither % nor # parts, outlines flat, framed exactly", picture);
+    flag("--preview", raw.preview, "Evaluate with $preview true (default)", picture);
 
     const char* const camera = "Camera";
     text("--camera", raw.camera, "x,y,z,rotx,roty,rotz,distance or eyex,y,z,centerx,y,z", "NUMBERS", camera);
     text("--projection", raw.projection, "o (orthographic) or p (perspective, default)", "o|p", camera);
-    app.add_flag("--viewall", o.view_all, "Move the camera so that all is seen")->group(camera);
-    app.add_flag("--autocenter", o.autocenter, "Look at the centre of the model")->group(camera);
+    flag("--viewall", o.view_all, "Move the camera so that all is seen", camera);
+    flag("--autocenter", o.autocenter, "Look at the centre of the model", camera);
 
     const char* const engine = "Engine";
     const std::string engines = "auto, " + goldfeather::engine_names() + " (auto)";
@@ -95,9 +89,9 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     text("--log-frames", o.frames_log, "Write one line of JSON for each frame that the window shows", "FILE", engine);
 
     const char* const other = "Other";
-    app.add_flag("--help-export", raw.help_export, "Print the options of file formats")->group(other);
-    app.add_flag("-v,--version", raw.version, "Print the version")->group(other);
-    app.add_flag("--info", o.information, "Print version and OpenGL")->group(other);
+    flag("--help-export", raw.help_export, "Print the options of file formats", other);
+    flag("-v,--version", raw.version, "Print the version", other);
+    flag("--info", o.information, "Print version and OpenGL", other);
     const char* const accepted = "Accepted for OpenSCAD's sake, without effect";
     text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
     text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
@@ -105,23 +99,16 @@ void declare(CLI::App& app, Options& o, RawOptions& raw, const std::string& styl
     text("--debug", raw.debug, "Messages of OpenSCAD's own sources", "WHAT", accepted);
 }
 
-void declare_pick(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles) {
+void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const std::string& styles) {
     const char* const pick = "What to pick";
-    app.add_option("--at", raw.at, "The pixel, counted from the upper left corner, from 0 on")
-        ->type_name("X,Y")
-        ->group(pick)
-        ->required()
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("--format", raw.format, "text or json (text)")
-        ->type_name("FORMAT")
-        ->group(pick)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    declare(app, options, raw, styles);
+    table.add_last({"--at", "The pixel, counted from the upper left corner, from 0 on", "X,Y", pick}, raw.at, true);
+    table.add_last({"--format", "text or json (text)", "FORMAT", pick}, raw.format);
+    declare(table, options, raw, styles);
     for (const char* const name :
          {"-o", "--export-format", "-O", "--cache", "-d", "--stats", "--summary-file", "--summary", "--style", "--set",
           "--colorscheme", "--samples", "--transparent-background", "--minimal-fraction", "--log-frames",
           "--help-export", "--version", "--info"}) {
-        app.remove_option(app.get_option(name));
+        table.remove(name);
     }
 }
 

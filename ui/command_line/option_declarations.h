@@ -1,16 +1,15 @@
-// The options of csgscope as CLI11 knows them: names, help and groups.
+// The options of csgscope: names, help and groups.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "ui/command_line/option_table.h"
 #include "ui/command_line/options.h"
 
 namespace ui {
 
-/// The options as texts, as CLI11 gives them.
+/// The options as texts, as they are given.
 struct RawOptions {
     std::vector<std::string> inputs, outputs, settings, export_options;
     std::string export_format, camera, size, layers, samples, view, csg_limit, backend, render, preview, scheme;
@@ -22,11 +21,11 @@ struct RawOptions {
     bool version = false, help_export = false;
 };
 
-/// Declares all options. What needs no interpretation goes to `options`; both must outlive `app`. `styles`: as the help
-/// lists them.
-void declare(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles);
+/// Declares all options. What needs no interpretation goes to `options`; both must outlive `table`. `styles`: as the
+/// help lists them.
+void declare(OptionTable& table, Options& options, RawOptions& raw, const std::string& styles);
 
 /// Those of `csgscope pick`: of all the others those that have a meaning there.
-void declare_pick(CLI::App& app, Options& options, RawOptions& raw, const std::string& styles);
+void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const std::string& styles);
 
 }  // namespace ui

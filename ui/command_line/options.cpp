@@ -6,7 +6,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "layers/limits.h"
 #include "ui/command_line/option_declarations.h"
@@ -122,19 +121,6 @@ PickOptions read_pick(const RawOptions& raw, glm::ivec2 size) {
     }
     pick.json = !raw.format.empty() && read_name<bool>("--format", raw.format, {{"text", false}, {"json", true}});
     return pick;
-}
-
-/// A value that is there and empty would leave the option as it is, which nobody means who names it.
-void refuse_empty_values(const CLI::App& app) {
-    for (const CLI::Option* option : app.get_options()) {
-        const bool takes_value = !option->get_positional() && option->get_items_expected_max() > 0;
-        const std::vector<std::string>& values = option->results();
-        if (takes_value && option->count() > 0 && std::find(values.begin(), values.end(), "") != values.end()) {
-            const std::vector<std::string>& letters = option->get_snames();
-            throw UsageError(letters.empty() ? fmt::format("{}: the value is empty", option->get_name())
-                                             : fmt::format("-{}: the value is empty", letters[0]));
-        }
-    }
 }
 
 /// What is written or read by that name, whatever links lead there.
@@ -280,37 +266,27 @@ CommandLine read_command_line(const std::vector<std::string>& arguments, const s
         interpret(line.options, raw);
         return line;
     }
-    CLI::App app(
+    OptionTable table(
         pick ? "csgscope pick tells which surfaces lie behind a pixel of the model's picture, and from where in "
                "the text each comes."
              : "csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.\n"
                "csgscope pick tells what lies behind a pixel, csgscope compare compares with a mesh: each has "
                "a --help of its own.",
         pick ? "csgscope pick" : "csgscope");
-    app.set_help_flag("-h,--help", "Print this help")->group("Other");
-    app.get_formatter()->column_width(34);
-    pick ? declare_pick(app, line.options, raw, styles) : declare(app, line.options, raw, styles);
+    table.lay_out_help("Other", 34);
+    pick ? declare_pick(table, line.options, raw, styles) : declare(table, line.options, raw, styles);
     try {
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - (pick ? 1 : 0)));
-    } catch (const CLI::CallForHelp&) {
-        if (!styles.empty()) {
-            line.text = app.help();
-        }
-        return line;
-    } catch (const CLI::ExtrasError&) {
-        std::vector<std::string> names;
-        for (const CLI::Option* option : app.get_options()) {
-            for (const std::string& name : option->get_lnames()) {
-                names.push_back("--" + name);
+        if (!table.read({arguments.begin() + (pick ? 1 : 0), arguments.end()})) {
+            if (!styles.empty()) {
+                line.text = table.help();
             }
+            return line;
         }
-        const auto extra = app.remaining().empty() ? std::string() : app.remaining().front();
-        const auto name = extra.substr(0, extra.find('='));
-        throw UsageError(fmt::format("unknown option {}.{}", name, suggestion(name, names, " See csgscope --help.")));
-    } catch (const CLI::ParseError& error) {
-        throw UsageError(error.what());
+    } catch (const UnknownOption& unknown) {
+        throw UsageError(fmt::format("unknown option {}.{}", unknown.name(),
+                                     suggestion(unknown.name(), table.long_names(), " See csgscope --help.")));
     }
-    refuse_empty_values(app);
+    table.refuse_empty_values();
     if (raw.version) {
         line.text = "csgscope version " CSGSCOPE_VERSION "\n";
         return line;

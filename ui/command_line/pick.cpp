@@ -13,8 +13,6 @@ namespace ui {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kWidestCall = 48;  ///< Characters of a call that are shown.
 
 /// A step of the way down to a leaf.

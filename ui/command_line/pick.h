@@ -1,12 +1,12 @@
 // What `csgscope pick` tells.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "csg/scad/scad.h"
 #include "ui/command_line/options.h"
+#include "ui/pipeline/json.h"
 #include "ui/pipeline/picture/pick.h"
 
 namespace ui {
@@ -23,6 +23,6 @@ struct PickReport {
 [[nodiscard]] std::string pick_text(const PickReport& report);
 
 /// {"pixel": …, "size": …, "camera": …, "surfaces": [{"layer": …, "distance": …, "point": …, "leaf": …, "calls": […]}]}
-[[nodiscard]] nlohmann::ordered_json pick_json(const PickReport& report);
+[[nodiscard]] Json pick_json(const PickReport& report);
 
 }  // namespace ui

@@ -32,8 +32,6 @@ namespace ui {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// One run: the source, what became of it, and the figures.
 class Run {
   public:
@@ -237,7 +235,7 @@ class Run {
             all["outline"] = *geometry_.figures();
         }
         if (!picture_json_.is_null()) {
-            ms.update(picture_json_["ms"]);
+            ms.update(*picture_json_.find("ms"));
             all.update(picture_json_);
         }
         all["ms"] = ms;

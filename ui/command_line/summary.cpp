@@ -10,8 +10,6 @@ namespace ui {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json time_json(double milliseconds) {
     const long total = std::lround(milliseconds);
     const long hours = total / 3'600'000, minutes = total / 60'000 % 60, seconds = total / 1000 % 60;
@@ -34,7 +32,7 @@ Json box_json(const csg::Box& box) {
 /// The figures that were asked for.
 Json geometry_json(const SummaryParts& parts, const Json& figures) {
     Json json = Json::object();
-    for (const auto& [key, value] : figures.items()) {
+    for (const auto& [key, value] : figures.members()) {
         const bool told = key == "bounding_box" ? parts.bounding_box
                           : key == "area"       ? parts.area
                           : key == "volume"     ? parts.volume

@@ -3,29 +3,28 @@
 
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
 #include "base/camera.h"
 #include "csg/solid/placed.h"
 #include "csg/tree/box.h"
 #include "ui/command_line/summary_parts.h"
+#include "ui/pipeline/json.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {
 
 struct SummaryFigures {
     base::Camera camera;
-    csg::Box box;                                    ///< Encloses the model; empty where it is.
-    std::optional<nlohmann::ordered_json> geometry;  ///< to_json of the mesh or of the outline.
+    csg::Box box;                  ///< Encloses the model; empty where it is.
+    std::optional<Json> geometry;  ///< to_json of the mesh or of the outline.
     csg::solid::SolidCache::Size cache;
-    double milliseconds = 0;       ///< Wall time of the run so far.
-    nlohmann::ordered_json parts;  ///< See parts_json.
+    double milliseconds = 0;  ///< Wall time of the run so far.
+    Json parts;               ///< See parts_json.
 };
 
 /// [{"name": …, "kind": …, "color": …, "leaves": …, "bounding_box": …}]; boxes enclose the parts.
-[[nodiscard]] nlohmann::ordered_json parts_json(const Model& model);
+[[nodiscard]] Json parts_json(const Model& model);
 
 /// {"cache": …, "time": …, "camera": …, "bounding_box": …, "geometry": …, "parts": …}, of which `parts` are told.
-[[nodiscard]] nlohmann::ordered_json summary_json(const SummaryParts& parts, const SummaryFigures& figures);
+[[nodiscard]] Json summary_json(const SummaryParts& parts, const SummaryFigures& figures);
 
 }  // namespace ui

@@ -2,15 +2,15 @@
 
 namespace ui {
 
-nlohmann::ordered_json to_json(const base::Camera& camera) {
-    const auto array = [](const glm::dvec3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+Json to_json(const base::Camera& camera) {
+    const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
     return {{"translation", array(camera.target)},
             {"rotation", array(camera.rotation)},
             {"distance", camera.distance},
             {"fov", camera.fov}};
 }
 
-nlohmann::ordered_json to_json(const ModelStatistics& s) {
+Json to_json(const ModelStatistics& s) {
     return {{"parts", s.parts},
             {"leaves", s.leaves},
             {"triangles", s.triangles},
@@ -23,7 +23,7 @@ nlohmann::ordered_json to_json(const ModelStatistics& s) {
             {"ms", {{"place", s.place_ms}, {"normalize", s.normalize_ms}}}};
 }
 
-nlohmann::ordered_json to_json(const PictureStatistics& s) {
+Json to_json(const PictureStatistics& s) {
     return {{"engine", s.engine.engine->name},
             {"engine_reason", s.engine.reason},
             {"painter", s.opengl ? "opengl" : "cpu"},
@@ -35,7 +35,7 @@ nlohmann::ordered_json to_json(const PictureStatistics& s) {
             {"drawn_leaves", s.walk.drawn_leaves},
             {"drawn_products", s.walk.drawn_products},
             {"skipped_leaves", s.walk.skipped_leaves},
-            {"occluded_leaves", s.walk.occluded_leaves ? nlohmann::ordered_json(*s.walk.occluded_leaves) : nullptr},
+            {"occluded_leaves", s.walk.occluded_leaves ? Json(*s.walk.occluded_leaves) : Json(nullptr)},
             {"skipped_products", s.walk.skipped_products},
             {"skipped_triangles", s.walk.skipped_triangles},
             {"parity_slots", s.walk.slots},

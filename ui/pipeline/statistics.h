@@ -1,11 +1,10 @@
 // What a run cost, as JSON (--stats, benchmarks).
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "base/camera.h"
 #include "goldfeather/choice.h"
 #include "goldfeather/walk_stats.h"
+#include "ui/pipeline/json.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {
@@ -23,12 +22,12 @@ struct PictureStatistics {
 };
 
 /// OpenSCAD's four numbers: {"translation": …, "rotation": …, "distance": …, "fov": …}.
-[[nodiscard]] nlohmann::ordered_json to_json(const base::Camera& camera);
+[[nodiscard]] Json to_json(const base::Camera& camera);
 
 /// Counts and stages of a model: {"leaves": …, "products": …, "ms": {"place": …, "normalize": …}}.
-[[nodiscard]] nlohmann::ordered_json to_json(const ModelStatistics& statistics);
+[[nodiscard]] Json to_json(const ModelStatistics& statistics);
 
 /// {"passes": …, "fragments": …, "layers": …, "samples": …, "ms": {"upload": …, "peel": …, "style": …, "read": …}}.
-[[nodiscard]] nlohmann::ordered_json to_json(const PictureStatistics& statistics);
+[[nodiscard]] Json to_json(const PictureStatistics& statistics);
 
 }  // namespace ui

@@ -53,7 +53,9 @@ std::string suggestion(std::string_view name, std::span<const std::string> candi
         nearest.push_back(quoted(candidate));
     }
     std::vector<std::string>& found = begun.empty() ? nearest : begun;
-    found.resize(std::min(found.size(), kMostNamed));
+    if (found.size() > kMostNamed) {
+        found.erase(found.begin() + kMostNamed, found.end());
+    }
     return found.empty() ? std::string(fallback) : fmt::format(" Did you mean {}?", fmt::join(found, " or "));
 }
 

@@ -2,11 +2,11 @@
 
 #include <cerrno>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "ui/pipeline/json.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
@@ -15,23 +15,23 @@ namespace {
 
 /// The record on one line, without newline.
 std::string to_json(const FrameRecord& record) {
-    nlohmann::ordered_json camera = ui::to_json(record.camera);
+    Json camera = ui::to_json(record.camera);
     camera["projection"] = record.camera.projection == base::Projection::Orthographic ? "orthographic" : "perspective";
-    const nlohmann::ordered_json json = {{"time", record.time},
-                                         {"ms", record.ms},
-                                         {"picture_ms", record.picture_ms},
-                                         {"samples", record.samples},
-                                         {"wanted_samples", record.wanted_samples},
-                                         {"divisor", record.divisor},
-                                         {"width", record.size.x},
-                                         {"height", record.size.y},
-                                         {"current", record.current},
-                                         {"generation", record.generation},
-                                         {"style", record.style},
-                                         {"engine", record.engine},
-                                         {"state", record.state},
-                                         {"evaluating", record.evaluating},
-                                         {"camera", camera}};
+    const Json json = {{"time", record.time},
+                       {"ms", record.ms},
+                       {"picture_ms", record.picture_ms},
+                       {"samples", record.samples},
+                       {"wanted_samples", record.wanted_samples},
+                       {"divisor", record.divisor},
+                       {"width", record.size.x},
+                       {"height", record.size.y},
+                       {"current", record.current},
+                       {"generation", record.generation},
+                       {"style", record.style},
+                       {"engine", record.engine},
+                       {"state", record.state},
+                       {"evaluating", record.evaluating},
+                       {"camera", camera}};
     return json.dump();
 }
 

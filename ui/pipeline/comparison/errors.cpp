@@ -242,11 +242,11 @@ Comparison compare_layers(const layers::HostStack& stack, const csg::solid::Geom
     return comparer.compare(drawn, expected);
 }
 
-nlohmann::ordered_json to_json(const Errors& e) {
+Json to_json(const Errors& e) {
     const auto share = [](std::size_t part, std::size_t whole) {
         return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
     };
-    nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+    Json layers = Json::array();
     for (const LayerErrors& l : e.layer) {
         layers.push_back({{"pixels", l.pixels},
                           {"coverage_error", share(l.coverage_wrong, l.pixels)},

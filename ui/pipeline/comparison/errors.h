@@ -4,11 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "csg/solid/placed.h"
 #include "layers/host_stack.h"
 #include "ui/pipeline/comparison/mesh_layers.h"
+#include "ui/pipeline/json.h"
 
 namespace ui {
 
@@ -63,6 +62,6 @@ struct Comparison {
                                         const csg::reference::Mesh& mesh, const MeshLayers& truth,
                                         const base::View& view, double diagonal);
 
-[[nodiscard]] nlohmann::ordered_json to_json(const Errors& errors);
+[[nodiscard]] Json to_json(const Errors& errors);
 
 }  // namespace ui

@@ -83,8 +83,7 @@ std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat fo
     return csg::reference::encode(document, format, stop);
 }
 
-nlohmann::ordered_json to_json(const ModelMesh& mesh) {
-    using Json = nlohmann::ordered_json;
+Json to_json(const ModelMesh& mesh) {
     const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
     const auto& f = mesh.facts;
     Json json = {{"dimensions", 3},

@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "csg/reference/boolean.h"
 #include "csg/reference/mesh_files.h"
+#include "ui/pipeline/json.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {
@@ -33,6 +32,6 @@ struct ModelMesh {
 
 /// For summaries, in OpenSCAD's form: {"dimensions": 3, "facets": …, "vertices": …, "simple": true, "area": …,
 /// "volume": …, "bounding_box": {"min": …, "max": …, "size": …}}.
-[[nodiscard]] nlohmann::ordered_json to_json(const ModelMesh& mesh);
+[[nodiscard]] Json to_json(const ModelMesh& mesh);
 
 }  // namespace ui

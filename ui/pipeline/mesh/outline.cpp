@@ -81,8 +81,7 @@ void need_flat(const Model& model) {
     need(model, Extent::Flat, "the model is solid; .svg, .dxf and .pdf need a flat one (projection)");
 }
 
-nlohmann::ordered_json to_json(const csg::solid::Outline& outline) {
-    using Json = nlohmann::ordered_json;
+Json to_json(const csg::solid::Outline& outline) {
     const csg::Box box = csg::solid::bounds_of(outline.loops);
     const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y}; };
     return {{"dimensions", 2},

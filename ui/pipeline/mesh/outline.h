@@ -1,9 +1,8 @@
 // A flat model as one region of the plane, for files and summaries.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "csg/solid/outline.h"
+#include "ui/pipeline/json.h"
 #include "ui/pipeline/model.h"
 
 namespace ui {
@@ -19,6 +18,6 @@ void need_solid(const Model& model);
 void need_flat(const Model& model);
 
 /// For summaries, in OpenSCAD's form: {"dimensions": 2, "convex": …, "contours": …, "area": …, "bounding_box": …}.
-[[nodiscard]] nlohmann::ordered_json to_json(const csg::solid::Outline& outline);
+[[nodiscard]] Json to_json(const csg::solid::Outline& outline);
 
 }  // namespace ui
