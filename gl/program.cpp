@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
+#include <charconv>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -39,18 +40,35 @@ void append(const ShaderLibrary& library, std::string_view name, Assembled& out)
     }
 }
 
-/// Replaces the driver's "0:12" or "0(12)" by the file's name and line.
-std::string name_lines(const std::string& log, const std::vector<std::string>& files) {
-    static const std::regex place(R"((^|\n|ERROR: |WARNING: )(\d+)[:(](\d+)\)?)");
-    std::string result;
-    auto at = log.cbegin();
-    for (std::sregex_iterator it(log.begin(), log.end(), place), end; it != end; ++it) {
-        const std::size_t file = std::stoul((*it)[2]);
-        result.append(at, (*it)[0].first);
-        result += (*it)[1].str() + (file < files.size() ? files[file] : (*it)[2].str()) + ":" + (*it)[3].str();
-        at = (*it)[0].second;
+/// Reads a number at `at`, and goes on behind it; nothing where there is none.
+std::optional<std::size_t> read_number(std::string_view text, std::size_t& at) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+    if (error != std::errc{}) {
+        return std::nullopt;
     }
-    result.append(at, log.cend());
+    at = static_cast<std::size_t>(end - text.data());
+    return number;
+}
+
+/// Replaces the driver's "0:12" or "0(12)", at the beginning of a line or of a message, by the file's name and line.
+std::string name_lines(std::string_view log, const std::vector<std::string>& files) {
+    std::string result;
+    for (std::size_t at = 0; at < log.size();) {
+        const std::string_view before = log.substr(0, at);
+        const bool begins =
+            before.empty() || before.ends_with('\n') || before.ends_with("ERROR: ") || before.ends_with("WARNING: ");
+        std::size_t end = at;
+        const auto file = begins ? read_number(log, end) : std::nullopt;
+        const bool parted = file && end < log.size() && (log[end] == ':' || log[end] == '(');
+        const auto line = parted ? read_number(log, ++end) : std::nullopt;
+        if (!line) {
+            result += log[at++];
+            continue;
+        }
+        result += fmt::format("{}:{}", *file < files.size() ? files[*file] : std::to_string(*file), *line);
+        at = end + (end < log.size() && log[end] == ')' ? 1 : 0);
+    }
     return result;
 }
 

@@ -30,6 +30,13 @@ TEST(Json, FractionsAreTheNumbersOfFloatingPoint) {
     EXPECT_EQ(Json(1e300).dump(), "1e+300");
 }
 
+TEST(Json, ReadsWhatItWrites) {
+    const char* const text = R"({"a":[1,-2,0.5,"t",true,null],"b":{"c":18446744073709551615}})";
+    EXPECT_EQ(Json::read(text, 100).dump(), text);
+    EXPECT_EQ(Json::read(text, 1).dump(), "{}");  // What is nested deeper is left out.
+    EXPECT_TRUE(Json::read("{", 100).is_null());
+}
+
 TEST(Json, BytesThatAreNoTextAreReplaced) {
     EXPECT_EQ(Json("a\xFFz").dump(), "\"a\xEF\xBF\xBDz\"");
 }

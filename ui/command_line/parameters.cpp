@@ -2,74 +2,87 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <variant>
 
 #include "csg/scad/customizer/customizer.h"
+#include "ui/pipeline/json.h"
 
 namespace ui {
 
 namespace {
 
-using Json = nlohmann::json;
 using csg::scad::CustomizerParameter;
 
+struct JsonOf {
+    Json operator()(const std::vector<double>& numbers) const {
+        Json array = Json::array();
+        for (const double number : numbers) {
+            array.push_back(number);
+        }
+        return array;
+    }
+    Json operator()(const auto& value) const { return value; }
+};
+
+/// Members by name, as OpenSCAD writes them.
 Json to_json(const CustomizerParameter& p) {
-    Json json{{"name", p.name}, {"group", p.group}};
-    std::visit([&](const auto& initial) { json["initial"] = initial; }, p.initial);
-    json["type"] = std::holds_alternative<bool>(p.initial)          ? "boolean"
-                   : std::holds_alternative<std::string>(p.initial) ? "string"
-                                                                    : "number";
+    Json json = Json::object();
     if (!p.caption.empty()) {
         json["caption"] = p.caption;
     }
-    for (const auto& [key, number] :
-         {std::pair("min", p.minimum), std::pair("max", p.maximum), std::pair("step", p.step)}) {
-        if (number) {
-            json[key] = *number;
-        }
+    json["group"] = p.group;
+    json["initial"] = std::visit(JsonOf(), p.initial);
+    if (p.maximum) {
+        json["max"] = *p.maximum;
     }
     if (p.longest) {
         json["maxLength"] = *p.longest;
     }
-    for (const auto& option : p.options) {
-        Json value;
-        std::visit([&](const auto& v) { value = v; }, option.value);
-        json["options"].push_back({{"name", option.label}, {"value", value}});
+    if (p.minimum) {
+        json["min"] = *p.minimum;
     }
+    json["name"] = p.name;
+    for (const auto& option : p.options) {
+        json["options"].push_back({{"name", option.label}, {"value", std::visit(JsonOf(), option.value)}});
+    }
+    if (p.step) {
+        json["step"] = *p.step;
+    }
+    json["type"] = std::holds_alternative<bool>(p.initial)          ? "boolean"
+                   : std::holds_alternative<std::string>(p.initial) ? "string"
+                                                                    : "number";
     return json;
 }
 
 }  // namespace
 
 std::string parameters_json(const csg::scad::Program& program, const std::string& title) {
-    Json json{{"title", title}, {"parameters", Json::array()}};
+    Json parameters = Json::array();
     for (const CustomizerParameter& p : csg::scad::customizer_parameters(program)) {
-        json["parameters"].push_back(to_json(p));
+        parameters.push_back(to_json(p));
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return Json{{"parameters", parameters}, {"title", title}}.dump(2) + "\n";
 }
 
 ParameterSet read_parameter_set(const csg::scad::Program& program, const std::string& text, const std::string& path,
                                 const std::string& name) {
-    // Nesting is bounded: the parser of the library needs no stack, but destroying what it made does.
     constexpr int kDeepest = 100;
-    const Json json = Json::parse(
-        text, [](int depth, Json::parse_event_t, Json&) { return depth < kDeepest; }, false);
-    if (!json.is_object() || !json.contains("parameterSets") || !json["parameterSets"].is_object()) {
+    const Json json = Json::read(text, kDeepest);
+    const Json* sets = json.find("parameterSets");
+    if (sets == nullptr || !sets->is_object()) {
         return {{}, fmt::format("Parameter file '{}' holds no parameter sets", path)};
     }
-    const Json& sets = json["parameterSets"];
-    if (!sets.contains(name) || !sets[name].is_object()) {
+    const Json* set = sets->find(name);
+    if (set == nullptr || !set->is_object()) {
         return {{}, fmt::format("There is no parameter set '{}' in '{}'", name, path)};
     }
     ParameterSet result;
     for (const CustomizerParameter& p : csg::scad::customizer_parameters(program)) {
-        const auto value = sets[name].find(p.name);
-        if (value == sets[name].end()) {
+        const Json* value = set->find(p.name);
+        if (value == nullptr) {
             continue;
         }
-        if (const auto expression =
-                fitted_expression(p, value->is_string() ? value->get<std::string>() : value->dump())) {
+        if (const auto expression = fitted_expression(p, value->text() != nullptr ? *value->text() : value->dump())) {
             result.definitions.push_back(p.name + '=' + *expression);
         }
     }

@@ -11,6 +11,30 @@ bool is_member(const Json& item) {
     return item.items().size() == 2 && item.items()[0].text() != nullptr;
 }
 
+/// Recurses as deeply as the value is nested.
+Json converted(const nlohmann::ordered_json& value) {
+    if (value.is_array()) {
+        Json array = Json::array();
+        for (const auto& item : value) {
+            array.push_back(converted(item));
+        }
+        return array;
+    }
+    if (value.is_object()) {
+        Json object = Json::object();
+        for (const auto& [name, member] : value.items()) {
+            object[name] = converted(member);
+        }
+        return object;
+    }
+    return value.is_string()            ? Json(value.get_ref<const std::string&>())
+           : value.is_boolean()         ? Json(value.get<bool>())
+           : value.is_number_unsigned() ? Json(value.get<std::uint64_t>())
+           : value.is_number_integer()  ? Json(value.get<std::int64_t>())
+           : value.is_number()          ? Json(value.get<double>())
+                                        : Json(nullptr);
+}
+
 }  // namespace
 
 Json::Json(std::nullptr_t) : value_(nullptr) {}
@@ -34,6 +58,12 @@ Json::Json(std::initializer_list<Json> items) {
     }
 }
 
+Json Json::read(std::string_view text, int deepest) {
+    using Event = nlohmann::ordered_json::parse_event_t;
+    return converted(nlohmann::ordered_json::parse(
+        text, [&](int depth, Event, nlohmann::ordered_json&) { return depth < deepest; }, false));
+}
+
 Json Json::array() {
     Json json;
     json.value_ = Array();
@@ -48,6 +78,10 @@ Json Json::object() {
 
 bool Json::is_null() const {
     return std::holds_alternative<std::nullptr_t>(value_);
+}
+
+bool Json::is_object() const {
+    return std::holds_alternative<Object>(value_);
 }
 
 bool Json::is_fraction() const {

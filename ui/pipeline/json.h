@@ -1,4 +1,4 @@
-// Values to be written as JSON. Only json.cpp includes the library that writes them, which takes seconds to compile.
+// Values of JSON. Only json.cpp includes the library that reads and writes them, which takes seconds to compile.
 #pragma once
 
 #include <concepts>
@@ -36,10 +36,13 @@ class Json {
     Json& operator=(Json&&) noexcept;
     ~Json();
 
+    /// Of a text; null where it is no JSON. What is nested more than `deepest` levels is left out.
+    [[nodiscard]] static Json read(std::string_view text, int deepest);
     [[nodiscard]] static Json array();
     [[nodiscard]] static Json object();
 
     [[nodiscard]] bool is_null() const;
+    [[nodiscard]] bool is_object() const;
     [[nodiscard]] bool is_fraction() const;  ///< A number that was not an integer's.
     /// Of a truth value, and of a number of is_fraction().
     [[nodiscard]] bool truth() const;
