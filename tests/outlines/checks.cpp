@@ -176,7 +176,7 @@ class Checks {
         check_points("revolved", *solid, beyond(step, step), 1);
         how.angle = random_() % 2 == 0 ? 100 : -200;
         solid = rotate_extrude(moved, how);
-        const double steps = std::floor(std::max(1.0, fn * std::abs(how.angle) / 360));
+        const double steps = std::max(1.0, std::ceil(fn * std::abs(how.angle) / 360));
         const double part = std::abs(how.angle) * kPi / 180 / steps;
         if (part < 0.99 * kPi) {
             check_volume("revolved in part", *solid, steps * std::sin(part) * moment, scale * 8);

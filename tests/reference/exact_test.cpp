@@ -250,7 +250,7 @@ TEST(Diagonals, AreEdgesWhereAnotherLeafStandsOnThem) {
          "[1,2,3]]);",
          14.0 / 3},
         {"rotate_extrude(start = 0, $fn = 3) polygon([[2,5], [2,6], [0,0]]);"
-         "rotate_extrude(angle = 60, start = 0, $fn = 7) polygon([[4,4], [2,5], [2,6], [0,0]]);",
+         "rotate_extrude(angle = 60, start = 0, $fn = 6) polygon([[4,4], [2,5], [2,6], [0,0]]);",
          14.914881954065},  // by both methods
     };
     for (const auto& [program, volume] : models) {
@@ -285,7 +285,7 @@ const File kFiles[] = {{"two_shells.scad", 850},
                        {"noisy_wall_2_rings.scad", 7535.8313165602},
                        {"noisy_wall_11_rings.scad", 154476.346727},
                        {"noisy_vase.csg", 55241.081421059},
-                       {"overlapping_spring.scad", 764.84872554467}};
+                       {"overlapping_spring.scad", 765.40226691295}};
 
 INSTANTIATE_TEST_SUITE_P(Cases, Files, testing::ValuesIn(kFiles), [](const auto& info) {
     const std::string name = info.param.name;
