@@ -23,8 +23,9 @@ SurfaceBuffers::SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& tabl
 
 void SurfaceBuffers::update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes) {
     diagonal = table.diagonal;
-    for (const std::uint32_t plane : changed_planes)
+    for (const std::uint32_t plane : changed_planes) {
         planes.write<glm::vec4>(plane * sizeof(glm::vec4), {&table.planes[plane], 1});
+    }
 }
 
 void grow(const gl::Functions& gl, TextureStack& stack, int layers) {

@@ -19,10 +19,12 @@ Frame::Frame(const CpuFrame& frame)
 bool Frame::same_surfaces(ivec2 p, ivec2 q) const {
     for (int i = 0; i < layer_count; ++i) {
         const uvec2 a = surface_ids(p, i);
-        if (a != surface_ids(q, i))
+        if (a != surface_ids(q, i)) {
             return false;
-        if (a.x == kNoSurface)
+        }
+        if (a.x == kNoSurface) {
             break;
+        }
     }
     return true;
 }

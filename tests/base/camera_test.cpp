@@ -57,7 +57,7 @@ TEST_P(ViewTest, PlaneDepthAgreesWithTheRay) {
     const double offset = 2.5;
     const View::PlaneDepth d = view.plane_depth(normal, offset);
     ASSERT_FALSE(d.edge_on);
-    for (int y = 0; y < 200; y += 37)
+    for (int y = 0; y < 200; y += 37) {
         for (int x = 0; x < 320; x += 41) {
             const View::Ray ray = view.ray(x, y);
             const double t = (offset - glm::dot(normal, ray.origin)) / glm::dot(normal, ray.direction);
@@ -69,6 +69,7 @@ TEST_P(ViewTest, PlaneDepthAgreesWithTheRay) {
             EXPECT_NEAR((clip.y / clip.w + 1) * 100, y + 0.5, 1e-9);
             EXPECT_NEAR(clip.z / clip.w, view.depth(t), 1e-12);
         }
+    }
 }
 
 TEST_P(ViewTest, DepthIsReversedAndEnclosesTheBox) {

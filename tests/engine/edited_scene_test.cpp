@@ -39,15 +39,17 @@ csg::Operation operation_of(ExpressionKind kind) {
 
 Model* node_at(Model& model, const Path& path) {
     Model* at = &model;
-    for (const std::uint32_t child : path)
+    for (const std::uint32_t child : path) {
         at = &at->children[child];
+    }
     return at;
 }
 
 void collect(Model& model, Path& path, std::vector<Path>& nodes, std::vector<Path>& leaves) {
     nodes.push_back(path);
-    if (model.operation == csg::Operation::Leaf)
+    if (model.operation == csg::Operation::Leaf) {
         leaves.push_back(path);
+    }
     for (std::uint32_t i = 0; i < model.children.size(); ++i) {
         path.push_back(i);
         collect(model.children[i], path, nodes, leaves);
@@ -57,10 +59,12 @@ void collect(Model& model, Path& path, std::vector<Path>& nodes, std::vector<Pat
 
 /// Every leaf below a transformation of its own.
 Model loosened(Model model) {
-    if (model.operation == csg::Operation::Leaf)
+    if (model.operation == csg::Operation::Leaf) {
         return random_tree::matrix(glm::dmat4(1.0), std::move(model));
-    for (Model& child : model.children)
+    }
+    for (Model& child : model.children) {
         child = loosened(std::move(child));
+    }
     return model;
 }
 
@@ -68,8 +72,9 @@ Model loosened(Model model) {
 Model with(const Model& model, std::span<const Addition> additions) {
     Model result = model;
     std::vector<const Addition*> order;
-    for (const Addition& a : additions)
+    for (const Addition& a : additions) {
         order.push_back(&a);
+    }
     std::stable_sort(order.begin(), order.end(),
                      [](const Addition* a, const Addition* b) { return a->path.size() > b->path.size(); });
     for (const Addition* a : order) {
@@ -86,10 +91,12 @@ csg::OccurrenceId occurrence_at(const csg::Scene& scene, const Path& path) {
     for (const std::uint32_t child : path) {
         csg::OccurrenceId next = 0;
         while (next < scene.occurrences.size() &&
-               (scene.occurrences[next].parent != at || scene.occurrences[next].child != child))
+               (scene.occurrences[next].parent != at || scene.occurrences[next].child != child)) {
             ++next;
-        if (next == scene.occurrences.size())
+        }
+        if (next == scene.occurrences.size()) {
             return csg::kNoOccurrence;
+        }
         at = next;
     }
     return at;
@@ -109,8 +116,9 @@ struct Subject {
     }
     void normalize() {
         std::vector<csg::Box> boxes;
-        for (const csg::solid::PlacedLeaf& leaf : geometry.leaves)
+        for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
             boxes.push_back(leaf.box);
+        }
         products.resize(scene.parts.size());
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
             goldfeather::NormalizationStats stats;
@@ -128,13 +136,15 @@ constexpr std::uint32_t kUnused = ~std::uint32_t{0};
 std::vector<std::uint32_t> numbers_of_planes(const csg::solid::Geometry& geometry) {
     std::vector<std::uint32_t> numbers(geometry.planes.planes().size(), kUnused);
     for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
-        for (const csg::solid::PlaneRef& plane : leaf.planes)
+        for (const csg::solid::PlaneRef& plane : leaf.planes) {
             numbers[plane.index] = 0;
+        }
     }
     std::uint32_t next = 0;
     for (std::uint32_t& number : numbers) {
-        if (number != kUnused)
+        if (number != kUnused) {
             number = next++;
+        }
     }
     return numbers;
 }
@@ -142,44 +152,53 @@ std::vector<std::uint32_t> numbers_of_planes(const csg::solid::Geometry& geometr
 /// What differs first; empty where nothing does.
 std::string difference(const csg::Scene& edited, const csg::Scene& made) {
     if (edited.leaves.size() != made.leaves.size() || edited.expressions.size() != made.expressions.size() ||
-        edited.parts.size() != made.parts.size())
+        edited.parts.size() != made.parts.size()) {
         return "sizes of scenes";
+    }
     for (std::size_t i = 0; i < edited.leaves.size(); ++i) {
-        if (edited.leaves[i].to_world != made.leaves[i].to_world || edited.leaves[i].part != made.leaves[i].part)
+        if (edited.leaves[i].to_world != made.leaves[i].to_world || edited.leaves[i].part != made.leaves[i].part) {
             return fmt::format("leaf {} of the scene", i);
+        }
     }
     for (std::size_t i = 0; i < edited.expressions.size(); ++i) {
         const csg::Expression &a = edited.expressions[i], &b = made.expressions[i];
         const auto of_a = edited.children(a), of_b = made.children(b);
         if (a.kind != b.kind || (a.kind == ExpressionKind::Leaf && a.leaf != b.leaf) ||
-            !std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()))
+            !std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end())) {
             return fmt::format("expression {}", i);
+        }
     }
     for (std::size_t i = 0; i < edited.parts.size(); ++i) {
         const csg::Part &a = edited.parts[i], &b = made.parts[i];
         if (a.first_expression != b.first_expression || a.root != b.root || a.first_leaf != b.first_leaf ||
-            a.leaf_count != b.leaf_count)
+            a.leaf_count != b.leaf_count) {
             return fmt::format("part {}", i);
+        }
     }
     return {};
 }
 
 std::string difference(const csg::solid::Geometry& edited, const csg::solid::Geometry& made) {
-    if (edited.box != made.box || edited.centre != made.centre || edited.planes.tolerance() != made.planes.tolerance())
+    if (edited.box != made.box || edited.centre != made.centre ||
+        edited.planes.tolerance() != made.planes.tolerance()) {
         return "bounds";
+    }
     const std::vector<std::uint32_t> numbers = numbers_of_planes(edited);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i] != kUnused && (numbers[i] >= made.planes.planes().size() ||
-                                      edited.planes.planes()[i] != made.planes.planes()[numbers[i]]))
+                                      edited.planes.planes()[i] != made.planes.planes()[numbers[i]])) {
             return fmt::format("plane {}", i);
+        }
     }
     for (std::size_t i = 0; i < edited.leaves.size(); ++i) {
         const csg::solid::PlacedLeaf &a = edited.leaves[i], &b = made.leaves[i];
-        if (a.points != b.points || a.triangles != b.triangles || a.box != b.box)
+        if (a.points != b.points || a.triangles != b.triangles || a.box != b.box) {
             return fmt::format("mesh of leaf {}", i);
+        }
         for (std::size_t t = 0; t < a.planes.size(); ++t) {
-            if (numbers[a.planes[t].index] != b.planes[t].index || a.planes[t].flipped != b.planes[t].flipped)
+            if (numbers[a.planes[t].index] != b.planes[t].index || a.planes[t].flipped != b.planes[t].flipped) {
                 return fmt::format("plane of triangle {} of leaf {}", t, i);
+            }
         }
     }
     return {};
@@ -187,16 +206,18 @@ std::string difference(const csg::solid::Geometry& edited, const csg::solid::Geo
 
 std::string difference(const csg::solid::Geometry& geometry, const layers::HostStack& edited,
                        const layers::HostStack& made) {
-    if (edited.layers != made.layers)
+    if (edited.layers != made.layers) {
         return fmt::format("{} layers instead of {}", edited.layers, made.layers);
+    }
     const std::vector<std::uint32_t> numbers = numbers_of_planes(geometry);
     for (int layer = 0; layer < edited.layers; ++layer) {
         for (int y = 0; y < edited.size.y; ++y) {
             for (int x = 0; x < edited.size.x; ++x) {
                 layers::Surface a = edited.at(layer, x, y);
                 a.plane = a.depth > 0 ? numbers[a.plane] : a.plane;
-                if (a != made.at(layer, x, y))
+                if (a != made.at(layer, x, y)) {
                     return fmt::format("pixel {}, {} of layer {}", x, y, layer);
+                }
             }
         }
     }
@@ -238,8 +259,9 @@ class Edits {
         }
     }
     [[nodiscard]] csg::LeafShape shape() {
-        if (pick(2) == 0)
+        if (pick(2) == 0) {
             return csg::Cube{{1.0 + pick(4), 1.0 + pick(4), 1.0 + pick(4)}, pick(2) == 0};
+        }
         return csg::Sphere{1.0 + pick(3), {}};
     }
 
@@ -253,13 +275,15 @@ class Edits {
             scene.remove(gone->id);
             additions_.erase(gone);
         } else {
-            for (int moves = 1 + pick(2); moves > 0; --moves)
+            for (int moves = 1 + pick(2); moves > 0; --moves) {
                 move();
+            }
         }
         // Where all leaves are now, as the tree says it.
         const csg::Scene now = csg::make_scene(random_tree::make_tree(result()));
-        for (csg::LeafId leaf = 0; leaf < now.leaves.size(); ++leaf)
+        for (csg::LeafId leaf = 0; leaf < now.leaves.size(); ++leaf) {
             scene.move(leaf, now.leaves[leaf].to_world);
+        }
     }
     [[nodiscard]] Model result() const { return with(model_, additions_); }
     [[nodiscard]] const Model& model() const { return model_; }
@@ -270,8 +294,9 @@ class Edits {
         Addition a{nodes_[static_cast<std::size_t>(pick(nodes_.size()))], static_cast<ExpressionKind>(1 + pick(3)),
                    shape(), matrix()};
         csg::Site site{0, occurrence_at(scene.scene(), a.path)};
-        if (site.occurrence == csg::kNoOccurrence || csg::expression_at(scene.scene(), site) == csg::kNoExpression)
+        if (site.occurrence == csg::kNoOccurrence || csg::expression_at(scene.scene(), site) == csg::kNoExpression) {
             return;
+        }
         a.id = scene.add(site, a.operation, cache.get(a.shape), a.matrix);
         additions_.push_back(a);
     }
@@ -311,8 +336,9 @@ class EditedScenes : public testing::TestWithParam<const goldfeather::EngineInfo
     }
     void update(std::unique_ptr<goldfeather::PreparedScene>& prepared, const Subject& subject,
                 const csg::solid::SceneChange& change) {
-        if (!prepared->update(change))
+        if (!prepared->update(change)) {
             prepared = prepare(subject);
+        }
     }
     [[nodiscard]] std::shared_ptr<const layers::HostStack> draw(goldfeather::PreparedScene& prepared,
                                                                 const base::View& view) {
@@ -338,8 +364,9 @@ TEST_P(EditedScenes, AreAsIfMadeFromNothing) {
         const bool structure = seed % 4 != 0;
         Edits edits(seed, !structure);
         Subject edited(edits.model(), cache_);
-        if (edited.scene.parts.empty())
+        if (edited.scene.parts.empty()) {
             continue;
+        }
         EditableScene scene(edited.scene, edited.geometry);
         auto prepared = prepare(edited);
         for (int step = 0; step < (slow ? 6 : 12); ++step) {
@@ -354,8 +381,9 @@ TEST_P(EditedScenes, AreAsIfMadeFromNothing) {
             const std::string where = fmt::format("seed {}, step {}\n{}", seed, step, scad_text(edits.result()));
             ASSERT_EQ(difference(edited.scene, made.scene), "") << where;
             ASSERT_EQ(difference(edited.geometry, made.geometry), "") << where;
-            if (made.geometry.box.empty())
+            if (made.geometry.box.empty()) {
                 continue;
+            }
             const base::Camera camera =
                 random_tree::make_camera(edits.random(), made.geometry.box.lo, made.geometry.box.hi);
             const base::View view = view_of(made, camera);
@@ -401,14 +429,16 @@ TEST_P(EditedScenes, AreSectionedPartByPart) {
 
         // Elsewhere first: a section is dragged to its place.
         std::vector<csg::solid::AddedId> sections;
-        for (csg::PartId part = 0; part < 2; ++part)
+        for (csg::PartId part = 0; part < 2; ++part) {
             sections.push_back(
                 scene.add({part}, ExpressionKind::Intersection, csg::solid::Plane{{0, 0, 1}, 3.3}, {1, 0, 0, 1}));
+        }
         csg::solid::SceneChange change = scene.commit();
         edited.normalize();
         update(prepared, edited, change);
-        for (const csg::solid::AddedId section : sections)
+        for (const csg::solid::AddedId section : sections) {
             scene.move(section, plane);
+        }
         change = scene.commit();
         EXPECT_FALSE(change.structure);
         EXPECT_EQ(change.leaves.size(), 2U) << "nothing but the sections";
@@ -421,8 +451,9 @@ TEST_P(EditedScenes, AreSectionedPartByPart) {
         for (int y = 0; y < kSize.y; ++y) {
             for (int x = 0; x < kSize.x; ++x) {
                 const layers::Surface s = cut->at(0, x, y);
-                if (s.depth == 0)
+                if (s.depth == 0) {
                     continue;
+                }
                 const base::View::Ray ray = view.ray(x, y);
                 const glm::dvec3 p = ray.origin + view.distance(s.depth) * ray.direction;
                 ASSERT_LT(glm::dot(plane.normal, p), plane.offset + 1e-3) << "what is beyond is gone";
@@ -432,8 +463,9 @@ TEST_P(EditedScenes, AreSectionedPartByPart) {
         }
         EXPECT_EQ(face, plane.offset > 0) << "the cut has exactly that plane";
 
-        for (const csg::solid::AddedId section : sections)
+        for (const csg::solid::AddedId section : sections) {
             scene.remove(section);
+        }
         change = scene.commit();
         edited.normalize();
         update(prepared, edited, change);
@@ -474,16 +506,18 @@ TEST_P(EditedScenes, DoNotShowWhatIsHidden) {
     scene.show(1, false);
     update(prepared, edited, scene.commit());
     const auto nothing = draw(*prepared, view);
-    for (const layers::Surface& s : nothing->surfaces())
+    for (const layers::Surface& s : nothing->surfaces()) {
         ASSERT_EQ(s.depth, 0);
+    }
 }
 
 /// A plate with holes in a row, two apart.
 Model row_of_holes(int count) {
     std::vector<Model> all{random_tree::box({0, 0, 0}, {2.0 * count, 2, 1})};
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         all.push_back(
             loosened(random_tree::at({2 * i + 0.5, 0.5, -1}, random_tree::leaf(csg::Cube{{1, 1, 3}, false}))));
+    }
     return random_tree::combine(csg::Operation::Difference, all);
 }
 
@@ -493,8 +527,9 @@ TEST(EditableScenes, MergePlanesWhereALeafComesToLieInThoseOfAnother) {
     EditableScene scene(edited.scene, edited.geometry);
     const auto plane_of = [&](csg::LeafId leaf) {  // That of its first triangle across y.
         for (const csg::solid::PlaneRef& plane : edited.geometry.leaves[leaf].planes) {
-            if (std::abs(edited.geometry.planes.planes()[plane.index].normal.y) > 0.5)
+            if (std::abs(edited.geometry.planes.planes()[plane.index].normal.y) > 0.5) {
                 return plane.index;
+            }
         }
         return kUnused;
     };
@@ -546,8 +581,9 @@ TEST(EditableScenes, MovePartsFromWhereTheTextPutThem) {
     EditableScene scene(edited.scene, edited.geometry);
     const csg::solid::AddedId section = scene.add({0}, ExpressionKind::Intersection, csg::solid::Plane{{0, 0, 1}, 3});
     const glm::dmat4 up = glm::translate(glm::dmat4(1.0), {0, 0, 5});
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         scene.move_part(0, up);
+    }
     (void)scene.commit();
     EXPECT_EQ(edited.geometry.leaves[0].box, (csg::Box{{0, 0, 5}, {4, 4, 9}}));
     EXPECT_EQ(edited.geometry.leaves[scene.leaf(section)].face.offset, 8) << "a section goes with its part";
@@ -575,8 +611,9 @@ TEST(EditableScenes, TellWhatCannotBePlaced) {
 
 std::vector<const goldfeather::EngineInfo*> all_engines() {
     std::vector<const goldfeather::EngineInfo*> all;
-    for (const goldfeather::EngineInfo& info : goldfeather::engines())
+    for (const goldfeather::EngineInfo& info : goldfeather::engines()) {
         all.push_back(&info);
+    }
     return all;
 }
 

@@ -23,8 +23,9 @@ std::uint32_t crc(const std::string& bytes) {
     std::uint32_t sum = ~0U;
     for (const char byte : bytes) {
         sum ^= static_cast<unsigned char>(byte);
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < 8; ++i) {
             sum = sum >> 1U ^ ((sum & 1U) != 0 ? 0xedb88320U : 0U);
+        }
     }
     return ~sum;
 }

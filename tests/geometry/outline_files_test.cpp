@@ -71,8 +71,9 @@ TEST(OutlineFiles, PdfTableLeadsToItsObjects) {
     const std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
     ASSERT_EQ(pdf.substr(table, 5), "xref\n");
     std::size_t at = pdf.find("f \n", table) + 3;
-    for (int object = 1; object <= 6; ++object, at += 20)
+    for (int object = 1; object <= 6; ++object, at += 20) {
         EXPECT_EQ(pdf.substr(std::stoul(pdf.substr(at, 10)), 7), std::to_string(object) + " 0 obj");
+    }
     EXPECT_NE(pdf.find("(a \\(b\\) \\\\ ?.scad) Tj"), std::string::npos);
     EXPECT_NE(pdf.find("/Title <FEFF00E40020D83DDE42>"), std::string::npos);
     // The stream is as long as it says.

@@ -19,8 +19,9 @@ std::string chunk(const std::string& kind, const std::string& body) {
     std::uint32_t sum = ~0U;
     for (const char byte : kind + body) {
         sum ^= static_cast<unsigned char>(byte);
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < 8; ++i) {
             sum = sum >> 1U ^ ((sum & 1U) != 0 ? 0xedb88320U : 0U);
+        }
     }
     return big_endian(static_cast<std::uint32_t>(body.size())) + kind + body + big_endian(~sum);
 }
@@ -49,15 +50,17 @@ std::string picture(Kind kind, unsigned bits, const std::string& before = {}, un
         unsigned filled = 0, byte = 0;
         for (const unsigned value : row) {
             const auto sample = [&](unsigned v) {
-                if (bits == 16)
+                if (bits == 16) {
                     rows += big_endian(v * 257 - (v > 0 ? subtract : 0)).substr(2);
-                else if (bits == 8)
+                } else if (bits == 8) {
                     rows += static_cast<char>(v);
+                }
             };
             if (bits >= 8) {
                 sample(value);
-                if (kind == Kind::GreyAlpha)
+                if (kind == Kind::GreyAlpha) {
                     sample(100);
+                }
                 if (kind == Kind::Colour) {
                     sample(255 - value);
                     sample(7);
@@ -66,12 +69,14 @@ std::string picture(Kind kind, unsigned bits, const std::string& before = {}, un
             }
             byte = byte << bits | value * ((1U << bits) - 1) / 255;
             filled += bits;
-            if (filled == 8)
+            if (filled == 8) {
                 rows += static_cast<char>(byte);
+            }
             filled %= 8;
         }
-        if (filled != 0)
+        if (filled != 0) {
             rows += static_cast<char>(byte << (8 - filled));
+        }
     }
     const std::string header =
         big_endian(3) + big_endian(3) + static_cast<char>(bits) + static_cast<char>(kind) + std::string(3, '\0');
@@ -107,8 +112,9 @@ TEST(Surface, SamplesOfAPictureAreNumbersNotColours) {
 
 TEST(Surface, PalettesCount) {
     std::string colours;
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         colours += std::string(3, static_cast<char>(i * 16));
+    }
     const std::string palette = chunk("PLTE", colours);
     EXPECT_NEAR(volume(picture(Kind::Palette, 4, palette)), 143.6078, 1e-3);
     EXPECT_NEAR(volume(picture(Kind::Palette, 4, palette + chunk("tRNS", std::string("\0\x80", 2)))), 143.6078, 1e-3);

@@ -106,8 +106,9 @@ TEST(MeshFiles, BrokenFilesAreRefused) {
                                   "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n",
                                   "OFF\n99999999999999 1 0\n",
                                   "PNG"};
-    for (const char* text : broken)
+    for (const char* text : broken) {
         EXPECT_THROW((void)decode_mesh(text), std::runtime_error) << text;
+    }
 }
 
 }  // namespace
