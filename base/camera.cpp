@@ -67,11 +67,11 @@ void view_all(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, bool a
         camera.distance = Camera{}.distance;
         return;
     }
-    const glm::dvec3 centre = 0.5 * (lo + hi);
+    const glm::dvec3 center = 0.5 * (lo + hi);
     if (autocenter) {
-        camera.target = centre;
+        camera.target = center;
     }
-    const double radius = glm::length(hi - lo) / 2 + glm::length(centre - camera.target);
+    const double radius = glm::length(hi - lo) / 2 + glm::length(center - camera.target);
     camera.distance = radius > 0 ? radius / std::sin(radians(camera.fov / 2)) : Camera{}.distance;
 }
 

@@ -59,7 +59,7 @@ void LeafBuffers::upload() {
         Range range{static_cast<std::uint32_t>(vertices.size()), 0};
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
             for (int corner = 0; corner < 3; ++corner) {
-                vertices.emplace_back(leaf.points[leaf.triangles[t][corner]] - frame_.centre);
+                vertices.emplace_back(leaf.points[leaf.triangles[t][corner]] - frame_.center);
             }
             ids.emplace_back(leaf.planes[t].index, id);
         }
@@ -80,7 +80,7 @@ void LeafBuffers::update(const csg::solid::SceneChange& change) {
     const bool grown = std::any_of(change.leaves.begin(), change.leaves.end(), [&](csg::LeafId id) {
         return 3 * geometry_.leaves[id].triangles.size() > room_[id];
     });
-    if (change.centre || grown) {
+    if (change.center || grown) {
         upload();
         return;
     }
@@ -100,7 +100,7 @@ void LeafBuffers::write(csg::LeafId id) {
     std::vector<glm::vec3> vertices;
     for (const glm::uvec3& triangle : leaf.triangles) {
         for (int corner = 0; corner < 3; ++corner) {
-            vertices.emplace_back(leaf.points[triangle[corner]] - frame_.centre);
+            vertices.emplace_back(leaf.points[triangle[corner]] - frame_.center);
         }
     }
     ranges_[id].vertex_count = static_cast<std::uint32_t>(vertices.size());

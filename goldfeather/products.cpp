@@ -18,7 +18,7 @@ constexpr std::size_t kStatesPerProduct = 64;
 /// Literals and factors looked at, and those that wait at one time, for each literal allowed.
 constexpr std::size_t kWorkPerLiteral = 64, kWaitingPerLiteral = 16;
 /// Boxes count as apart only beyond the rounding of coordinates: a face that touches keeps its complement, for it
-/// may give the surface its colour.
+/// may give the surface its color.
 constexpr double kTouching = 0x1p-32;
 
 /// An expression that a product still has to be multiplied with.

@@ -16,7 +16,7 @@ void clear_from(const gl::Functions& gl, const TextureStack& stack, int layer) {
 }  // namespace
 
 SurfaceBuffers::SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& table)
-    : leaves(gl), planes(gl), local_centre(table.local_centre), diagonal(table.diagonal) {
+    : leaves(gl), planes(gl), local_center(table.local_center), diagonal(table.diagonal) {
     leaves.upload<LeafRow>(table.leaves);
     planes.upload<glm::vec4>(table.planes);
 }

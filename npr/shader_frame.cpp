@@ -3,8 +3,8 @@
 namespace npr::shader {
 
 Frame::Frame(const CpuFrame& frame)
-    : FrameValues(frame_values(frame.picture, frame.view, frame.layers.table->local_centre, frame.layers.layers)),
-      view(base::view_values(frame.view, frame.layers.table->local_centre, frame.layers.table->diagonal)),
+    : FrameValues(frame_values(frame.picture, frame.view, frame.layers.table->local_center, frame.layers.layers)),
+      view(base::view_values(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal)),
       leaf_rows(frame.layers.table->leaves.data()),
       plane_rows(frame.layers.table->planes.data()),
       size(frame.layers.size),

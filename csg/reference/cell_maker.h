@@ -120,7 +120,7 @@ class CellMaker {
         int edge;
     };
 
-    /// Walks from the outside in: what covers a cell follows from what covers its neighbour.
+    /// Walks from the outside in: what covers a cell follows from what covers its neighbor.
     void flood() {
         std::vector<Covers> covers{{}};
         std::deque<std::vector<Border>> waiting{fill(triangulation_.infinite_face(), 0)};

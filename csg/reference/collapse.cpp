@@ -32,7 +32,7 @@ class Collapser {
     }
 
   private:
-    [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t point) const {
+    [[nodiscard]] std::vector<std::uint32_t> neighbors(std::uint32_t point) const {
         std::vector<std::uint32_t> found;
         for (const std::uint32_t t : at_[point]) {
             for (int k = 0; k < 3; ++k) {
@@ -46,10 +46,10 @@ class Collapser {
         return found;
     }
 
-    /// The ends must have just the two corners opposite the edge as neighbours in common (the link condition), and the
+    /// The ends must have just the two corners opposite the edge as neighbors in common (the link condition), and the
     /// piece must be more than a tetrahedron.
     bool collapse(std::uint32_t kept, std::uint32_t point) {
-        const std::vector<std::uint32_t> a = neighbours(kept), b = neighbours(point);
+        const std::vector<std::uint32_t> a = neighbors(kept), b = neighbors(point);
         std::vector<std::uint32_t> both;
         std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
         if (both.size() != 2 || (a.size() == 3 && b.size() == 3)) {

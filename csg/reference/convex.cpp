@@ -132,11 +132,11 @@ void Convex::connect() {
     for (std::size_t i = 1; i < first_.size(); ++i) {
         first_[i] += first_[i - 1];
     }
-    neighbours_.resize(first_.back());
+    neighbors_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const glm::uvec3& t : mesh_.triangles) {
         for (int k = 0; k < 3; ++k) {
-            neighbours_[next[t[k]]++] = t[(k + 1) % 3];
+            neighbors_[next[t[k]]++] = t[(k + 1) % 3];
         }
     }
 }
@@ -167,7 +167,7 @@ std::uint32_t Convex::farthest(const glm::dvec3& direction, std::uint32_t from) 
             best = point;
         }
     };
-    if (neighbours_.empty() || mesh_.points.size() <= kFewPoints) {
+    if (neighbors_.empty() || mesh_.points.size() <= kFewPoints) {
         for (std::uint32_t i = 0; i < mesh_.points.size(); ++i) {
             look(i);
         }
@@ -175,7 +175,7 @@ std::uint32_t Convex::farthest(const glm::dvec3& direction, std::uint32_t from) 
     }
     for (std::uint32_t at = from;; at = best) {
         for (std::uint32_t i = first_[at]; i < first_[at + 1]; ++i) {
-            look(neighbours_[i]);
+            look(neighbors_[i]);
         }
         if (best == at) {
             return best;

@@ -95,8 +95,8 @@ class Grower {
         std::sort(shared.begin(), shared.end());
         for (std::size_t i = 1; i < shared.size(); ++i) {
             if (shared[i] == shared[i - 1]) {
-                patches_[shared[i].first].neighbours.insert(shared[i].second);
-                patches_[shared[i].second].neighbours.insert(shared[i].first);
+                patches_[shared[i].first].neighbors.insert(shared[i].second);
+                patches_[shared[i].second].neighbors.insert(shared[i].first);
             }
         }
     }
@@ -116,20 +116,20 @@ class Grower {
     }
 
   private:
-    /// At a point where more pieces meet, they are not looked at as neighbours.
+    /// At a point where more pieces meet, they are not looked at as neighbors.
     static constexpr std::size_t kCrowd = 64;
 
     struct Patch {
         Convex shape;  ///< Empty once it is part of another.
-        std::set<std::uint32_t> neighbours;
+        std::set<std::uint32_t> neighbors;
     };
 
-    /// Takes in the first neighbour that it can.
+    /// Takes in the first neighbor that it can.
     bool grow_one(std::uint32_t index) {
         if (patches_[index].shape.empty()) {
             return false;
         }
-        for (const std::uint32_t other : patches_[index].neighbours) {
+        for (const std::uint32_t other : patches_[index].neighbors) {
             base::end_if_asked(stop_);
             std::vector<glm::dvec3> points = patches_[index].shape.points();
             const std::vector<glm::dvec3>& more = patches_[other].shape.points();
@@ -146,11 +146,11 @@ class Grower {
     }
 
     void replace(std::uint32_t gone, std::uint32_t by) {
-        for (const std::uint32_t n : patches_[gone].neighbours) {
-            patches_[n].neighbours.erase(gone);
+        for (const std::uint32_t n : patches_[gone].neighbors) {
+            patches_[n].neighbors.erase(gone);
             if (n != by) {
-                patches_[n].neighbours.insert(by);
-                patches_[by].neighbours.insert(n);
+                patches_[n].neighbors.insert(by);
+                patches_[by].neighbors.insert(n);
             }
         }
         patches_[gone] = {};

@@ -33,10 +33,10 @@ double largest_coordinate(std::span<const Mesh> meshes) {
 /// A polyhedron by its planes.
 struct Body {
     Box box;
-    std::vector<solid::PlaneRef> faces;     ///< Of the triangles.
-    std::vector<solid::PlaneRef> planes;    ///< Each once.
-    std::vector<std::uint32_t> neighbours;  ///< Whose boxes meet this one's.
-    bool swallowed = false;                 ///< Another holds all of it.
+    std::vector<solid::PlaneRef> faces;    ///< Of the triangles.
+    std::vector<solid::PlaneRef> planes;   ///< Each once.
+    std::vector<std::uint32_t> neighbors;  ///< Whose boxes meet this one's.
+    bool swallowed = false;                ///< Another holds all of it.
 };
 
 class ConvexUnion {
@@ -61,8 +61,8 @@ class ConvexUnion {
             body.planes.erase(std::unique(body.planes.begin(), body.planes.end(), equal), body.planes.end());
         }
         BoxTree(boxes).pairs([&](std::uint32_t a, std::uint32_t b) {
-            bodies_[a].neighbours.push_back(b);
-            bodies_[b].neighbours.push_back(a);
+            bodies_[a].neighbors.push_back(b);
+            bodies_[b].neighbors.push_back(a);
         });
     }
 
@@ -138,7 +138,7 @@ class ConvexUnion {
 
     [[nodiscard]] bool swallowed(std::uint32_t index) const {
         const Body& body = bodies_[index];
-        return std::any_of(body.neighbours.begin(), body.neighbours.end(), [&](std::uint32_t other) {
+        return std::any_of(body.neighbors.begin(), body.neighbors.end(), [&](std::uint32_t other) {
             return !bodies_[other].swallowed && holds(bodies_[other].box, body.box, tolerance_) &&
                    std::all_of(meshes_[index].points.begin(), meshes_[index].points.end(),
                                [&](const glm::dvec3& p) { return inside(bodies_[other], p, tolerance_); });
@@ -193,7 +193,7 @@ class ConvexUnion {
     [[nodiscard]] bool is_hidden(std::uint32_t index, const std::vector<std::uint32_t>& corners) const {
         const double margin = 16 * tolerance_;  // wide against what makes points one
         const std::vector<glm::dvec3>& points = meshes_[index].points;
-        return std::any_of(bodies_[index].neighbours.begin(), bodies_[index].neighbours.end(), [&](std::uint32_t j) {
+        return std::any_of(bodies_[index].neighbors.begin(), bodies_[index].neighbors.end(), [&](std::uint32_t j) {
             return !bodies_[j].swallowed && std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
                 return inside(bodies_[j], points[corner], -margin);
             });
@@ -222,7 +222,7 @@ class ConvexUnion {
         if (last_ < bodies_.size() && covers(last_)) {
             return {};
         }
-        for (const std::uint32_t j : body.neighbours) {
+        for (const std::uint32_t j : body.neighbors) {
             if (covers(j)) {
                 last_ = j;
                 return {};

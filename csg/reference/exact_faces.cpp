@@ -46,7 +46,7 @@ class Collector {
             if (b_least == 0 && b_most == 0) {
                 planes.unite(std::max(i, j), std::min(i, j));
             }
-            // Neighbours in a leaf meet in their edge, which is known to both. One of another leaf may end in the
+            // Neighbors in a leaf meet in their edge, which is known to both. One of another leaf may end in the
             // middle of what is one face, where a diagonal between two of its triangles is.
             else if (b_least <= 0 && b_most >= 0 && (a.leaf != b.leaf || count_shared(a, b) < 2)) {
                 if (const auto [least, most] = sides(b, a); least <= 0 && most >= 0) {

@@ -19,7 +19,7 @@ using Loop = GridOutline::Loop;
 constexpr int kBits = 30;        // Of the larger side of the box.
 constexpr double kRounding = 2;  // Cells: points and ends of edges are moved by half a cell's diagonal, 0.71, each.
 
-/// Takes out what lies on the straight line between its neighbours, spikes too, unless `stays`.
+/// Takes out what lies on the straight line between its neighbors, spikes too, unless `stays`.
 template <typename Stays>
 void straighten(Loop& loop, Stays&& stays) {
     for (std::size_t i = 0, kept = 0; loop.size() > 2 && kept < loop.size();) {
@@ -31,7 +31,7 @@ void straighten(Loop& loop, Stays&& stays) {
             continue;
         }
         loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
-        i = (i + 2 * loop.size() - 2) % loop.size();  // Both neighbours have new ones.
+        i = (i + 2 * loop.size() - 2) % loop.size();  // Both neighbors have new ones.
         kept = 0;
     }
     if (loop.size() < 3) {
@@ -209,7 +209,7 @@ GridOutline::GridOutline(std::span<const std::vector<glm::dvec2>> loops) {
     if (side == 0) {
         return;
     }
-    centre_ = box.centre();
+    center_ = box.center();
     scale_ = std::ldexp(1.0, kBits - 1 - std::ilogb(side));
     if (!std::isfinite(scale_)) {
         throw std::runtime_error("an outline is too small");
@@ -220,7 +220,7 @@ GridOutline::GridOutline(std::span<const std::vector<glm::dvec2>> loops) {
             if (!is_finite(p)) {  // Boxes pass over these.
                 throw std::runtime_error("an outline is not finite");
             }
-            const Point q(std::llround((p.x - centre_.x) * scale_), std::llround((p.y - centre_.y) * scale_));
+            const Point q(std::llround((p.x - center_.x) * scale_), std::llround((p.y - center_.y) * scale_));
             origin_.try_emplace({q.x, q.y}, p);
             if (loop.empty() || loop.back() != q) {
                 loop.push_back(q);

@@ -15,7 +15,7 @@
 namespace csg::reference {
 namespace {
 
-/// Of the diagonal: far above the rounding of coordinates, far below anything modelled on purpose.
+/// Of the diagonal: far above the rounding of coordinates, far below anything modeled on purpose.
 constexpr double kCrossing = 1e-8;
 /// Of the diagonal: where planes that near to each other are one, details are lost.
 constexpr double kCoarse = 1e-5;

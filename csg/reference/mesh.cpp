@@ -59,10 +59,10 @@ MeshFacts facts(const Mesh& mesh) {
         result.components += used[i] != 0 && sets.find(i) == i ? 1 : 0;
     }
     // Seen from a point of each component: what is far from there cancels badly.
-    const glm::dvec3 centre = result.box.empty() ? glm::dvec3(0.0) : result.box.centre();
+    const glm::dvec3 center = result.box.empty() ? glm::dvec3(0.0) : result.box.center();
     double volume6 = 0;
     for (const glm::uvec3& t : mesh.triangles) {
-        const glm::dvec3 origin = result.components == 1 ? centre : mesh.points[sets.find(t.x)];
+        const glm::dvec3 origin = result.components == 1 ? center : mesh.points[sets.find(t.x)];
         const glm::dvec3 a = mesh.points[t.x] - origin, b = mesh.points[t.y] - origin, c = mesh.points[t.z] - origin;
         volume6 += glm::dot(a, glm::cross(b, c));
         result.area += 0.5 * glm::length(glm::cross(b - a, c - a));

@@ -139,7 +139,7 @@ Mesh off(std::string_view text) {
             }
             face.push_back(ids[id]);
         }
-        words.end_line();  // a colour may follow
+        words.end_line();  // a color may follow
         for (std::size_t k = 1; k + 1 < face.size(); ++k) {
             joiner.triangle({face[0], face[k], face[k + 1]});
         }

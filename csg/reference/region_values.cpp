@@ -19,7 +19,7 @@ class Walk {
           sums_(complex.regions, 0) {
         values_.solid.assign(complex.regions, 0);
         values_.owners.assign(complex.cells.size(), 0);
-        list_neighbours();
+        list_neighbors();
     }
 
     RegionValues run() {
@@ -39,7 +39,7 @@ class Walk {
         std::int32_t sign;
     };
 
-    void list_neighbours() {
+    void list_neighbors() {
         first_.assign(complex_.regions + 1, 0);
         for (const ComplexCell& cell : complex_.cells) {
             ++first_[cell.above + 1];

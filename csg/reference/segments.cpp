@@ -223,7 +223,7 @@ class Collector {
         if (a.plane == b.plane || intersect(a.box, b.box).empty()) {
             return;
         }
-        // Neighbours meet in their edge; faces with one corner in common may cross from there on.
+        // Neighbors meet in their edge; faces with one corner in common may cross from there on.
         if (same && std::count_if(a.ids.begin(), a.ids.end(), [&](std::uint32_t id) {
                         return std::find(b.ids.begin(), b.ids.end(), id) != b.ids.end();
                     }) > 1) {

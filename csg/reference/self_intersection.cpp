@@ -38,7 +38,7 @@ class Triangle {
                    !apart(*this, other, tolerance) && !apart(other, *this, tolerance);
         }
         if (*least >= -tolerance || *most <= tolerance) {
-            return false;  // on one side, as nearly all neighbours are
+            return false;  // on one side, as nearly all neighbors are
         }
         return pierced_by(other, d, tolerance) ||
                (!other.degenerate() && other.pierced_by(*this, other.distances(*this), tolerance));

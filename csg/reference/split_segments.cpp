@@ -132,7 +132,7 @@ bool pass_on(Content& content, std::uint32_t from, std::uint32_t to) {
     return !found.empty();
 }
 
-/// Where more than two planes share a line, a segment on it may be split in a plane that its neighbour on the line does
+/// Where more than two planes share a line, a segment on it may be split in a plane that its neighbor on the line does
 /// not lie in: what is split in one is split in all.
 void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps,
                   const std::stop_token& stop) {

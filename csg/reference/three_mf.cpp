@@ -1,4 +1,4 @@
-// 3MF core specification 1.3, and colour groups of the materials extension: a package with one model. Parts are entries
+// 3MF core specification 1.3, and color groups of the materials extension: a package with one model. Parts are entries
 // of one group of properties, triangle by triangle, so that the object stays one closed surface.
 #include "csg/reference/mesh_text.h"
 #include "csg/reference/zip.h"

@@ -1,5 +1,5 @@
 // The segment Voronoi diagram (boost::polygon, exact for integers) cut by the outline. Corners of the mesh are numbered
-// by vertex of the diagram, and an edge is divided once for both of its cells, so neighbouring faces share their
+// by vertex of the diagram, and an edge is divided once for both of its cells, so neighboring faces share their
 // points.
 #include "csg/reference/voronoi_roof.h"
 

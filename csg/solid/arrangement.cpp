@@ -17,7 +17,7 @@ constexpr double kMostComparisons = 4e9;
 constexpr std::size_t kFewEdges = 64;  // Compared without asking first who crosses at all.
 
 /// 1 for edges of which some must be taken out so that the others do not conflict: a sweep that takes an edge out as
-/// soon as it conflicts with a neighbour.
+/// soon as it conflicts with a neighbor.
 std::vector<char> crossers(std::span<const GridEdge> edges) {
     std::vector<char> out(edges.size(), 0);
     const auto below = [&](std::uint32_t e, std::uint32_t f) { return is_below(edges[e], edges[f]); };
@@ -30,7 +30,7 @@ std::vector<char> crossers(std::span<const GridEdge> edges) {
     }
     std::sort(by_end.begin(), by_end.end(),
               [&](std::uint32_t e, std::uint32_t f) { return std::tie(edges[e].b, e) < std::tie(edges[f].b, f); });
-    // Neighbours from `low` on; the upper one is taken out while they conflict.
+    // Neighbors from `low` on; the upper one is taken out while they conflict.
     const auto settle = [&](Status::iterator low) {
         while (low != status.end() && std::next(low) != status.end() && conflict(edges[*low], edges[*std::next(low)])) {
             out[*std::next(low)] = 1;

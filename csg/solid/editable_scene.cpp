@@ -79,7 +79,7 @@ EditableScene::EditableScene(Scene& scene, Geometry& geometry)
         limits_.push_back(trim_limit(scene, part, whole_));
     }
     is_touched_.assign(geometry.leaves.size(), 0);
-    geometry.centre = room_.centre_for(geometry.box);
+    geometry.center = room_.center_for(geometry.box);
 }
 
 AddedId EditableScene::add(const Site& site, ExpressionKind operation, std::shared_ptr<const Solid> solid,
@@ -251,9 +251,9 @@ void EditableScene::settle() {
     geometry_.box = bounded;
     place_half_spaces(bounded);
 
-    const std::optional<glm::dvec3> centre = room_.centre_for(geometry_.box);
-    change_.centre = change_.centre || centre != geometry_.centre;
-    geometry_.centre = centre;
+    const std::optional<glm::dvec3> center = room_.center_for(geometry_.box);
+    change_.center = change_.center || center != geometry_.center;
+    geometry_.center = center;
     const double tolerance = coincidence_tolerance(room_.reach_for(largest));
     std::sort(changed_.begin(), changed_.end(), [](const auto& a, const auto& b) { return a.leaf < b.leaf; });
     if (tolerance != geometry_.planes.tolerance()) {

@@ -40,11 +40,11 @@ void add_bulge(Line& line, const glm::dvec2& from, const glm::dvec2& to, double 
     }
     const glm::dvec2 chord = to - from;
     const glm::dvec2 left(-chord.y, chord.x);
-    const glm::dvec2 centre = 0.5 * (from + to) + left * ((1 - bulge * bulge) / (4 * bulge));
-    const double radius = glm::length(from - centre);
-    const double begin = atan2_degrees(from.y - centre.y, from.x - centre.x);
+    const glm::dvec2 center = 0.5 * (from + to) + left * ((1 - bulge * bulge) / (4 * bulge));
+    const double radius = glm::length(from - center);
+    const double begin = atan2_degrees(from.y - center.y, from.x - center.x);
     const double turn = 4 * atan_degrees(bulge);
-    add_arc(line, centre, {radius, 0}, {0, radius}, begin, begin + turn, circle_segments(radius, fineness));
+    add_arc(line, center, {radius, 0}, {0, radius}, begin, begin + turn, circle_segments(radius, fineness));
     line.back() = to;
 }
 
@@ -119,9 +119,9 @@ class Drawing {
             const bool whole = e.kind == "CIRCLE";
             const double from = whole ? 0 : e.number(50);
             const double to = whole ? 360 : from + sweep(from, e.number(51));
-            const glm::dvec2 centre = e.point(10);
-            line.push_back(centre + r * glm::dvec2(cos_degrees(from), sin_degrees(from)));
-            add_arc(line, centre, {r, 0}, {0, r}, from, to, segments(r));
+            const glm::dvec2 center = e.point(10);
+            line.push_back(center + r * glm::dvec2(cos_degrees(from), sin_degrees(from)));
+            add_arc(line, center, {r, 0}, {0, r}, from, to, segments(r));
             add(line, whole, placed);
         } else if (e.kind == "ELLIPSE") {
             const glm::dvec2 axis = e.point(11), other = glm::dvec2(-axis.y, axis.x) * e.number(40, 1);
@@ -410,12 +410,12 @@ class Joining {
 
 }  // namespace
 
-void add_arc(Loop& loop, const glm::dvec2& centre, const glm::dvec2& first_axis, const glm::dvec2& second_axis,
+void add_arc(Loop& loop, const glm::dvec2& center, const glm::dvec2& first_axis, const glm::dvec2& second_axis,
              double from, double to, int around) {
     const int steps = std::max(1, static_cast<int>(std::ceil(around * std::abs(to - from) / 360 - 1e-9)));
     for (int i = 1; i <= steps; ++i) {
         const double angle = from + (to - from) * i / steps;
-        loop.push_back(centre + first_axis * cos_degrees(angle) + second_axis * sin_degrees(angle));
+        loop.push_back(center + first_axis * cos_degrees(angle) + second_axis * sin_degrees(angle));
     }
 }
 

@@ -92,7 +92,7 @@ std::shared_ptr<Solid> to_solid(FileMesh mesh, std::vector<std::string> failures
     return solid;
 }
 
-void centre(FileMesh& mesh) {
+void center(FileMesh& mesh) {
     Box box;
     for (const glm::dvec3& p : mesh.points) {
         box = enclose(box, p);
@@ -100,7 +100,7 @@ void centre(FileMesh& mesh) {
     if (box.empty()) {
         return;
     }
-    const glm::dvec3 middle = box.centre();
+    const glm::dvec3 middle = box.center();
     for (glm::dvec3& p : mesh.points) {
         p -= middle;
     }
@@ -234,7 +234,7 @@ std::shared_ptr<Solid> import_solid(const Import& import) {
                 : fmt::format("Unsupported file format while trying to import file '{}'", import.file.path));
     }
     if (import.center) {
-        centre(mesh);
+        center(mesh);
     }
     return to_solid(std::move(mesh), std::move(failures));
 }

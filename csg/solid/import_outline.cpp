@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
-void centre(Outline& outline) {
-    const glm::dvec2 middle(bounds_of(outline.loops).centre());
+void center(Outline& outline) {
+    const glm::dvec2 middle(bounds_of(outline.loops).center());
     for (Loop& loop : outline.loops) {
         for (glm::dvec2& p : loop) {
             p -= middle;
@@ -28,7 +28,7 @@ Outline import_outline(const Import& import, Remarks& remarks) {
                           ? read_svg(*text, import, remarks)
                           : clean(read_dxf(*text, import, remarks), FillRule::EvenOdd);
     if (import.center) {
-        centre(outline);
+        center(outline);
     }
     return outline;
 }

@@ -236,12 +236,12 @@ class Svg {
             loop = {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}};
             return;
         }
-        const glm::dvec2 centres[4]{
+        const glm::dvec2 centers[4]{
             {x + w - rx, y + ry}, {x + w - rx, y + h - ry}, {x + rx, y + h - ry}, {x + rx, y + ry}};
         for (int i = 0; i < 4; ++i) {
             const glm::dvec2 starts[4]{{0, -ry}, {rx, 0}, {0, ry}, {-rx, 0}};
-            loop.push_back(centres[i] + starts[i]);
-            add_arc(loop, centres[i], {rx, 0}, {0, ry}, 90.0 * i - 90, 90.0 * i, around);
+            loop.push_back(centers[i] + starts[i]);
+            add_arc(loop, centers[i], {rx, 0}, {0, ry}, 90.0 * i - 90, 90.0 * i, around);
         }
     }
 

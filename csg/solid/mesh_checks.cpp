@@ -103,8 +103,8 @@ std::vector<std::uint32_t> first_of_near(std::span<const glm::dvec3> points, dou
     for (std::size_t i = 0; i < order.size(); ++i) {
         const glm::dvec3& p = points[order[i]];
         // Points with the same x may be many; who has so many near each other has no gaps worth closing.
-        constexpr std::size_t kMostNeighbours = 256;
-        for (std::size_t j = i; j > 0 && i - j < kMostNeighbours; --j) {
+        constexpr std::size_t kMostNeighbors = 256;
+        for (std::size_t j = i; j > 0 && i - j < kMostNeighbors; --j) {
             const glm::dvec3 way = glm::abs(points[order[j - 1]] - p);
             if (way.x > distance) {
                 break;

@@ -10,16 +10,16 @@
 namespace csg::solid {
 namespace {
 
-constexpr double kPointsPerMillimetre = 72 / 25.4;
-constexpr double kMargin = 15;      // millimetres: rulers and texts stand in it
+constexpr double kPointsPerMillimeter = 72 / 25.4;
+constexpr double kMargin = 15;      // millimeters: rulers and texts stand in it
 constexpr double kInset = 5;        // of the rulers from the edge of the paper, which printers may not reach
 constexpr double kLetters = 2.8;    // size of the type
 constexpr double kHairline = 0.12;  // of rulers
 
-/// The content of the page, in millimetres from its lower left corner.
+/// The content of the page, in millimeters from its lower left corner.
 class Canvas {
   public:
-    Canvas() { raw(fmt::format("{} 0 0 {} 0 0 cm\n", number(kPointsPerMillimetre), number(kPointsPerMillimetre))); }
+    Canvas() { raw(fmt::format("{} 0 0 {} 0 0 cm\n", number(kPointsPerMillimeter), number(kPointsPerMillimeter))); }
 
     void line(const glm::dvec2& from, const glm::dvec2& to) {
         raw(fmt::format("{} m {} l S\n", point(from), point(to)));
@@ -138,7 +138,7 @@ void draw_grid(Canvas& canvas, const glm::dvec2& paper, const glm::dvec2& shift,
     }
 }
 
-/// A mark every millimetre, longer ones every 5 and 10, numbers every 20: the model's coordinates.
+/// A mark every millimeter, longer ones every 5 and 10, numbers every 20: the model's coordinates.
 void draw_ruler(Canvas& canvas, const glm::dvec2& paper, const glm::dvec2& shift, int axis) {
     const int across = 1 - axis;
     glm::dvec2 from(0.0), to(0.0);
@@ -172,7 +172,7 @@ std::string encode_pdf(const Outline& outline, const PdfPage& page) {
     const Box box = bounds_of(outline.loops);
     const glm::dvec2 paper = paper_of(page, glm::dvec2(box.size()));
     // The model's origin on the paper.
-    const glm::dvec2 shift = 0.5 * paper - glm::dvec2(box.centre());
+    const glm::dvec2 shift = 0.5 * paper - glm::dvec2(box.center());
     Canvas canvas;
     if (page.grid) {
         draw_grid(canvas, paper, shift, page.grid_size);
@@ -184,13 +184,13 @@ std::string encode_pdf(const Outline& outline, const PdfPage& page) {
         draw_ruler(canvas, paper, shift, 1);
     }
     if (page.scale && page.scale_message) {
-        canvas.text({kMargin, paper.y - 8}, "True size: the rulers are in millimetres. Measure both on the print.");
+        canvas.text({kMargin, paper.y - 8}, "True size: the rulers are in millimeters. Measure both on the print.");
     }
     if (!page.file_name.empty()) {
         canvas.text({kMargin, paper.y - 12}, page.file_name);
     }
 
-    const glm::dvec2 points = paper * kPointsPerMillimetre;
+    const glm::dvec2 points = paper * kPointsPerMillimeter;
     std::string properties = "/Producer (csgscope)";
     for (const auto& [key, value] : {std::pair("Title", page.title), std::pair("Author", page.author),
                                      std::pair("Subject", page.subject), std::pair("Keywords", page.keywords)}) {

@@ -68,16 +68,16 @@ double Room::reach_for(double largest) const {
     return largest <= reach ? reach : std::exp2(std::ceil(std::log2(largest)));
 }
 
-std::optional<glm::dvec3> Room::centre_for(const Box& scene) const {
+std::optional<glm::dvec3> Room::center_for(const Box& scene) const {
     if (box.empty() || scene.empty()) {
         return {};
     }
     const double margin = box.diagonal();
     if (enclose(scene, {box.lo - margin, box.hi + margin}) == Box{box.lo - margin, box.hi + margin}) {
-        return box.centre();
+        return box.center();
     }
     const double cell = std::exp2(std::ceil(std::log2(scene.diagonal())));
-    return glm::round(scene.centre() / cell) * cell;
+    return glm::round(scene.center() / cell) * cell;
 }
 
 Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat, const std::stop_token& stop,
@@ -113,7 +113,7 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
     }
     geometry.warnings = once(std::move(remarks.warnings));
     geometry.failures = once(std::move(remarks.failures));
-    geometry.centre = room.centre_for(geometry.box);
+    geometry.center = room.center_for(geometry.box);
     geometry.planes = PlaneTable(coincidence_tolerance(room.reach_for(largest)));
     assign_planes(geometry, stop);
     return geometry;

@@ -24,7 +24,7 @@ constexpr std::size_t kHoles = 1024;
 bool apart_in(const Box& box, const Plane& a, const Plane& b, double tolerance) {
     const double side = glm::dot(a.normal, b.normal) < 0 ? -1 : 1;
     const glm::dvec3 slope = a.normal - side * b.normal;
-    const double middle = glm::dot(slope, box.centre()) - (a.offset - side * b.offset);
+    const double middle = glm::dot(slope, box.center()) - (a.offset - side * b.offset);
     const double most = glm::dot(glm::abs(slope), 0.5 * box.size());
     return std::abs(middle) - most > 4 * tolerance;
 }

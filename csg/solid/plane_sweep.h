@@ -22,7 +22,7 @@ struct SweepVertex {
 
 /// Calls `visit` for each end of `edges` (sorted by a, then b) in ascending order; `visit` returns false to give up.
 /// False where it did, or where edges conflict (Shamos and Hoey 1976: the first place where edges meet is between
-/// neighbours). In time O(n log n).
+/// neighbors). In time O(n log n).
 template <typename Visit>
 [[nodiscard]] bool sweep(std::span<const GridEdge> edges, Visit&& visit) {
     const auto below = [&](std::uint32_t e, std::uint32_t f) { return is_below(edges[e], edges[f]); };

@@ -53,7 +53,7 @@ bool read_rows(Reading& reading) {
     if (reading.rows > 0 && reading.columns > reading.most / reading.rows) {
         return false;
     }
-    png_set_expand(png);  // Palettes to colours, 1, 2 and 4 bits to 8.
+    png_set_expand(png);  // Palettes to colors, 1, 2 and 4 bits to 8.
     png_set_strip_alpha(png);
     png_set_gray_to_rgb(png);
     png_set_interlace_handling(png);

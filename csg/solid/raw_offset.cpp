@@ -181,14 +181,14 @@ void RawOffset::add_end(const glm::dvec2& corner, const glm::dvec2& normal) {
     }
 }
 
-void RawOffset::add_dot(const glm::dvec2& centre) {
+void RawOffset::add_dot(const glm::dvec2& center) {
     if (how_.join == Join::Round) {
         for (int i = 0; i < std::floor(steps_); ++i) {
-            add(centre, {std::cos(kTurn / steps_ * i), std::sin(kTurn / steps_ * i)});
+            add(center, {std::cos(kTurn / steps_ * i), std::sin(kTurn / steps_ * i)});
         }
     } else {
         for (const glm::dvec2& way : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
-            add(centre, way);
+            add(center, way);
         }
     }
     if (how_.distance < 0) {

@@ -25,7 +25,7 @@ double farthest(const Outline& outline, F&& f) {
     return result;
 }
 
-/// The length of the spiral r = a·angle from the centre.
+/// The length of the spiral r = a·angle from the center.
 double spiral_length(double a, double angle) {
     return 0.5 * a * (angle * std::sqrt(1 + angle * angle) + std::asinh(angle));
 }
@@ -36,7 +36,7 @@ double twisted_length(double radius, double twist, double height, double scale) 
     if (scale == 1) {
         return std::hypot(radius * turn, height);
     }
-    // Part of a spiral whose centre lies beyond one of its ends.
+    // Part of a spiral whose center lies beyond one of its ends.
     const double end = scale > 1 ? turn * scale / (scale - 1) : turn / (1 - scale);
     const double a = radius / end * (scale > 1 ? scale : 1.0);
     const double flat = spiral_length(a, end) - spiral_length(a, end - turn);

@@ -191,7 +191,7 @@ class PathReader {
         control_ = b;
         return true;
     }
-    /// From the end points to the centre (SVG 1.1, appendix F.6.5).
+    /// From the end points to the center (SVG 1.1, appendix F.6.5).
     bool arc(const glm::dvec2& base) {
         const auto rx = scanner_.number(), ry = scanner_.number(), turn = scanner_.number();
         const auto large = scanner_.flag(), sweep = scanner_.flag();
@@ -214,9 +214,9 @@ class PathReader {
         const double below = a * a * p.y * p.y + b * b * p.x * p.x;
         const double root = std::sqrt(std::max(0.0, (a * a * b * b - below) / below));
         const double sign = (*large != 0) == (*sweep != 0) ? -1 : 1;
-        const glm::dvec2 centre(sign * root * a * p.y / b, -sign * root * b * p.x / a);
-        const double from = atan2_degrees((p.y - centre.y) / b, (p.x - centre.x) / a);
-        double end = atan2_degrees((-p.y - centre.y) / b, (-p.x - centre.x) / a);
+        const glm::dvec2 center(sign * root * a * p.y / b, -sign * root * b * p.x / a);
+        const double from = atan2_degrees((p.y - center.y) / b, (p.x - center.x) / a);
+        double end = atan2_degrees((-p.y - center.y) / b, (-p.x - center.x) / a);
         if (*sweep != 0 && end < from) {
             end += 360;
         }
@@ -224,7 +224,7 @@ class PathReader {
             end -= 360;
         }
         const glm::dvec2 middle =
-            0.5 * (at_ + to) + glm::dvec2(c * centre.x - s * centre.y, s * centre.x + c * centre.y);
+            0.5 * (at_ + to) + glm::dvec2(c * center.x - s * center.y, s * center.x + c * center.y);
         if (loop_.empty()) {
             loop_.push_back(at_);
         }

@@ -10,7 +10,7 @@
 namespace csg::solid {
 namespace {
 
-constexpr double kInch = 25.4;  // Millimetres.
+constexpr double kInch = 25.4;  // Millimeters.
 
 /// User units in one of the unit named; 0 for a percentage.
 double user_units(std::string_view name, double dots_per_inch) {
@@ -50,7 +50,7 @@ Length split(std::string_view text) {
     return {to_number(digits), unit.substr(0, unit.find_last_not_of(" \t\r\n") + 1)};
 }
 
-/// Millimetres of a side of the page, as OpenSCAD takes them; `view`: the side of the viewBox, 0 where there is none.
+/// Millimeters of a side of the page, as OpenSCAD takes them; `view`: the side of the viewBox, 0 where there is none.
 double page_side(std::string_view text, double view, double dots_per_inch) {
     const auto [number, unit] = split(text);
     if (!number || unit == "%") {

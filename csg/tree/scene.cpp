@@ -11,7 +11,7 @@
 namespace csg {
 namespace {
 
-/// The colour of the first operands, where it is but one.
+/// The color of the first operands, where it is but one.
 Rgba material_color(const Scene& scene, const Part& part) {
     Rgba color;
     bool first = true;

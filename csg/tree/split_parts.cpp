@@ -7,7 +7,7 @@
 namespace csg {
 namespace {
 
-/// The colours of what a subtree makes, as far as nothing above gives one.
+/// The colors of what a subtree makes, as far as nothing above gives one.
 struct Tint {
     enum class Kind : std::uint8_t { Nothing, One, Several } kind = Kind::Nothing;
     Rgba color;  ///< For One; not given where it has none.

@@ -176,7 +176,7 @@ layers::TextureStack Goldfeather::walk(const base::View& view, LeafBuffers& leav
     int most = 0;
 
     upload(screen, leaves, part.open);
-    view_block_.update(view, leaves.frame().centre, leaves.frame().diagonal);
+    view_block_.update(view, leaves.frame().center, leaves.frame().diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();

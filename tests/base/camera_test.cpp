@@ -65,7 +65,7 @@ TEST_P(ViewTest, PlaneDepthAgreesWithTheRay) {
             EXPECT_NEAR(depth, view.depth(t), 1e-6);
             EXPECT_NEAR(view.distance(view.depth(t)), t, 1e-9 * std::abs(t));
             const glm::dvec4 clip = view.clip_from_world() * glm::dvec4(ray.origin + t * ray.direction, 1.0);
-            EXPECT_NEAR((clip.x / clip.w + 1) * 160, x + 0.5, 1e-9);  // the jittered sample lands on the pixel's centre
+            EXPECT_NEAR((clip.x / clip.w + 1) * 160, x + 0.5, 1e-9);  // the jittered sample lands on the pixel's center
             EXPECT_NEAR((clip.y / clip.w + 1) * 100, y + 0.5, 1e-9);
             EXPECT_NEAR(clip.z / clip.w, view.depth(t), 1e-12);
         }

@@ -179,7 +179,7 @@ std::string difference(const csg::Scene& edited, const csg::Scene& made) {
 }
 
 std::string difference(const csg::solid::Geometry& edited, const csg::solid::Geometry& made) {
-    if (edited.box != made.box || edited.centre != made.centre ||
+    if (edited.box != made.box || edited.center != made.center ||
         edited.planes.tolerance() != made.planes.tolerance()) {
         return "bounds";
     }

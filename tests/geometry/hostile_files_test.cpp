@@ -38,7 +38,7 @@ std::string chunk(const std::string& kind, const std::string& body) {
     return big_endian(static_cast<std::uint32_t>(body.size())) + kind + body + big_endian(crc(kind + body));
 }
 
-/// Grey, with next to no data.
+/// Gray, with next to no data.
 std::string picture(std::uint32_t width, std::uint32_t height) {
     const std::string header = big_endian(width) + big_endian(height) + std::string("\x08\0\0\0\0", 5);
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", "\x78\x9c") + chunk("IEND", "");

@@ -54,7 +54,7 @@ TEST(OutlineFiles, PdfIsInTrueSizeInTheMiddle) {
     EXPECT_TRUE(pdf.starts_with("%PDF-1.4\n"));
     EXPECT_TRUE(pdf.ends_with("%%EOF\n"));
     EXPECT_NE(pdf.find("/MediaBox [0 0 595.276 841.890]"), std::string::npos);
-    EXPECT_NE(pdf.find("\n2.83465 0 0 2.83465 0 0 cm\n"), std::string::npos);  // millimetres
+    EXPECT_NE(pdf.find("\n2.83465 0 0 2.83465 0 0 cm\n"), std::string::npos);  // millimeters
     // The box is -10…31 by -10…10.125: its lower left corner is at 105 - 20.5, 148.5 - 10.0625.
     EXPECT_NE(pdf.find("\n84.5 138.4375 "), std::string::npos) << pdf;
     EXPECT_EQ(pdf.find("Date"), std::string::npos);

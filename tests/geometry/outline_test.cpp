@@ -139,7 +139,7 @@ TEST(Outline, NoPointIsMovedOverAnEdge) {
     }
 }
 
-/// Two edges that cross become neighbours where what lies between them ends, after all others have begun.
+/// Two edges that cross become neighbors where what lies between them ends, after all others have begun.
 TEST(Outline, EdgesThatCrossAreFoundAfterTheLastOneHasBegun) {
     std::vector<Loop> loops{
         {{-0.2, 1.4}, {1, 1.5}, {-0.1, 1.6}}, {{0, 0}, {0.01, -0.5}, {10, 3}}, {{0.1, 3}, {10, 0}, {0.11, 3.5}}};
@@ -275,11 +275,11 @@ TEST(Triangulation, FillsRandomRegionsExactly) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> radius(0.5, 1);
     for (int round = 0; round < 300; ++round) {
-        const auto star = [&](glm::dvec2 centre, double size, int corners) {
+        const auto star = [&](glm::dvec2 center, double size, int corners) {
             Loop loop;
             for (int i = 0; i < corners; ++i) {
                 const double angle = 2 * 3.14159265358979 * i / corners, r = size * radius(random);
-                loop.push_back(centre + r * glm::dvec2(std::cos(angle), std::sin(angle)));
+                loop.push_back(center + r * glm::dvec2(std::cos(angle), std::sin(angle)));
             }
             return loop;
         };

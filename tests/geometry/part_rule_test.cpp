@@ -76,7 +76,7 @@ TEST(PartRules, ColorPutsTogetherWhatHasOne) {
     EXPECT_EQ(
         parts_of("difference() { color(\"red\") cube(1); color(\"blue\") cube(2); } color(\"red\") cube(3);", kColor),
         (Parts{"#ff0000:3"}))
-        << "a difference has the colour of what is cut";
+        << "a difference has the color of what is cut";
     EXPECT_EQ(parts_of("intersection() { union() { color(\"red\") cube(1); cube(2); } cube(3); }", kColor),
               (Parts{"#ff0000:2", "uncolored:2"}));
     EXPECT_EQ(parts_of("color(\"red\", 0.5) cube(1); union() { color(\"red\", 0.5) cube(2); color(\"red\") cube(3); }",

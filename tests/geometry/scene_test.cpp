@@ -38,7 +38,7 @@ TEST(SceneOfNodes, HighlightsInAFlatDifferenceAreParts) {
               1);
 }
 
-TEST(SceneOfNodes, ColoursOfAFlatDifferenceStay) {
+TEST(SceneOfNodes, ColorsOfAFlatDifferenceStay) {
     const csg::Scene scene = scene_of("difference() { color(\"red\") square(3); circle(1); }");
     ASSERT_EQ(scene.leaves.size(), 2u);
     EXPECT_FLOAT_EQ(scene.leaves[0].color.r, 1);

@@ -152,7 +152,7 @@ TEST(Products, GoldenText) {
     EXPECT_EQ(products_text(combine(Intersection, {combine(Union, {a, far}), b})), "ac");
     EXPECT_EQ(products_text(combine(Difference, {combine(Union, {a, far}), b})), "a-c + b");
     EXPECT_EQ(products_text(combine(Intersection, {a, far})), "");
-    // A touching face may give the surface its colour, but has no volume in common.
+    // A touching face may give the surface its color, but has no volume in common.
     EXPECT_EQ(products_text(combine(Difference, {a, box({4, 0, 0}, {1, 4, 4})})), "a-b");
     EXPECT_EQ(products_text(combine(Intersection, {a, box({4, 0, 0}, {1, 4, 4})})), "");
     EXPECT_EQ(products_text(combine(Difference, {combine(Union, {}), a})), "");

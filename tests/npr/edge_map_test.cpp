@@ -199,13 +199,13 @@ TEST_P(EdgeMapTest, SpheresHaveNothingButAnOutline) {
             find(scene::leaf(csg::Sphere{10, fineness}), nullptr, size);
             EXPECT_EQ(count(false), 0U) << sides << " sides in " << size << " pixels";
             // Its outline is a circle: about 4/3 of a link per pixel of it.
-            const glm::dvec2 centre = project(*view_, {0, 0, 0});
+            const glm::dvec2 center = project(*view_, {0, 0, 0});
             double radius = 0;
             for (const npr::HostEdge& e : edges_) {
-                radius = std::max(radius, glm::distance(glm::dvec2(e.at), centre));
+                radius = std::max(radius, glm::distance(glm::dvec2(e.at), center));
             }
             for (const npr::HostEdge& e : edges_) {
-                EXPECT_NEAR(glm::distance(glm::dvec2(e.at), centre), radius, 0.05 * radius + 1);
+                EXPECT_NEAR(glm::distance(glm::dvec2(e.at), center), radius, 0.05 * radius + 1);
             }
             EXPECT_GT(static_cast<double>(count(true)), 6 * radius);
             EXPECT_LT(static_cast<double>(count(true)), 10 * radius);

@@ -21,7 +21,7 @@ struct Golden {
     scene::Studio::Request request;
 };
 
-/// A rounded block with bores of another colour, a pin in one of them, and a translucent plate.
+/// A rounded block with bores of another color, a pin in one of them, and a translucent plate.
 scene::Model subject() {
     csg::Fineness fine;
     fine.fn = 24;

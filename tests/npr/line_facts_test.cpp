@@ -167,9 +167,9 @@ TEST(LineFacts, WhatHides) {
 }
 
 TEST(LineFacts, NestedShells) {
-    const auto centred = [](double size) { return box(glm::dvec3(-size / 2), glm::dvec3(size)); };
-    Sight sight(combine(Operation::Union, {combine(Operation::Difference, {centred(20), centred(18)}),
-                                           combine(Operation::Difference, {centred(14), centred(12)}), centred(6)}));
+    const auto centered = [](double size) { return box(glm::dvec3(-size / 2), glm::dvec3(size)); };
+    Sight sight(combine(Operation::Union, {combine(Operation::Difference, {centered(20), centered(18)}),
+                                           combine(Operation::Difference, {centered(14), centered(12)}), centered(6)}));
     sight.look(flat_camera(sight.box()), {200, 200});
     const auto expect = [&](double half, int surfaces, int solids) {
         const LineFacts facts = sight.at({0.3 * half, -half, half}, surfaces);  // The upper edge in front.

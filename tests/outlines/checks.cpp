@@ -50,7 +50,7 @@ class Checks {
         outline_ = make_outline(polygon);
         box_ = bounds_of(loops);
         size_ = std::max(box_.diagonal(), 1e-300);
-        reach_ = size_ + glm::length(box_.centre());
+        reach_ = size_ + glm::length(box_.center());
         moments_ = even_odd_moments(loops);
     }
 

@@ -78,7 +78,7 @@ constexpr Grouped kGrouped[] = {
      1, 5, "planes"},
     {"NothingInCommon", "intersection() { cube(1); translate([3, 0, 0]) cube(1); } translate([9, 0, 0]) cube(1);", 1, 1,
      "copy"},
-    {"Colours", "for (x = [0:9]) translate([2 * x, 0, 0]) color([x / 10, 0, 0, x / 10]) cube(1);", 10, 10, "copy"},
+    {"Colors", "for (x = [0:9]) translate([2 * x, 0, 0]) color([x / 10, 0, 0, x / 10]) cube(1);", 10, 10, "copy"},
     {"Mirrored", "for (x = [0:9]) translate([3 * x, 0, 0]) mirror([1, 1, 0]) cylinder(h = 2, r1 = 1, r2 = 0, $fn = 4);",
      10, 40.0 / 3, "copy"},
 };

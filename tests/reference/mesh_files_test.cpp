@@ -39,7 +39,7 @@ TEST(MeshFiles, SameBytes) {
     }
 }
 
-TEST(MeshFiles, ColoursArePartsOfTheFile) {
+TEST(MeshFiles, ColorsArePartsOfTheFile) {
     const auto model = meshes::model_of(kProgram);
     const ui::ModelMesh mesh = ui::make_mesh(*model);
     const std::string amf = ui::encode_mesh(*model, mesh, MeshFormat::Amf);

@@ -76,7 +76,7 @@ TEST(PlaneTable, NearlyEqualPlanesAreTwo) {
     }
 }
 
-/// Neighbouring cells of the hash hold coincident planes too: offsets and normals on their borders.
+/// Neighboring cells of the hash hold coincident planes too: offsets and normals on their borders.
 TEST(PlaneTable, BordersOfCellsDoNotMatter) {
     PlaneTable table(coincidence_tolerance(1.0));
     const double tolerance = table.tolerance();

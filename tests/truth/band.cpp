@@ -51,13 +51,13 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> bends(const csg::solid::Pla
 }  // namespace
 
 Band::Band(const csg::solid::Geometry& geometry, const base::View& view)
-    : geometry_(geometry), view_(view), local_centre_(geometry.box.empty() ? glm::dvec3(0.0) : geometry.box.centre()) {
+    : geometry_(geometry), view_(view), local_center_(geometry.box.empty() ? glm::dvec3(0.0) : geometry.box.center()) {
     // Rows x, y, w of the clip matrix, x and y in pixels.
     const double scale = view.size().y / (2 * view.half_height());
     glm::dmat4 project(0.0);
     project[0][0] = project[1][1] = scale;
     project[view.orthographic() ? 3 : 2][2] = view.orthographic() ? 1 : -1;
-    to_pixels_ = project * glm::translate(view.eye_from_world(), local_centre_);
+    to_pixels_ = project * glm::translate(view.eye_from_world(), local_center_);
     for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
         std::vector<Vertex> vertices;
         for (const glm::dvec3& p : leaf.points) {
@@ -76,7 +76,7 @@ Band::Band(const csg::solid::Geometry& geometry, const base::View& view)
 }
 
 Band::Vertex Band::project(const glm::dvec3& world) const {
-    const glm::dvec4 local(world - local_centre_, 1.0);
+    const glm::dvec4 local(world - local_center_, 1.0);
     Vertex v{glm::dvec3(0.0), glm::dvec3(0.0)};
     v.at = glm::dvec3(to_pixels_ * local);
     for (int row = 0; row < 3; ++row) {

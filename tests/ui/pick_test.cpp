@@ -154,7 +154,7 @@ TEST_F(Pick, TellsTheMaterialOnEitherSide) {
         EXPECT_EQ(s[i].at("behind"), Json({"body"}));
     }
     EXPECT_EQ(s[3].at("in_front"), Json({"body"}));
-    // A cut face: made by what has no colour, of what is red.
+    // A cut face: made by what has no color, of what is red.
     const Json cut = surfaces("two.scad", 1, 3, "--parts module=lid,body");
     ASSERT_EQ(cut.size(), 4u);
     EXPECT_EQ(cut[1].at("shape"), "cube");
