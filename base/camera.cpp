@@ -33,9 +33,10 @@ glm::dmat4 turn_about(double degrees, int axis) {
 /// The eight corners of a box in eye coordinates, one after the other.
 template <typename Visit>
 void for_each_corner(const glm::dmat4& eye_from_world, const glm::dvec3& lo, const glm::dvec3& hi, Visit&& visit) {
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         visit(glm::dvec3(eye_from_world *
                          glm::dvec4(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z, 1.0)));
+    }
 }
 
 }  // namespace
@@ -66,10 +67,11 @@ void view_all(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, bool a
         camera.distance = Camera{}.distance;
         return;
     }
-    const glm::dvec3 centre = 0.5 * (lo + hi);
-    if (autocenter)
-        camera.target = centre;
-    const double radius = glm::length(hi - lo) / 2 + glm::length(centre - camera.target);
+    const glm::dvec3 center = 0.5 * (lo + hi);
+    if (autocenter) {
+        camera.target = center;
+    }
+    const double radius = glm::length(hi - lo) / 2 + glm::length(center - camera.target);
     camera.distance = radius > 0 ? radius / std::sin(radians(camera.fov / 2)) : Camera{}.distance;
 }
 
@@ -124,9 +126,10 @@ View::Ray View::ray(double x, double y) const {
     const double ex = (x + 0.5 + jitter_.x - 0.5 * size_.x) * scale;
     const double ey = (y + 0.5 + jitter_.y - 0.5 * size_.y) * scale;
     const glm::dmat4 world_from_eye = glm::inverse(eye_from_world_);
-    if (orthographic())
+    if (orthographic()) {
         return {glm::dvec3(world_from_eye * glm::dvec4(ex, ey, 0, 1)),
                 glm::dvec3(world_from_eye * glm::dvec4(0, 0, -1, 0))};
+    }
     return {glm::dvec3(world_from_eye * glm::dvec4(0, 0, 0, 1)),
             glm::dvec3(world_from_eye * glm::dvec4(ex, ey, -1, 0))};
 }
@@ -156,8 +159,9 @@ View::ExactPlaneDepth View::exact_plane_depth(const glm::dvec3& normal, double o
     }
     c += a * jitter_.x + b * jitter_.y;
     constexpr double kSteepest = 1e6;  // depth range per pixel; beyond it the plane is edge-on for any picture
-    if (!(std::abs(a) < kSteepest && std::abs(b) < kSteepest && std::abs(c) < 1e6 * kSteepest))
+    if (!(std::abs(a) < kSteepest && std::abs(b) < kSteepest && std::abs(c) < 1e6 * kSteepest)) {
         return {0, 0, 0, true};
+    }
     return {a, b, c, false};
 }
 
@@ -182,10 +186,12 @@ View::Rectangle View::screen_box(const glm::dvec3& lo, const glm::dvec3& hi) con
         min = glm::min(min, at);
         max = glm::max(max, at);
     });
-    if (behind && !(min.x <= max.x))
+    if (behind && !(min.x <= max.x)) {
         return {};  // wholly behind the near plane
-    if (behind)
+    }
+    if (behind) {
         return {0, 0, size_.x, size_.y};
+    }
     const glm::dvec2 half = 0.5 * glm::dvec2(size_);
     const auto low = glm::clamp(glm::floor(min + half - jitter_) - 1.0, glm::dvec2(0.0), glm::dvec2(size_));
     const auto high = glm::clamp(glm::ceil(max + half - jitter_) + 1.0, glm::dvec2(0.0), glm::dvec2(size_));

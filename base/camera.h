@@ -26,7 +26,7 @@ struct Camera {
 [[nodiscard]] Camera camera_between(const glm::dvec3& eye, const glm::dvec3& center);
 
 /// Moves `camera` so far away that the sphere about the box fits (OpenSCAD's --viewall); with `autocenter` it looks at
-/// the centre of the box as well. An empty box (lo > hi) gives the default distance.
+/// the center of the box as well. An empty box (lo > hi) gives the default distance.
 void view_all(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, bool autocenter);
 
 /// A camera's picture of a bounded scene.
@@ -37,13 +37,13 @@ void view_all(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, bool a
 class View {
   public:
     /// `lo`, `hi`: the box that encloses everything (world coordinates). `jitter`: offset of the sample from the
-    /// pixel's centre, in pixels.
+    /// pixel's center, in pixels.
     View(const Camera& camera, glm::ivec2 size, const glm::dvec3& lo, const glm::dvec3& hi,
          glm::dvec2 jitter = glm::dvec2(0.0));
 
     [[nodiscard]] glm::ivec2 size() const { return size_; }
     [[nodiscard]] const Camera& camera() const { return camera_; }
-    /// Offset of the sample from the pixel's centre, in pixels.
+    /// Offset of the sample from the pixel's center, in pixels.
     [[nodiscard]] glm::dvec2 jitter() const { return jitter_; }
     [[nodiscard]] bool orthographic() const { return camera_.projection == Projection::Orthographic; }
     /// Distances from the eye's plane, along the axis of view.

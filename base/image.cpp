@@ -20,9 +20,11 @@ namespace base {
 namespace {
 
 bool opaque(const Image& image) {
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
-        if (image.rgba[i] != 255)
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+        if (image.rgba[i] != 255) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -44,8 +46,9 @@ void append(png_structp png, png_bytep data, std::size_t size) {
     } catch (const std::bad_alloc&) {
         written.out_of_memory = true;
     }
-    if (written.out_of_memory)
+    if (written.out_of_memory) {
         png_error(png, "out of memory");
+    }
 }
 
 enum class Outcome { Done, Stopped, Failed };
@@ -53,20 +56,23 @@ enum class Outcome { Done, Stopped, Failed };
 /// Nothing here has a destructor that an error of libpng could jump over. `row`: room for one without alpha.
 Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alpha, std::uint8_t* row,
                    const std::stop_token& stop) {
-    if (setjmp(png_jmpbuf(png)) != 0)
+    if (setjmp(png_jmpbuf(png)) != 0) {
         return Outcome::Failed;
+    }
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                  alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
     for (int y = 0; y < image.height; ++y) {
-        if (stop.stop_requested())
+        if (stop.stop_requested()) {
             return Outcome::Stopped;
+        }
         const std::uint8_t* pixels = image.pixel(0, y);
         if (!alpha) {
-            for (int x = 0; x < image.width; ++x)
+            for (int x = 0; x < image.width; ++x) {
                 std::copy_n(pixels + 4 * x, 3, row + 3 * x);
+            }
             pixels = row;
         }
         png_write_row(png, pixels);
@@ -81,8 +87,9 @@ constexpr std::int64_t kMostPixels = 1 << 28;
 
 /// Sets the size; the rows will be RGBA of 8 bits.
 bool read_header(png_structp png, png_infop info, Image& image) {
-    if (setjmp(png_jmpbuf(png)) != 0)
+    if (setjmp(png_jmpbuf(png)) != 0) {
         return false;
+    }
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // Texts of any size that they claim.
     png_read_info(png, info);
     png_set_expand(png);
@@ -97,8 +104,9 @@ bool read_header(png_structp png, png_infop info, Image& image) {
 }
 
 bool read_rows(png_structp png, png_bytepp rows) {
-    if (setjmp(png_jmpbuf(png)) != 0)
+    if (setjmp(png_jmpbuf(png)) != 0) {
         return false;
+    }
     png_read_image(png, rows);
     return true;
 }
@@ -118,23 +126,28 @@ std::string encode_png(const Image& image, const std::stop_token& stop) {
     std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
     const Outcome outcome = write_rows(png, info, image, alpha, row.data(), stop);
     png_destroy_write_struct(&png, &info);
-    if (written.out_of_memory)
+    if (written.out_of_memory) {
         throw std::bad_alloc();
-    if (outcome == Outcome::Failed)
+    }
+    if (outcome == Outcome::Failed) {
         throw std::runtime_error("PNG: " + written.problem);
-    if (outcome == Outcome::Stopped)
+    }
+    if (outcome == Outcome::Stopped) {
         throw Stopped();
+    }
     return std::move(written.bytes);
 }
 
 Image read_png(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::exists(path, error) &&
-        !std::filesystem::is_regular_file(path, error))  // To open a pipe would be to wait.
+        !std::filesystem::is_regular_file(path, error)) {  // To open a pipe would be to wait.
         throw std::runtime_error(fmt::format("{}: it is no regular file", path.string()));
+    }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (file == nullptr)
+    if (file == nullptr) {
         throw std::runtime_error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+    }
     Written failure;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, note_problem, ignore_warning);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
@@ -153,8 +166,9 @@ Image read_png(const std::filesystem::path& path) {
     if (good) {
         try {
             image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-            for (int y = 0; y < image.height; ++y)
+            for (int y = 0; y < image.height; ++y) {
                 rows.push_back(const_cast<png_bytep>(image.pixel(0, y)));
+            }
         } catch (const std::bad_alloc&) {
             png_destroy_read_struct(&png, &info, nullptr);
             throw;
@@ -162,8 +176,9 @@ Image read_png(const std::filesystem::path& path) {
     }
     const bool read = good && read_rows(png, rows.data());
     png_destroy_read_struct(&png, &info, nullptr);
-    if (!read)
+    if (!read) {
         throw std::runtime_error(fmt::format("{}: {}", path.string(), failure.problem));
+    }
     return image;
 }
 

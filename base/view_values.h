@@ -13,10 +13,10 @@ struct ViewValues {
     glm::mat4 eye_from_world;
     glm::vec4 picture;
     glm::vec4 depth_range;
-    glm::vec4 local_centre;
+    glm::vec4 local_center;
 };
 
-/// `local_centre`: world position of the local origin; `diagonal`: the scene's size.
-[[nodiscard]] ViewValues view_values(const View& view, const glm::dvec3& local_centre, double diagonal);
+/// `local_center`: world position of the local origin; `diagonal`: the scene's size.
+[[nodiscard]] ViewValues view_values(const View& view, const glm::dvec3& local_center, double diagonal);
 
 }  // namespace base

@@ -13,9 +13,9 @@ namespace base {
 namespace {
 
 /// Keeps signals that a failing write() sends from this thread, for as long as it lives.
-class Unsignalled {
+class Unsignaled {
   public:
-    Unsignalled() {
+    Unsignaled() {
         sigemptyset(&kept_);
         sigaddset(&kept_, SIGPIPE);
         sigaddset(&kept_, SIGXFSZ);
@@ -25,7 +25,7 @@ class Unsignalled {
         }
         pthread_sigmask(SIG_BLOCK, &kept_, &before_);
     }
-    ~Unsignalled() {
+    ~Unsignaled() {
         const int reason = errno;
         const timespec at_once{};
         while (sigtimedwait(&kept_, nullptr, &at_once) > 0) {
@@ -33,8 +33,8 @@ class Unsignalled {
         pthread_sigmask(SIG_SETMASK, &before_, nullptr);
         errno = reason;
     }
-    Unsignalled(const Unsignalled&) = delete;
-    Unsignalled& operator=(const Unsignalled&) = delete;
+    Unsignaled(const Unsignaled&) = delete;
+    Unsignaled& operator=(const Unsignaled&) = delete;
 
   private:
     sigset_t kept_{}, before_{};
@@ -43,7 +43,7 @@ class Unsignalled {
 }  // namespace
 
 bool write_all(int fd, std::string_view bytes, int patience) {
-    const Unsignalled unsignalled;
+    const Unsignaled unsignaled;
     while (!bytes.empty()) {
         const ssize_t n = ::write(fd, bytes.data(), bytes.size());
         if (n > 0) {

@@ -49,9 +49,11 @@ std::string Context::version() const {
 
 bool Context::software() const {
     const std::string r = renderer();
-    for (const char* s : {"llvmpipe", "softpipe", "SWR", "swrast", "Software"})
-        if (r.find(s) != std::string::npos)
+    for (const char* s : {"llvmpipe", "softpipe", "SWR", "swrast", "Software"}) {
+        if (r.find(s) != std::string::npos) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -59,9 +61,11 @@ bool gpu_possible() {
     // Render nodes of the kernel's drivers, NVIDIA's own devices, and that of Windows' subsystem for Linux.
     for (const auto& [folder, prefix] : {std::pair{"/dev/dri", "renderD"}, {"/dev", "nvidia"}, {"/dev", "dxg"}}) {
         std::error_code error;
-        for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-            if (at->path().filename().string().starts_with(prefix))
+        for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+            if (at->path().filename().string().starts_with(prefix)) {
                 return true;
+            }
+        }
     }
     return false;
 }

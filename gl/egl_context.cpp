@@ -16,9 +16,11 @@ class EglContext final : public Context {
     EglContext() : Context(ContextKind::Egl) {
         // A real device first, then Mesa's surfaceless platform: both work without a display.
         std::string tried;
-        for (EGLDisplay display : displays())
-            if (open(display, tried))
+        for (EGLDisplay display : displays()) {
+            if (open(display, tried)) {
                 return;
+            }
+        }
         throw Error("EGL gives no OpenGL 4.5 core context (" + (tried.empty() ? "no display" : tried) + ")");
     }
 
@@ -28,8 +30,9 @@ class EglContext final : public Context {
     }
 
     void make_current() override {
-        if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+        if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
             throw Error(fmt::format("eglMakeCurrent failed (0x{:x})", eglGetError()));
+        }
     }
 
   private:
@@ -41,13 +44,15 @@ class EglContext final : public Context {
         if (query && device_string) {
             EGLDeviceEXT devices[16];
             EGLint count = 0;
-            if (query(16, devices, &count))
+            if (query(16, devices, &count)) {
                 for (EGLint i = 0; i < count; ++i) {
                     const char* extensions = device_string(devices[i], EGL_EXTENSIONS);
-                    if (extensions && std::string(extensions).find("EGL_MESA_device_software") != std::string::npos)
+                    if (extensions && std::string(extensions).find("EGL_MESA_device_software") != std::string::npos) {
                         continue;
+                    }
                     found.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
                 }
+            }
         }
         found.push_back(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
         return found;
@@ -58,18 +63,22 @@ class EglContext final : public Context {
             tried += fmt::format("{}{} 0x{:x}", tried.empty() ? "" : ", ", what, eglGetError());
             return false;
         };
-        if (display == EGL_NO_DISPLAY)
+        if (display == EGL_NO_DISPLAY) {
             return false;
-        if (!eglInitialize(display, nullptr, nullptr))
+        }
+        if (!eglInitialize(display, nullptr, nullptr)) {
             return failed("eglInitialize");
-        if (!eglBindAPI(EGL_OPENGL_API))
+        }
+        if (!eglBindAPI(EGL_OPENGL_API)) {
             return failed("eglBindAPI");
+        }
         const EGLint attributes[] = {
             EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-        if (context == EGL_NO_CONTEXT)
+        if (context == EGL_NO_CONTEXT) {
             return failed("eglCreateContext");
+        }
         if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
             failed("eglMakeCurrent");
             eglDestroyContext(display, context);

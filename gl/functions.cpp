@@ -10,8 +10,9 @@ namespace {
 template <typename Function>
 void find(Function& function, const SymbolLoader& loader, const char* name) {
     function = reinterpret_cast<Function>(loader(name));
-    if (!function)
+    if (!function) {
         throw Error(std::string("this OpenGL has no function ") + name + "; OpenGL 4.5 core is needed");
+    }
 }
 
 }  // namespace

@@ -99,12 +99,12 @@ class Framebuffer : public Name {
     Framebuffer& operator=(Framebuffer&&) noexcept = default;
     ~Framebuffer();
 
-    /// Attaches colour targets 0, 1, … and, where given, a depth target. Throws gl::Error where it is incomplete.
+    /// Attaches color targets 0, 1, … and, where given, a depth target. Throws gl::Error where it is incomplete.
     void attach(std::span<const Texture* const> colors, const Texture* depth = nullptr);
     void attach(std::initializer_list<const Texture*> colors, const Texture* depth = nullptr) {
         attach(std::span<const Texture* const>(colors.begin(), colors.size()), depth);
     }
-    /// The same for one layer of each (array) colour texture.
+    /// The same for one layer of each (array) color texture.
     void attach_layer(std::span<const Texture* const> colors, int layer);
     void bind() const { gl_->BindFramebuffer(GL_FRAMEBUFFER, id_); }
 

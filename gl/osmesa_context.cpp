@@ -22,11 +22,14 @@ constexpr int kFormat = 0x22, kRgba = GL_RGBA, kDepthBits = 0x30, kProfile = 0x3
 class OsmesaContext final : public Context {
   public:
     OsmesaContext() : Context(ContextKind::Osmesa) {
-        for (const char* library : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"})
-            if ((library_ = dlopen(library, RTLD_NOW | RTLD_LOCAL)))
+        for (const char* library : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
+            if ((library_ = dlopen(library, RTLD_NOW | RTLD_LOCAL))) {
                 break;
-        if (!library_)
+            }
+        }
+        if (!library_) {
             throw Error("OSMesa is not installed (libOSMesa.so.8)");
+        }
         const auto create = symbol<CreateContextAttribs>("OSMesaCreateContextAttribs");
         destroy_ = symbol<DestroyContext>("OSMesaDestroyContext");
         activate_ = symbol<MakeCurrent>("OSMesaMakeCurrent");
@@ -34,29 +37,33 @@ class OsmesaContext final : public Context {
         const int attributes[] = {kFormat,       kRgba, kDepthBits,    0, kProfile, kCoreProfile,
                                   kMajorVersion, 4,     kMinorVersion, 5, 0};
         context_ = create(attributes, nullptr);
-        if (!context_)
+        if (!context_) {
             throw Error("OSMesa gives no OpenGL 4.5 core context");
+        }
         make_current();
         functions_ = Functions::load([&](const char* n) { return reinterpret_cast<void*>(address(n)); });
     }
 
     ~OsmesaContext() override {
-        if (context_)
+        if (context_) {
             destroy_(context_);
+        }
         // The library stays loaded: LLVM's threads may still be leaving it.
     }
 
     void make_current() override {
-        if (!activate_(context_, front_.data(), GL_UNSIGNED_BYTE, 1, 1))
+        if (!activate_(context_, front_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
             throw Error("OSMesaMakeCurrent failed");
+        }
     }
 
   private:
     template <typename Function>
     Function symbol(const char* name) {
         const auto found = reinterpret_cast<Function>(dlsym(library_, name));
-        if (!found)
+        if (!found) {
             throw Error(std::string("OSMesa has no ") + name);
+        }
         return found;
     }
 

@@ -20,8 +20,9 @@ struct Assembled {
 };
 
 void append(const ShaderLibrary& library, std::string_view name, Assembled& out) {
-    if (std::find(out.files.begin(), out.files.end(), name) != out.files.end())
+    if (std::find(out.files.begin(), out.files.end(), name) != out.files.end()) {
         return;
+    }
     const std::size_t number = out.files.size();
     out.files.emplace_back(name);
     out.text += fmt::format("#line 1 {}\n", number);
@@ -30,8 +31,9 @@ void append(const ShaderLibrary& library, std::string_view name, Assembled& out)
     for (int n = 1; std::getline(lines, line); ++n) {
         if (line.starts_with("#include")) {
             const auto open = line.find('"'), close = line.rfind('"');
-            if (open == close)
+            if (open == close) {
                 throw Error(fmt::format("{}:{}: malformed #include", name, n));
+            }
             append(library, std::string_view(line).substr(open + 1, close - open - 1), out);
             out.text += fmt::format("#line {} {}\n", n + 1, number);
         } else {
@@ -84,12 +86,15 @@ void add_uniforms(std::string_view text, std::unordered_set<std::string>& names)
 }
 
 GLenum stage_of(std::string_view name) {
-    if (name.ends_with(".vert"))
+    if (name.ends_with(".vert")) {
         return GL_VERTEX_SHADER;
-    if (name.ends_with(".frag"))
+    }
+    if (name.ends_with(".frag")) {
         return GL_FRAGMENT_SHADER;
-    if (name.ends_with(".comp"))
+    }
+    if (name.ends_with(".comp")) {
         return GL_COMPUTE_SHADER;
+    }
     throw Error(fmt::format("{}: not a shader stage", name));
 }
 
@@ -97,8 +102,9 @@ GLenum stage_of(std::string_view name) {
 
 const ShaderFile& ShaderLibrary::find(std::string_view name) const {
     const auto found = std::find_if(files_.begin(), files_.end(), [&](const ShaderFile& f) { return f.name == name; });
-    if (found == files_.end())
+    if (found == files_.end()) {
         throw Error(fmt::format("no embedded shader file '{}'", name));
+    }
     return *found;
 }
 
@@ -106,8 +112,9 @@ Program::Program(const Functions& gl, const ShaderLibrary& library, std::initial
                  const Defines& defines)
     : Name(gl, gl.CreateProgram()) {
     std::string head = "#version 450 core\n";
-    for (const auto& [name, value] : defines)
+    for (const auto& [name, value] : defines) {
         head += fmt::format("#define {} {}\n", name, value);
+    }
     for (const std::string_view file : files) {
         Assembled assembled;
         append(library, file, assembled);
@@ -143,16 +150,19 @@ Program::Program(const Functions& gl, const ShaderLibrary& library, std::initial
 }
 
 Program::~Program() {
-    if (id_)
+    if (id_) {
         gl_->DeleteProgram(id_);
+    }
 }
 
 GLint Program::at(const char* name) const {
-    if (const auto known = locations_.find(name); known != locations_.end())
+    if (const auto known = locations_.find(name); known != locations_.end()) {
         return known->second;
+    }
     const GLint location = gl_->GetUniformLocation(id_, name);
-    if (location < 0 && !declared_.contains(name))
+    if (location < 0 && !declared_.contains(name)) {
         throw std::logic_error(fmt::format("{}declares no uniform '{}'", files_, name));
+    }
     return locations_.emplace(name, location).first->second;
 }
 

@@ -1,10 +1,10 @@
 // What every pass knows of the view; filled by gl/view_block.h.
 layout(std140, binding = 0) uniform ViewBlock {
-    mat4 clip_from_local;   // local: world minus a centre, so that floats are small
+    mat4 clip_from_local;   // local: world minus a center, so that floats are small
     mat4 eye_from_world;    // rotation only is meant for directions
     vec4 picture;           // width, height, half height of the picture at distance 1 (or in world units), near
     vec4 depth_range;       // near, far (0: infinite), orthographic (1) or perspective (0), scene diagonal
-    vec4 local_centre;      // world = local + local_centre
+    vec4 local_center;      // world = local + local_center
 } view;
 
 #include "gl/view_distance.glsl"

@@ -11,7 +11,7 @@ class ViewBlock {
   public:
     explicit ViewBlock(const Functions& gl) : buffer_(gl) {}
     /// See base::view_values.
-    void update(const base::View& view, const glm::dvec3& local_centre, double diagonal);
+    void update(const base::View& view, const glm::dvec3& local_center, double diagonal);
     void bind() const { buffer_.bind(GL_UNIFORM_BUFFER, 0); }
 
   private:

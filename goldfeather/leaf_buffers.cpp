@@ -26,8 +26,9 @@ std::size_t most_bytes_of_a_block(const gl::Functions& gl) {
 
 std::string LeafBuffers::obstacle(const gl::Functions& gl, const csg::solid::Geometry& geometry) {
     std::size_t triangles = 0;
-    for (const csg::solid::PlacedLeaf& leaf : geometry.leaves)
+    for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
         triangles += leaf.triangles.size();
+    }
     const std::size_t most = most_bytes_of_a_block(gl) / kTriangleBytes;
     return triangles <= most ? ""
                              : fmt::format("its leaves have {} triangles, and this OpenGL takes {}", triangles, most);
@@ -57,8 +58,9 @@ void LeafBuffers::upload() {
         const csg::solid::PlacedLeaf& leaf = geometry_.leaves[id];
         Range range{static_cast<std::uint32_t>(vertices.size()), 0};
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
-            for (int corner = 0; corner < 3; ++corner)
-                vertices.emplace_back(leaf.points[leaf.triangles[t][corner]] - frame_.centre);
+            for (int corner = 0; corner < 3; ++corner) {
+                vertices.emplace_back(leaf.points[leaf.triangles[t][corner]] - frame_.center);
+            }
             ids.emplace_back(leaf.planes[t].index, id);
         }
         range.vertex_count = static_cast<std::uint32_t>(vertices.size()) - range.first_vertex;
@@ -78,16 +80,18 @@ void LeafBuffers::update(const csg::solid::SceneChange& change) {
     const bool grown = std::any_of(change.leaves.begin(), change.leaves.end(), [&](csg::LeafId id) {
         return 3 * geometry_.leaves[id].triangles.size() > room_[id];
     });
-    if (change.centre || grown) {
+    if (change.center || grown) {
         upload();
         return;
     }
     frame_ = local_frame(geometry_);
-    for (const csg::LeafId id : change.leaves)
+    for (const csg::LeafId id : change.leaves) {
         write(id);
+    }
     if (change.all_planes) {
-        for (csg::LeafId id = 0; id < ranges_.size(); ++id)
+        for (csg::LeafId id = 0; id < ranges_.size(); ++id) {
             write_planes(id);
+        }
     }
 }
 
@@ -95,8 +99,9 @@ void LeafBuffers::write(csg::LeafId id) {
     const csg::solid::PlacedLeaf& leaf = geometry_.leaves[id];
     std::vector<glm::vec3> vertices;
     for (const glm::uvec3& triangle : leaf.triangles) {
-        for (int corner = 0; corner < 3; ++corner)
-            vertices.emplace_back(leaf.points[triangle[corner]] - frame_.centre);
+        for (int corner = 0; corner < 3; ++corner) {
+            vertices.emplace_back(leaf.points[triangle[corner]] - frame_.center);
+        }
     }
     ranges_[id].vertex_count = static_cast<std::uint32_t>(vertices.size());
     vertices_.write<glm::vec3>(ranges_[id].first_vertex * sizeof(glm::vec3), vertices);
@@ -105,8 +110,9 @@ void LeafBuffers::write(csg::LeafId id) {
 
 void LeafBuffers::write_planes(csg::LeafId id) {
     std::vector<glm::uvec2> ids;
-    for (const csg::solid::PlaneRef& plane : geometry_.leaves[id].planes)
+    for (const csg::solid::PlaneRef& plane : geometry_.leaves[id].planes) {
         ids.emplace_back(plane.index, id);
+    }
     triangle_ids_.write<glm::uvec2>(ranges_[id].first_vertex / 3 * sizeof(glm::uvec2), ids);
 }
 
@@ -118,8 +124,9 @@ void LeafBuffers::project(const base::View& view, const gl::Program& prepare, co
     }
     plane_depths_.upload<glm::vec4>(scratch_, GL_STREAM_DRAW);
     GLuint binding = 2;
-    for (const gl::Buffer* buffer : {&vertices_, &triangle_ids_, &plane_depths_, &positions_, &triangles_})
+    for (const gl::Buffer* buffer : {&vertices_, &triangle_ids_, &plane_depths_, &positions_, &triangles_}) {
         buffer->bind(GL_SHADER_STORAGE_BUFFER, binding++);
+    }
     const auto count = static_cast<unsigned>(triangle_count_);
     prepare.set("triangle_count", count);
     prepare.use();

@@ -18,7 +18,7 @@ constexpr std::size_t kStatesPerProduct = 64;
 /// Literals and factors looked at, and those that wait at one time, for each literal allowed.
 constexpr std::size_t kWorkPerLiteral = 64, kWaitingPerLiteral = 16;
 /// Boxes count as apart only beyond the rounding of coordinates: a face that touches keeps its complement, for it
-/// may give the surface its colour.
+/// may give the surface its color.
 constexpr double kTouching = 0x1p-32;
 
 /// An expression that a product still has to be multiplied with.
@@ -45,8 +45,9 @@ bool may_show(const Box& shared, const Box& own) {
 }
 
 bool strictly_apart(const Box& a, const Box& b) {
-    if (a.empty() || b.empty())
+    if (a.empty() || b.empty()) {
         return true;
+    }
     const glm::dvec3 largest =
         glm::max(glm::max(glm::abs(a.lo), glm::abs(a.hi)), glm::max(glm::abs(b.lo), glm::abs(b.hi)));
     const double margin = kTouching * std::max({largest.x, largest.y, largest.z});
@@ -73,8 +74,9 @@ double count_unpruned(const csg::Scene& scene, const csg::Part& part) {
         bool first = true;
         for (const std::uint32_t child : scene.children(e)) {
             Count c = counts[child - part.first_expression];
-            if (e.kind == ExpressionKind::Difference && !first)
+            if (e.kind == ExpressionKind::Difference && !first) {
                 std::swap(c.plain, c.complement);
+            }
             added = std::min(kSaturated, added + (sum ? c.plain : c.complement));
             multiplied = std::min(kSaturated, multiplied * (sum ? c.complement : c.plain));
             first = false;
@@ -104,8 +106,9 @@ class Rewriter {
         most_waiting_ = kWaitingPerLiteral * budget.literals;
         while (!states.empty()) {
             if (++looked_at > kStatesPerProduct * budget.products || work > kWorkPerLiteral * budget.literals ||
-                waiting_ > most_waiting_)
+                waiting_ > most_waiting_) {
                 return OverBudget{products.size()};
+            }
             State state = std::move(states.back());
             states.pop_back();
             waiting_ -= size(state);
@@ -121,19 +124,22 @@ class Rewriter {
             }
             products.push_back(finish(std::move(state)));
             literals += products.back().literals.size();
-            if (products.size() > budget.products || literals > budget.literals)
+            if (products.size() > budget.products || literals > budget.literals) {
                 return OverBudget{products.size()};
+            }
         }
-        if (products.empty())
+        if (products.empty()) {
             return Empty{};
+        }
         std::sort(products.begin(), products.end(),
                   [](const Product& a, const Product& b) { return a.literals < b.literals; });
         products.erase(std::unique(products.begin(), products.end(),
                                    [](const Product& a, const Product& b) { return a.literals == b.literals; }),
                        products.end());
         stats_.products += products.size();
-        for (const Product& product : products)
+        for (const Product& product : products) {
             stats_.literals += product.literals.size();
+        }
         return SumOfProducts{std::move(products)};
     }
 
@@ -160,22 +166,26 @@ class Rewriter {
             if (!factor.complement) {
                 const Box& own = box_of(factor.expression);
                 state.box = csg::intersect(state.box, own);
-                if (!may_show(state.box, own))
+                if (!may_show(state.box, own)) {
                     return false;
+                }
             }
             if (forks(factor)) {
                 (factor.complement ? complements : choices).push_back(factor);
             } else if (e.kind == ExpressionKind::Leaf) {
-                if (factor.complement)
+                if (factor.complement) {
                     complements.push_back(factor);
-                else
+                } else {
                     state.literals.push_back({e.leaf, false});
+                }
             } else {
                 const auto children = scene_.children(e);
-                for (std::size_t c = children.size(); c-- > 0;)
+                for (std::size_t c = children.size(); c-- > 0;) {
                     work.push_back({children[c], factor.complement != (e.kind == ExpressionKind::Difference && c > 0)});
-                if (e.kind == ExpressionKind::Intersection && children.empty())
+                }
+                if (e.kind == ExpressionKind::Intersection && children.empty()) {
                     return false;
+                }
             }
         }
         if (!choices.empty()) {
@@ -205,8 +215,9 @@ class Rewriter {
         std::sort(state.literals.begin(), state.literals.end());
         state.literals.erase(std::unique(state.literals.begin(), state.literals.end()), state.literals.end());
         for (std::size_t i = 1; i < state.literals.size(); ++i) {
-            if (state.literals[i].leaf == state.literals[i - 1].leaf)
+            if (state.literals[i].leaf == state.literals[i - 1].leaf) {
                 return false;  // inside and outside of one leaf
+            }
         }
         return true;
     }

@@ -11,7 +11,7 @@ float surface_depth() {
     precise float depth = plane_depth.x * at.x + plane_depth.y * at.y + plane_depth.z;
     if (plane_depth.w > 0.5)
         depth = gl_FragCoord.z;
-    // A sample that rasterisation has moved over the triangle's border (by up to 1/256 pixel) must not be thrown far
+    // A sample that rasterization has moved over the triangle's border (by up to 1/256 pixel) must not be thrown far
     // along a steep plane. The slack keeps coplanar triangles on their common value everywhere else.
     float slack = min(0.02 * (abs(plane_depth.x) + abs(plane_depth.y)), 0.25 * (depth_limits.y - depth_limits.x)) +
                   1e-5 * depth_limits.y;

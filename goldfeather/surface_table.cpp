@@ -20,13 +20,13 @@ layers::PartKind kind_of(const csg::Part& part) {
     return layers::PartKind::Solid;
 }
 
-glm::vec4 row_of(const csg::solid::Plane& plane, const glm::dvec3& local_centre) {
-    return {glm::vec3(plane.normal), static_cast<float>(plane.offset - glm::dot(plane.normal, local_centre))};
+glm::vec4 row_of(const csg::solid::Plane& plane, const glm::dvec3& local_center) {
+    return {glm::vec3(plane.normal), static_cast<float>(plane.offset - glm::dot(plane.normal, local_center))};
 }
 
 void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry) {
     const LocalFrame frame = local_frame(geometry);
-    table.local_centre = frame.centre;
+    table.local_center = frame.center;
     table.diagonal = frame.diagonal;
     table.leaves.clear();
     table.leaves.reserve(scene.leaves.size());
@@ -37,7 +37,7 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
     table.planes.clear();
     table.planes.reserve(geometry.planes.planes().size());
     for (const csg::solid::Plane& plane : geometry.planes.planes()) {
-        table.planes.push_back(row_of(plane, frame.centre));
+        table.planes.push_back(row_of(plane, frame.center));
     }
 }
 
@@ -51,13 +51,13 @@ std::shared_ptr<layers::SurfaceTable> surface_table(const csg::Scene& scene, con
 
 void update(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry,
             const csg::solid::SceneChange& change) {
-    if (change.structure || change.centre || change.all_planes) {
+    if (change.structure || change.center || change.all_planes) {
         fill(table, scene, geometry);
         return;
     }
     table.diagonal = local_frame(geometry).diagonal;
     for (const std::uint32_t plane : change.planes) {
-        table.planes[plane] = row_of(geometry.planes.planes()[plane], table.local_centre);
+        table.planes[plane] = row_of(geometry.planes.planes()[plane], table.local_center);
     }
 }
 

@@ -24,8 +24,8 @@ struct LeafRow {
 
 struct SurfaceTable {
     std::vector<LeafRow> leaves;    ///< By leaf.
-    std::vector<glm::vec4> planes;  ///< By plane: normal in world coordinates, offset from local_centre.
-    glm::dvec3 local_centre{0.0};   ///< World coordinates.
+    std::vector<glm::vec4> planes;  ///< By plane: normal in world coordinates, offset from local_center.
+    glm::dvec3 local_center{0.0};   ///< World coordinates.
     double diagonal = 1;            ///< Of the scene's box.
 };
 

@@ -16,15 +16,16 @@ void clear_from(const gl::Functions& gl, const TextureStack& stack, int layer) {
 }  // namespace
 
 SurfaceBuffers::SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& table)
-    : leaves(gl), planes(gl), local_centre(table.local_centre), diagonal(table.diagonal) {
+    : leaves(gl), planes(gl), local_center(table.local_center), diagonal(table.diagonal) {
     leaves.upload<LeafRow>(table.leaves);
     planes.upload<glm::vec4>(table.planes);
 }
 
 void SurfaceBuffers::update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes) {
     diagonal = table.diagonal;
-    for (const std::uint32_t plane : changed_planes)
+    for (const std::uint32_t plane : changed_planes) {
         planes.write<glm::vec4>(plane * sizeof(glm::vec4), {&table.planes[plane], 1});
+    }
 }
 
 void grow(const gl::Functions& gl, TextureStack& stack, int layers) {

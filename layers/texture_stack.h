@@ -20,7 +20,7 @@ struct SurfaceBuffers {
 
     gl::Buffer leaves;  ///< Of LeafRow.
     gl::Buffer planes;
-    glm::dvec3 local_centre;
+    glm::dvec3 local_center;
     double diagonal;
 };
 

@@ -28,8 +28,9 @@ Accumulator::Accumulator(const gl::Functions& gl)
       resolved_target_(gl) {}
 
 void Accumulator::resize(glm::ivec2 size) {
-    if (sum_ && sum_.size() == size)
+    if (sum_ && sum_.size() == size) {
         return;
+    }
     sample_ = gl::Texture::make_2d(gl_, GL_RGBA32F, size);
     sum_ = gl::Texture::make_2d(gl_, GL_RGBA32F, size);
     resolved_ = gl::Texture();
@@ -38,8 +39,9 @@ void Accumulator::resize(glm::ivec2 size) {
 }
 
 void Accumulator::draw(Style& style, const Picture& picture, const Subject& subject) {
-    for (std::size_t sample = 0; sample < sample_offsets(picture.samples).size(); ++sample)
+    for (std::size_t sample = 0; sample < sample_offsets(picture.samples).size(); ++sample) {
         (void)draw_sample(style, picture, sample, subject);
+    }
 }
 
 layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample,
@@ -96,8 +98,9 @@ base::Image Accumulator::image() {
                         pixels.data());
     // OpenGL's rows go up, the image's down.
     base::Image image{size.x, size.y, std::vector<std::uint8_t>(pixels.size())};
-    for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t y = 0; y < height; ++y) {
         std::copy_n(&pixels[y * row], row, &image.rgba[(height - 1 - y) * row]);
+    }
     return image;
 }
 

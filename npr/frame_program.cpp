@@ -27,11 +27,11 @@ FrameProgram::FrameProgram(const gl::Functions& gl, std::initializer_list<std::s
     : program_(gl, shaders(own), files, own.defines), view_block_(gl) {}
 
 void FrameProgram::use(const Frame& frame) {
-    view_block_.update(frame.view, frame.layers.table->local_centre, frame.layers.table->diagonal);
+    view_block_.update(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal);
     view_block_.bind();
     layers::bind(frame.layers);
     FrameValues::table().set_uniforms(
-        program_, frame_values(frame.picture, frame.view, frame.layers.table->local_centre, frame.layers.layers));
+        program_, frame_values(frame.picture, frame.view, frame.layers.table->local_center, frame.layers.layers));
     program_.use();
 }
 

@@ -4,7 +4,7 @@ namespace npr {
 
 const SettingsTable<FrameValues>& FrameValues::table() {
     static const SettingsTable<FrameValues> all{
-        setting<&FrameValues::layer_count>(),     setting<&FrameValues::centre_in_eye>(),
+        setting<&FrameValues::layer_count>(),     setting<&FrameValues::center_in_eye>(),
         setting<&FrameValues::jitter>(),          setting<&FrameValues::background_color>(),
         setting<&FrameValues::background_stop>(), setting<&FrameValues::face_color>(),
         setting<&FrameValues::cut_color>(),       setting<&FrameValues::highlight_color>(),
@@ -13,11 +13,11 @@ const SettingsTable<FrameValues>& FrameValues::table() {
     return all;
 }
 
-FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& centre, int layers) {
+FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& center, int layers) {
     FrameValues v;
     v.layer_count = layers;
     // In double precision, since the world's origin may be far away.
-    v.centre_in_eye = glm::dvec3(view.eye_from_world() * glm::dvec4(centre, 1.0));
+    v.center_in_eye = glm::dvec3(view.eye_from_world() * glm::dvec4(center, 1.0));
     v.jitter = view.jitter();
     v.background_color = picture.scheme.background;
     v.background_stop = picture.scheme.background_stop;

@@ -8,8 +8,8 @@ namespace npr {
 /// Under the names of the uniforms, which npr/frame.glsl declares from the table. Colors are sRGB with straight alpha.
 struct FrameValues {
     int layer_count{};
-    glm::vec3 centre_in_eye{};  ///< Eye coordinates of the origin of plane_rows.
-    glm::vec2 jitter{};         ///< Of the sample from the pixel's centre, in pixels.
+    glm::vec3 center_in_eye{};  ///< Eye coordinates of the origin of plane_rows.
+    glm::vec2 jitter{};         ///< Of the sample from the pixel's center, in pixels.
     glm::vec3 background_color{};
     glm::vec3 background_stop{};
     glm::vec3 face_color{};
@@ -21,8 +21,8 @@ struct FrameValues {
     static const SettingsTable<FrameValues>& table();
 };
 
-/// `centre`: the origin of plane_rows, in the world.
-[[nodiscard]] FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& centre,
+/// `center`: the origin of plane_rows, in the world.
+[[nodiscard]] FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& center,
                                        int layers);
 
 }  // namespace npr

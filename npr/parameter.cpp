@@ -18,28 +18,34 @@ template <typename T>
 std::optional<T> parse(std::string_view text) {
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
+    if (error != std::errc() || end != text.data() + text.size()) {
         return std::nullopt;
+    }
     return value;
 }
 
 std::optional<bool> parse_toggle(std::string_view text) {
-    if (text == "on" || text == "true" || text == "1")
+    if (text == "on" || text == "true" || text == "1") {
         return true;
-    if (text == "off" || text == "false" || text == "0")
+    }
+    if (text == "off" || text == "false" || text == "0") {
         return false;
+    }
     return std::nullopt;
 }
 
 std::optional<glm::vec3> parse_color(std::string_view text) {
-    if ((text.size() != 4 && text.size() != 7) || text[0] != '#')
+    if ((text.size() != 4 && text.size() != 7) || text[0] != '#') {
         return std::nullopt;
+    }
     unsigned hex = 0;
     const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), hex, 16);
-    if (error != std::errc() || end != text.data() + text.size())
+    if (error != std::errc() || end != text.data() + text.size()) {
         return std::nullopt;
-    if (text.size() == 4)
+    }
+    if (text.size() == 4) {
         return glm::vec3(hex >> 8 & 15U, hex >> 4 & 15U, hex & 15U) / 15.0F;
+    }
     return glm::vec3(hex >> 16 & 255U, hex >> 8 & 255U, hex & 255U) / 255.0F;
 }
 
@@ -57,23 +63,28 @@ std::optional<Value> parse_value(const Parameter& p, std::string_view text) {
             break;
     }
     const auto found = std::find(p.choices.begin(), p.choices.end(), text);
-    if (found == p.choices.end())
+    if (found == p.choices.end()) {
         return std::nullopt;
+    }
     return static_cast<int>(found - p.choices.begin());
 }
 
 bool valid(const Parameter& p, const Value& value) {
-    if (value.index() != p.initial.index())
+    if (value.index() != p.initial.index()) {
         return false;
-    if (const float* f = std::get_if<float>(&value))
+    }
+    if (const float* f = std::get_if<float>(&value)) {
         return *f >= p.min && *f <= p.max;
+    }
     if (const int* i = std::get_if<int>(&value)) {
-        if (p.kind == ParameterKind::Choice)
+        if (p.kind == ParameterKind::Choice) {
             return *i >= 0 && *i < static_cast<int>(p.choices.size());
+        }
         return static_cast<float>(*i) >= p.min && static_cast<float>(*i) <= p.max;
     }
-    if (const glm::vec3* c = std::get_if<glm::vec3>(&value))
+    if (const glm::vec3* c = std::get_if<glm::vec3>(&value)) {
         return glm::all(glm::greaterThanEqual(*c, glm::vec3(0))) && glm::all(glm::lessThanEqual(*c, glm::vec3(1)));
+    }
     return true;
 }
 
@@ -114,8 +125,9 @@ Parameter Parameter::choice(std::string_view name, std::string_view label, int i
 }
 
 Parameters::Parameters(std::span<const Parameter> parameters) : first_(parameters.data()) {
-    for (const Parameter& p : parameters)
+    for (const Parameter& p : parameters) {
         values_.push_back(p.initial);
+    }
 }
 
 std::optional<std::size_t> Parameters::find(std::string_view name) const {
@@ -125,11 +137,13 @@ std::optional<std::size_t> Parameters::find(std::string_view name) const {
 }
 
 std::size_t Parameters::index(std::string_view name) const {
-    if (const auto found = find(name))
+    if (const auto found = find(name)) {
         return *found;
+    }
     const auto all = list();
-    if (all.empty())
+    if (all.empty()) {
         throw std::invalid_argument(fmt::format("no parameter \"{}\"; this style has none", name));
+    }
     const auto nearest = std::min_element(all.begin(), all.end(), [&](const Parameter& a, const Parameter& b) {
         return edit_distance(a.name, name) < edit_distance(b.name, name);
     });
@@ -138,8 +152,9 @@ std::size_t Parameters::index(std::string_view name) const {
 
 void Parameters::set(std::size_t i, const Value& value) {
     const Parameter& p = list()[i];
-    if (!valid(p, value))
+    if (!valid(p, value)) {
         throw std::invalid_argument(fmt::format("{} takes {}", p.name, takes(p)));
+    }
     values_[i] = value;
 }
 
@@ -147,16 +162,19 @@ void Parameters::read(std::string_view name, std::string_view text) {
     const std::size_t i = index(name);
     const Parameter& p = list()[i];
     const std::optional<Value> value = parse_value(p, text);
-    if (!value || !valid(p, *value))
+    if (!value || !valid(p, *value)) {
         throw std::invalid_argument(fmt::format("{} takes {}, not \"{}\"", name, takes(p), text));
+    }
     values_[i] = *value;
 }
 
 std::string text(const Parameter& parameter, const Value& value) {
-    if (const float* f = std::get_if<float>(&value))
+    if (const float* f = std::get_if<float>(&value)) {
         return fmt::format("{}", *f);
-    if (const bool* b = std::get_if<bool>(&value))
+    }
+    if (const bool* b = std::get_if<bool>(&value)) {
         return *b ? "on" : "off";
+    }
     if (const glm::vec3* c = std::get_if<glm::vec3>(&value)) {
         const auto byte = [](float v) { return static_cast<int>(std::lround(v * 255.0F)); };
         return fmt::format("#{:02x}{:02x}{:02x}", byte(c->x), byte(c->y), byte(c->z));

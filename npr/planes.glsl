@@ -5,14 +5,14 @@
 vec2 depth_gradient(uint plane) {
     vec4 row = plane_rows[plane];
     vec3 n = mat3(view.eye_from_world) * vec3(row);
-    float offset = row.w + dot(n, centre_in_eye);
+    float offset = row.w + dot(n, center_in_eye);
     float scale = 2.0f * view.picture.z / view.picture.y;
     if (view.depth_range.z > 0.5f)  // t = (n.xy * at - offset) / n.z, depth = (far - t) / (far - near)
         return -scale * vec2(n) / (n.z * (view.depth_range.y - view.depth_range.x));
     return scale * view.depth_range.x * vec2(n) / offset;  // 1 / t = dot(n, vec3(at, -1)) / offset, depth = near / t
 }
 
-const float kSmooth = 0.83f;  // cosine between the normals of neighbouring facets of a smooth surface, at least
+const float kSmooth = 0.83f;  // cosine between the normals of neighboring facets of a smooth surface, at least
 
 // How much nearer the plane of `s` is than that of `t`: at the pixel of `s` (x), and at that of `t`, at `offset` from it
 // (y). Where the planes meet between the two pixels the signs differ.
@@ -40,7 +40,7 @@ int layer_of(ivec2 p, uint key) {
     return -1;
 }
 
-// How a surface goes on in a neighbouring pixel.
+// How a surface goes on in a neighboring pixel.
 struct Continuation {
     bool found;    // false: it ends
     int layer;     // there
@@ -59,7 +59,7 @@ Continuation it_ends(ivec2 offset) {
     return c;
 }
 
-// In its own plane. `offset`: of the neighbour. Both pixels must be in the picture.
+// In its own plane. `offset`: of the neighbor. Both pixels must be in the picture.
 Continuation straight_on(Surface s, ivec2 pixel, ivec2 offset) {
     Continuation c = it_ends(offset);
     int layer = layer_of(pixel + offset, plane_word(s.plane, s.leaving));

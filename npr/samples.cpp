@@ -7,9 +7,10 @@ namespace {
 template <std::size_t n>
 constexpr std::array<glm::dvec2, n> rooks(const std::array<int, n>& columns) {
     std::array<glm::dvec2, n> offsets{};
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n; ++i) {
         offsets[i] = glm::dvec2((columns[i] + 0.5) / static_cast<double>(n) - 0.5,
                                 (static_cast<double>(i) + 0.5) / static_cast<double>(n) - 0.5);
+    }
     return offsets;
 }
 
@@ -21,12 +22,15 @@ constexpr auto kSixteen = rooks<16>({6, 12, 2, 9, 15, 4, 11, 0, 7, 13, 3, 10, 1,
 }  // namespace
 
 std::span<const glm::dvec2> sample_offsets(int count) {
-    if (count <= 1)
+    if (count <= 1) {
         return kOne;
-    if (count <= 4)
+    }
+    if (count <= 4) {
         return kFour;
-    if (count <= 8)
+    }
+    if (count <= 8) {
         return kEight;
+    }
     return kSixteen;
 }
 

@@ -13,7 +13,7 @@ namespace npr {
 /// How many samples a pixel may have.
 inline constexpr std::array kSampleCounts{1, 4, 8, 16};
 
-/// Offsets from the pixel's centre, in pixels: 1 (the centre), 4 (rotated grid), 8 or 16 (each row and each column of
+/// Offsets from the pixel's center, in pixels: 1 (the center), 4 (rotated grid), 8 or 16 (each row and each column of
 /// the pixel's grid holds one). Other counts give the next larger set; counts above 16 give 16.
 [[nodiscard]] std::span<const glm::dvec2> sample_offsets(int count);
 

@@ -37,8 +37,9 @@ consteval std::string_view member_name() {
     std::string_view text = __PRETTY_FUNCTION__;
     text = text.substr(0, text.find_first_of("];", text.find("kMember = ")));
     text = text.substr(text.rfind(':') + 1);
-    if (text.empty() || text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string_view::npos)
+    if (text.empty() || text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string_view::npos) {
         throw std::logic_error("no name");  // Does not compile.
+    }
     return text;
 }
 
@@ -61,19 +62,19 @@ template <auto kMember>
 
 template <typename T>
 [[nodiscard]] consteval std::string_view glsl_type() {
-    if constexpr (std::is_same_v<T, float>)
+    if constexpr (std::is_same_v<T, float>) {
         return "float";
-    else if constexpr (std::is_same_v<T, bool>)
+    } else if constexpr (std::is_same_v<T, bool>) {
         return "bool";
-    else if constexpr (std::is_same_v<T, int>)
+    } else if constexpr (std::is_same_v<T, int>) {
         return "int";
-    else if constexpr (std::is_same_v<T, glm::uint>)
+    } else if constexpr (std::is_same_v<T, glm::uint>) {
         return "uint";
-    else if constexpr (std::is_same_v<T, glm::vec2>)
+    } else if constexpr (std::is_same_v<T, glm::vec2>) {
         return "vec2";
-    else if constexpr (std::is_same_v<T, glm::vec3>)
+    } else if constexpr (std::is_same_v<T, glm::vec3>) {
         return "vec3";
-    else {
+    } else {
         static_assert(std::is_same_v<T, glm::vec4>, "no uniform of this type yet");
         return "vec4";
     }
@@ -119,20 +120,24 @@ class SettingsTable {
 
     /// `values`: of these parameters.
     [[nodiscard]] Settings settings(const Parameters& values) const {
-        if (values.list().data() != parameters_.data())
+        if (values.list().data() != parameters_.data()) {
             throw std::logic_error("the parameters are another style's");
+        }
         Settings result;
         std::size_t i = 0;
-        for (const Line& line : lines_)
-            if (line.parameter)
+        for (const Line& line : lines_) {
+            if (line.parameter) {
                 line.assign(result, values.at(i++));
+            }
+        }
         return result;
     }
     /// Sets those uniforms that the program (a gl::Program) has.
     template <typename Program>
     void set_uniforms(const Program& program, const Settings& settings) const {
-        for (const Line& line : lines_)
+        for (const Line& line : lines_) {
             std::visit([&](const auto& value) { program.set(line.uniform.c_str(), value); }, line.value(settings));
+        }
     }
 
   private:
@@ -142,10 +147,11 @@ class SettingsTable {
             [&field](const auto& v) {
                 using From = std::remove_cvref_t<decltype(v)>;
                 if constexpr (std::is_same_v<From, Field> ||
-                              (std::is_arithmetic_v<From> && std::is_arithmetic_v<Field>))
+                              (std::is_arithmetic_v<From> && std::is_arithmetic_v<Field>)) {
                     field = static_cast<Field>(v);
-                else
+                } else {
                     throw std::logic_error("a setting is of another type than its parameter");
+                }
             },
             value);
     }
@@ -160,8 +166,9 @@ class SettingsTable {
 template <typename Settings>
 [[nodiscard]] Settings settings_of(const Picture& picture) {
     Settings settings = Settings::table().settings(picture.parameters);
-    if constexpr (requires { settings.complete(picture); })
+    if constexpr (requires { settings.complete(picture); }) {
         settings.complete(picture);
+    }
     return settings;
 }
 

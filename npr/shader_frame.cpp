@@ -3,8 +3,8 @@
 namespace npr::shader {
 
 Frame::Frame(const CpuFrame& frame)
-    : FrameValues(frame_values(frame.picture, frame.view, frame.layers.table->local_centre, frame.layers.layers)),
-      view(base::view_values(frame.view, frame.layers.table->local_centre, frame.layers.table->diagonal)),
+    : FrameValues(frame_values(frame.picture, frame.view, frame.layers.table->local_center, frame.layers.layers)),
+      view(base::view_values(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal)),
       leaf_rows(frame.layers.table->leaves.data()),
       plane_rows(frame.layers.table->planes.data()),
       size(frame.layers.size),
@@ -19,10 +19,12 @@ Frame::Frame(const CpuFrame& frame)
 bool Frame::same_surfaces(ivec2 p, ivec2 q) const {
     for (int i = 0; i < layer_count; ++i) {
         const uvec2 a = surface_ids(p, i);
-        if (a != surface_ids(q, i))
+        if (a != surface_ids(q, i)) {
             return false;
-        if (a.x == kNoSurface)
+        }
+        if (a.x == kNoSurface) {
             break;
+        }
     }
     return true;
 }

@@ -19,16 +19,19 @@ const SrgbTables& SrgbTables::get() {
 }
 
 SrgbTables::SrgbTables() {
-    for (std::size_t i = 0; i < linear_.size(); ++i)
+    for (std::size_t i = 0; i < linear_.size(); ++i) {
         linear_[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / kSteps));
-    for (std::size_t i = 1; i < 256; ++i)
+    }
+    for (std::size_t i = 1; i < 256; ++i) {
         from_[i] = static_cast<float>(linear_from_srgb((static_cast<double>(i) - 0.5) / 255));
+    }
     from_[0] = 0;
     from_[256] = std::numeric_limits<float>::infinity();
     std::uint8_t at = 0;
     for (std::size_t i = 0; i < low_.size(); ++i) {
-        while (from_[at + std::size_t{1}] <= static_cast<float>(i) / kSteps)
+        while (from_[at + std::size_t{1}] <= static_cast<float>(i) / kSteps) {
             ++at;
+        }
         low_[i] = at;
     }
 }
@@ -42,8 +45,9 @@ float SrgbTables::linear(float srgb) const {
 std::uint8_t SrgbTables::byte(float linear) const {
     const float c = std::clamp(linear, 0.0F, 1.0F);
     std::size_t result = low_[static_cast<std::size_t>(c * kSteps)];
-    while (from_[result + 1] <= c)
+    while (from_[result + 1] <= c) {
         ++result;
+    }
     return static_cast<std::uint8_t>(result);
 }
 

@@ -40,7 +40,7 @@ class Style {
     Style() = default;
 };
 
-/// For styles that look for a surface in all layers of the neighbours, whichever layers are drawn.
+/// For styles that look for a surface in all layers of the neighbors, whichever layers are drawn.
 [[nodiscard]] constexpr int all_layers(bool /*translucent*/) {
     return layers::kAllLayers;
 }

@@ -23,7 +23,7 @@ Composite nothing_seen() {
 }
 
 // Is a further layer to be looked at? Behind the last surface comes one more, without a surface: there may still be the
-// outer half of a line that bounds a neighbour's. `least`: light that must come through.
+// outer half of a line that bounds a neighbor's. `least`: light that must come through.
 bool goes_on(Composite c, int layers, float least) {
     return c.layer < layers && !c.ended && c.through > least;
 }

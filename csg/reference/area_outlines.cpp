@@ -16,8 +16,9 @@ constexpr double kRounding = 0x1p-44;
 
 double largest_coordinate(std::span<const glm::dvec3> points) {
     double largest = 0;
-    for (const glm::dvec3& p : points)
+    for (const glm::dvec3& p : points) {
         largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
     return largest;
 }
 
@@ -25,8 +26,9 @@ double largest_coordinate(std::span<const glm::dvec3> points) {
 
 AreaOutlines::AreaOutlines(const Mesh& mesh) : mesh_(mesh), twins_(twins_of(mesh.triangles)) {
     closed_ = std::find(twins_.begin(), twins_.end(), kNoTwin) == twins_.end();
-    if (!closed_)
+    if (!closed_) {
         return;
+    }
     rounding_ = kRounding * largest_coordinate(mesh.points);
     find_areas();
     find_loops();
@@ -36,8 +38,9 @@ void AreaOutlines::find_areas() {
     area_.assign(mesh_.triangles.size(), kNone);
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t first = 0; first < area_.size(); ++first) {
-        if (area_[first] != kNone)
+        if (area_[first] != kNone) {
             continue;
+        }
         const std::uint32_t area = areas();
         first_triangle_.push_back(first);
         area_[first] = area;
@@ -59,8 +62,9 @@ void AreaOutlines::find_areas() {
 void AreaOutlines::find_loops() {
     std::vector<char> seen(twins_.size(), 0);
     for (std::uint32_t start = 0; start < twins_.size(); ++start) {
-        if (seen[start] != 0 || !is_border(start))
+        if (seen[start] != 0 || !is_border(start)) {
             continue;
+        }
         Loop loop{static_cast<std::uint32_t>(borders_.size()), 0};
         for (std::uint32_t e = start; seen[e] == 0;) {
             seen[e] = 1;
@@ -74,8 +78,9 @@ void AreaOutlines::find_loops() {
 
 /// Around the edge's end, through triangles of the same area.
 std::uint32_t AreaOutlines::next_border(std::uint32_t edge) const {
-    for (edge = after(edge); !is_border(edge);)
+    for (edge = after(edge); !is_border(edge);) {
         edge = after(twins_[edge]);
+    }
     return edge;
 }
 
@@ -91,8 +96,9 @@ void AreaOutlines::for_each_chain(const Loop& loop, Visit&& visit) const {
     const std::uint32_t size = loop.last - loop.first;
     const auto edge = [&](std::uint32_t i) { return borders_[loop.first + i % size]; };
     std::uint32_t start = 0;
-    while (start < size && keep_[from(edge(start))] == 0)
+    while (start < size && keep_[from(edge(start))] == 0) {
         ++start;
+    }
     std::vector<std::uint32_t> chain;
     for (std::uint32_t i = start; i < start + size; ++i) {
         chain.push_back(from(edge(i)));
@@ -108,8 +114,9 @@ template <typename Visit>
 void AreaOutlines::for_each_line(Visit&& visit) const {
     for (const Loop& loop : loops_) {
         for_each_chain(loop, [&](std::uint32_t edge, std::span<const std::uint32_t> chain) {
-            if (area_[edge / 3] < area_[twins_[edge] / 3])
+            if (area_[edge / 3] < area_[twins_[edge] / 3]) {
                 visit(chain);
+            }
         });
     }
 }
@@ -118,11 +125,13 @@ void AreaOutlines::straighten(std::span<const char> frozen) {
     keep_corners(frozen);
     std::vector<std::vector<std::uint32_t>> long_chains;
     for_each_line([&](std::span<const std::uint32_t> chain) {
-        if (chain.size() > 3)
+        if (chain.size() > 3) {
             long_chains.emplace_back(chain.begin(), chain.end());
+        }
     });
-    for (const auto& chain : long_chains)
+    for (const auto& chain : long_chains) {
         keep_bends(chain);
+    }
     keep_doubled();
     find_lost();
 }
@@ -130,24 +139,28 @@ void AreaOutlines::straighten(std::span<const char> frozen) {
 void AreaOutlines::keep_corners(std::span<const char> frozen) {
     constexpr char kMost = 3;
     std::vector<char> ends(mesh_.points.size(), 0);  // Of lines at the point, at most three.
-    for (const std::uint32_t e : borders_)
+    for (const std::uint32_t e : borders_) {
         ends[from(e)] = std::min<char>(kMost, static_cast<char>(ends[from(e)] + 1));
+    }
     keep_.assign(mesh_.points.size(), 0);
     for (std::uint32_t t = 0; t < area_.size(); ++t) {
-        for (int k = 0; k < 3 && frozen[area_[t]] != 0; ++k)
+        for (int k = 0; k < 3 && frozen[area_[t]] != 0; ++k) {
             keep_[mesh_.triangles[t][k]] = 1;
+        }
     }
     for (const Loop& loop : loops_) {
         bool any = false;
         for (std::uint32_t i = loop.first; i < loop.last; ++i) {
             const std::uint32_t in = borders_[i], out = borders_[i + 1 < loop.last ? i + 1 : loop.first];
             char& keep = keep_[from(out)];
-            if (ends[from(out)] > 2 || !straight(from(in), from(out), to(out)))
+            if (ends[from(out)] > 2 || !straight(from(in), from(out), to(out))) {
                 keep = 1;
+            }
             any |= keep != 0;
         }
-        for (std::uint32_t i = loop.first; i < loop.last && !any; ++i)
+        for (std::uint32_t i = loop.first; i < loop.last && !any; ++i) {
             keep_[from(borders_[i])] = 1;
+        }
     }
 }
 
@@ -163,8 +176,9 @@ void AreaOutlines::keep_bends(std::span<const std::uint32_t> chain) {
             at = i;
         }
     }
-    if (most <= rounding_ * glm::length(whole))
+    if (most <= rounding_ * glm::length(whole)) {
         return;
+    }
     keep_[chain[at]] = 1;
     keep_bends(chain.first(at + 1));
     keep_bends(chain.subspan(at));
@@ -188,8 +202,9 @@ void AreaOutlines::keep_doubled() {
         for (end = i + 1; end < lines.size() && lines[end].lo == lines[i].lo && lines[end].hi == lines[i].hi; ++end) {
         }
         for (std::size_t k = i; k < end && end - i > 1; ++k) {
-            for (const std::uint32_t point : lines[k].inner)
+            for (const std::uint32_t point : lines[k].inner) {
                 keep_[point] = 1;
+            }
         }
     }
 }
@@ -202,13 +217,15 @@ void AreaOutlines::find_lost() {
         lost_[t] = keep_[corners.x] == 0 || keep_[corners.y] == 0 || keep_[corners.z] == 0;
         first_lost_[area_[t] + 1] += lost_[t] != 0 ? 1 : 0;
     }
-    for (std::uint32_t area = 0; area < areas(); ++area)
+    for (std::uint32_t area = 0; area < areas(); ++area) {
         first_lost_[area + 1] += first_lost_[area];
+    }
     lost_by_area_.resize(first_lost_.back());
     std::vector<std::uint32_t> at(first_lost_.begin(), first_lost_.end() - 1);
     for (std::uint32_t t = 0; t < area_.size(); ++t) {
-        if (lost_[t] != 0)
+        if (lost_[t] != 0) {
             lost_by_area_[at[area_[t]]++] = t;
+        }
     }
 }
 
@@ -216,11 +233,13 @@ std::vector<AreaEdge> AreaOutlines::border_of_lost(std::uint32_t area) const {
     std::vector<AreaEdge> edges;
     for (const std::uint32_t t : lost_of(area)) {
         for (std::uint32_t e = 3 * t; e < 3 * t + 3; ++e) {
-            if (keep_[from(e)] == 0 || (!is_border(e) && lost_[twins_[e] / 3] != 0))
+            if (keep_[from(e)] == 0 || (!is_border(e) && lost_[twins_[e] / 3] != 0)) {
                 continue;
+            }
             std::uint32_t last = e;
-            while (keep_[to(last)] == 0)
+            while (keep_[to(last)] == 0) {
                 last = next_border(last);
+            }
             edges.emplace_back(from(e), to(last));
         }
     }

@@ -42,13 +42,15 @@ std::vector<Task> tasks_of(const LeafGroups& groups) {
 void append(BooleanResult& all, BooleanResult&& more) {
     const auto first = static_cast<std::uint32_t>(all.mesh.points.size());
     all.mesh.points.insert(all.mesh.points.end(), more.mesh.points.begin(), more.mesh.points.end());
-    for (const glm::uvec3& t : more.mesh.triangles)
+    for (const glm::uvec3& t : more.mesh.triangles) {
         all.mesh.triangles.push_back(t + first);
+    }
     all.mesh.sources.insert(all.mesh.sources.end(), more.mesh.sources.begin(), more.mesh.sources.end());
     all.facts = both(all.facts, more.facts);
     all.method = std::max(all.method, more.method);
-    if (all.reason.empty())
+    if (all.reason.empty()) {
         all.reason = std::move(more.reason);
+    }
 }
 
 class GroupsMesh {
@@ -61,18 +63,21 @@ class GroupsMesh {
         std::atomic<std::size_t> next{0};
         const auto work = [&] {
             for (std::size_t i; (i = next.fetch_add(1)) < tasks_.size();) {
-                if (!tasks_[i].large)
+                if (!tasks_[i].large) {
                     run(i, 1);
+                }
             }
         };
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            if (tasks_[i].large)
+            if (tasks_[i].large) {
                 run(i, request_.threads);
+            }
         }
         base::on_threads(request_.threads, static_cast<unsigned>(std::min<std::size_t>(tasks_.size(), 1024)), work,
                          [&] { next = tasks_.size(); });
-        if (results_.size() == 1)
+        if (results_.size() == 1) {
             return std::move(results_[0]);
+        }
         return joined();
     }
 
@@ -84,10 +89,11 @@ class GroupsMesh {
         for (std::size_t g = tasks_[task].first; g < tasks_[task].end; ++g) {
             base::end_if_asked(request_.stop);
             BooleanResult own = group_boolean(groups_, g, request_, threads);
-            if (tasks_[task].end - tasks_[task].first == 1)
+            if (tasks_[task].end - tasks_[task].first == 1) {
                 result = std::move(own);
-            else
+            } else {
                 append(result, std::move(own));
+            }
         }
     }
 
@@ -123,8 +129,9 @@ std::vector<LeafId> leaves_of(const Scene& scene, const solid::Geometry& geometr
     for (const PartId part : solid_parts(scene)) {
         const Part& p = scene.parts[part];
         for (LeafId leaf = p.first_leaf; leaf < p.first_leaf + p.leaf_count; ++leaf) {
-            if (!geometry.leaves[leaf].triangles.empty())
+            if (!geometry.leaves[leaf].triangles.empty()) {
                 leaves.push_back(leaf);
+            }
         }
     }
     std::sort(leaves.begin(), leaves.end());
@@ -156,20 +163,24 @@ BooleanResult make_mesh(const Scene& scene, const solid::Geometry& geometry, con
     for (const LeafId leaf : leaves) {
         const Box& box = geometry.leaves[leaf].box;
         const glm::dvec3 most = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-        if (!(std::max({most.x, most.y, most.z}) <= kLargest))
+        if (!(std::max({most.x, most.y, most.z}) <= kLargest)) {
             throw LeafError(leaf, "it reaches farther than 1e75 from the origin, too far for a mesh");
+        }
     }
     const std::vector<LeafId> open = open_leaves(geometry, leaves);
-    if (open.empty())
+    if (open.empty()) {
         return of_closed_leaves(scene, geometry, leaves, request);
-    if (const auto combined = find_combined(scene, geometry, leaves, open))
+    }
+    if (const auto combined = find_combined(scene, geometry, leaves, open)) {
         throw LeafError(*combined,
                         "its surface is open, so that nothing tells what is inside: it cannot be combined with "
                         "other objects");
+    }
     std::erase_if(leaves, [&](LeafId leaf) { return std::binary_search(open.begin(), open.end(), leaf); });
     BooleanResult result = of_closed_leaves(scene, geometry, leaves, request);
-    for (const LeafId leaf : open)
+    for (const LeafId leaf : open) {
         append_leaf(result.mesh, geometry.leaves[leaf], leaf);
+    }
     result.facts = facts(result.mesh);
     return result;
 }

@@ -44,7 +44,7 @@ class LeafError : public std::runtime_error {
     LeafId leaf_;
 };
 
-/// The union of the scene's solid and translucent parts, regularised (DESIGN, section 3): coincident faces are those on
+/// The union of the scene's solid and translucent parts, regularized (DESIGN, section 3): coincident faces are those on
 /// one plane of `geometry`'s table, or in exact arithmetic those that are in one plane. What is inside a leaf is told
 /// by its winding number, or where its faces are not oriented alike by evenness (winding.h). Every result has been
 /// checked: it is closed and manifold, holds a positive volume (or is empty), and no two of its triangles cross by more

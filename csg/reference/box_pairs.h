@@ -58,12 +58,14 @@ class BoxTree {
 
     template <typename Visit>
     void meeting(const Node& node, const Box& box, Visit& visit) const {
-        if (!meet(bounds_[node.number], box))
+        if (!meet(bounds_[node.number], box)) {
             return;
+        }
         if (is_leaf(node)) {
             for (std::size_t i = node.from; i < node.to; ++i) {
-                if (meet(boxes_[order_[i]], box))
+                if (meet(boxes_[order_[i]], box)) {
                     visit(order_[i]);
+                }
             }
             return;
         }
@@ -79,12 +81,14 @@ class BoxTree {
 
     template <typename Visit>
     bool along(const Node& node, const glm::dvec3& origin, const glm::dvec3& inverse, Visit& visit) const {
-        if (!meets(bounds_[node.number], origin, inverse))
+        if (!meets(bounds_[node.number], origin, inverse)) {
             return true;
+        }
         if (is_leaf(node)) {
             for (std::size_t i = node.from; i < node.to; ++i) {
-                if (meets(boxes_[order_[i]], origin, inverse) && !visit(order_[i]))
+                if (meets(boxes_[order_[i]], origin, inverse) && !visit(order_[i])) {
                     return false;
+                }
             }
             return true;
         }
@@ -94,8 +98,9 @@ class BoxTree {
     template <typename Visit>
     void within(const Node& node, Visit& visit) const {
         if (is_leaf(node)) {
-            for (std::size_t i = node.from; i < node.to; ++i)
+            for (std::size_t i = node.from; i < node.to; ++i) {
                 one_with(order_[i], i + 1, node.to, visit);
+            }
             return;
         }
         within(node.left(), visit);
@@ -106,12 +111,14 @@ class BoxTree {
     /// Both nodes are at the same depth.
     template <typename Visit>
     void between(const Node& a, const Node& b, Visit& visit) const {
-        if (!meet(bounds_[a.number], bounds_[b.number]))
+        if (!meet(bounds_[a.number], bounds_[b.number])) {
             return;
+        }
         if (is_leaf(a)) {
             for (std::size_t i = a.from; i < a.to; ++i) {
-                if (meet(boxes_[order_[i]], bounds_[b.number]))
+                if (meet(boxes_[order_[i]], bounds_[b.number])) {
                     one_with(order_[i], b.from, b.to, visit);
+                }
             }
             return;
         }
@@ -124,8 +131,9 @@ class BoxTree {
     template <typename Visit>
     void one_with(std::uint32_t box, std::size_t from, std::size_t to, Visit& visit) const {
         for (std::size_t j = from; j < to; ++j) {
-            if (meet(boxes_[box], boxes_[order_[j]]))
+            if (meet(boxes_[box], boxes_[order_[j]])) {
                 visit(box, order_[j]);
+            }
         }
     }
 

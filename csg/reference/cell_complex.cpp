@@ -20,8 +20,9 @@ class Builder {
         DisjointSets regions(2 * complex_.cells.size()), pieces(complex_.cells.size());
         for (std::size_t i = 0, j; i < sides.size(); i = j) {
             paced_();
-            for (j = i + 1; j < sides.size() && sides[j].lo == sides[i].lo && sides[j].hi == sides[i].hi; ++j)
+            for (j = i + 1; j < sides.size() && sides[j].lo == sides[i].lo && sides[j].hi == sides[i].hi; ++j) {
                 pieces.unite(sides[i].cell, sides[j].cell);
+            }
             space_.sort_around(std::span(complex_.sides).subspan(i, j - i), complex_.cells);
             for (std::size_t k = i; k < j; ++k) {
                 const ComplexSide &s = sides[k], &next = sides[k + 1 < j ? k + 1 : i];
@@ -37,10 +38,12 @@ class Builder {
     void take_cells(std::vector<PlaneCells> planes) {
         for (std::uint32_t p = 0; p < planes.size(); ++p) {
             const auto first = static_cast<std::uint32_t>(complex_.cells.size());
-            for (PlaneCells::Cell& cell : planes[p].cells)
+            for (PlaneCells::Cell& cell : planes[p].cells) {
                 complex_.cells.push_back({p, std::move(cell.covers), std::move(cell.triangles), 0, 0});
-            for (const PlaneCells::Side& s : planes[p].sides)
+            }
+            for (const PlaneCells::Side& s : planes[p].sides) {
                 complex_.sides.push_back({s.lo, s.hi, first + s.cell, s.left});
+            }
         }
         std::sort(complex_.sides.begin(), complex_.sides.end(), [](const ComplexSide& a, const ComplexSide& b) {
             return std::tie(a.lo, a.hi, a.cell, a.left) < std::tie(b.lo, b.hi, b.cell, b.left);
@@ -60,8 +63,9 @@ class Builder {
         std::vector<char> begun(complex_.cells.size(), 0);  // By what stands for the piece.
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
             paced_();
-            if (std::exchange(begun[pieces.find(c)], char{1}) == 0)
+            if (std::exchange(begun[pieces.find(c)], char{1}) == 0) {
                 complex_.pieces.emplace_back(complex_.cells[c].above, space_.windings_above(complex_.cells[c]));
+            }
         }
     }
 

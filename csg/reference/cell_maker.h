@@ -37,8 +37,9 @@ class PlaneEdges {
     [[nodiscard]] std::vector<std::uint64_t> sorted() const {
         std::vector<std::uint64_t> keys;
         keys.reserve(edges_.size());
-        for (const auto& [edge, change] : edges_)
+        for (const auto& [edge, change] : edges_) {
             keys.push_back(edge);
+        }
         std::sort(keys.begin(), keys.end());
         return keys;
     }
@@ -89,20 +90,25 @@ class CellMaker {
         std::sort(ids.begin(), ids.end());
         ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
         std::vector<std::pair<typename Kernel::Point_2, std::uint32_t>> points;
-        for (const std::uint32_t id : ids)
+        for (const std::uint32_t id : ids) {
             points.emplace_back(at(id), id);
+        }
         triangulation_.insert(points.begin(), points.end());
-        if (triangulation_.number_of_vertices() != points.size())
+        if (triangulation_.number_of_vertices() != points.size()) {
             throw Undecided("two points of a plane coincide in its picture");
-        if (triangulation_.dimension() < 2)
+        }
+        if (triangulation_.dimension() < 2) {
             return false;
+        }
         std::unordered_map<std::uint32_t, typename Triangulation::Vertex_handle> handles;
-        for (auto v = triangulation_.finite_vertices_begin(); v != triangulation_.finite_vertices_end(); ++v)
+        for (auto v = triangulation_.finite_vertices_begin(); v != triangulation_.finite_vertices_end(); ++v) {
             handles[v->info()] = v;
+        }
         try {
-            for (const std::uint64_t edge : ordered)
+            for (const std::uint64_t edge : ordered) {
                 triangulation_.insert_constraint(handles.at(static_cast<std::uint32_t>(edge >> 32)),
                                                  handles.at(static_cast<std::uint32_t>(edge)));
+            }
         } catch (const typename Triangulation::Intersection_of_constraints_exception&) {
             throw Undecided("two segments of a plane cross within the tolerance");
         }
@@ -114,7 +120,7 @@ class CellMaker {
         int edge;
     };
 
-    /// Walks from the outside in: what covers a cell follows from what covers its neighbour.
+    /// Walks from the outside in: what covers a cell follows from what covers its neighbor.
     void flood() {
         std::vector<Covers> covers{{}};
         std::deque<std::vector<Border>> waiting{fill(triangulation_.infinite_face(), 0)};
@@ -140,8 +146,9 @@ class CellMaker {
         const std::uint32_t a = face->vertex(Triangulation::ccw(edge))->info();
         const std::uint32_t b = face->vertex(Triangulation::cw(edge))->info();
         const Covers* change = edges_.find(a, b);
-        if (change == nullptr)
+        if (change == nullptr) {
             throw Undecided("a segment passes through a point that it should not touch");
+        }
         return edges_.rule().sum(covers, *change, a < b ? -1 : 1);
     }
 
@@ -170,8 +177,9 @@ class CellMaker {
         renumbered_.assign(covers.size(), kNone);
         for (auto f = triangulation_.finite_faces_begin(); f != triangulation_.finite_faces_end(); ++f) {
             const std::uint32_t cell = f->info().cell;
-            if (covers[cell].empty())
+            if (covers[cell].empty()) {
                 continue;
+            }
             if (renumbered_[cell] == kNone) {
                 renumbered_[cell] = static_cast<std::uint32_t>(result_.cells.size());
                 result_.cells.push_back({covers[cell], {}});
@@ -184,11 +192,13 @@ class CellMaker {
     void collect_sides() {
         for (auto f = triangulation_.finite_faces_begin(); f != triangulation_.finite_faces_end(); ++f) {
             const std::uint32_t cell = renumbered_[f->info().cell];
-            if (cell == kNone)
+            if (cell == kNone) {
                 continue;
+            }
             for (int i = 0; i < 3; ++i) {
-                if (!f->is_constrained(i))
+                if (!f->is_constrained(i)) {
                     continue;
+                }
                 const std::uint32_t a = f->vertex(Triangulation::ccw(i))->info();
                 const std::uint32_t b = f->vertex(Triangulation::cw(i))->info();
                 result_.sides.push_back({std::min(a, b), std::max(a, b), cell, a < b});

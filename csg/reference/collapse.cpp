@@ -12,8 +12,9 @@ class Collapser {
   public:
     explicit Collapser(Mesh& mesh) : mesh_(mesh), at_(mesh.points.size()), gone_(mesh.triangles.size(), 0) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-            for (int k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k) {
                 at_[mesh.triangles[t][k]].push_back(t);
+            }
         }
     }
 
@@ -31,12 +32,13 @@ class Collapser {
     }
 
   private:
-    [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t point) const {
+    [[nodiscard]] std::vector<std::uint32_t> neighbors(std::uint32_t point) const {
         std::vector<std::uint32_t> found;
         for (const std::uint32_t t : at_[point]) {
             for (int k = 0; k < 3; ++k) {
-                if (mesh_.triangles[t][k] != point)
+                if (mesh_.triangles[t][k] != point) {
                     found.push_back(mesh_.triangles[t][k]);
+                }
             }
         }
         std::sort(found.begin(), found.end());
@@ -44,14 +46,15 @@ class Collapser {
         return found;
     }
 
-    /// The ends must have just the two corners opposite the edge as neighbours in common (the link condition), and the
+    /// The ends must have just the two corners opposite the edge as neighbors in common (the link condition), and the
     /// piece must be more than a tetrahedron.
     bool collapse(std::uint32_t kept, std::uint32_t point) {
-        const std::vector<std::uint32_t> a = neighbours(kept), b = neighbours(point);
+        const std::vector<std::uint32_t> a = neighbors(kept), b = neighbors(point);
         std::vector<std::uint32_t> both;
         std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-        if (both.size() != 2 || (a.size() == 3 && b.size() == 3))
+        if (both.size() != 2 || (a.size() == 3 && b.size() == 3)) {
             return false;
+        }
         for (const std::uint32_t t : at_[point]) {
             glm::uvec3& corners = mesh_.triangles[t];
             if (corners.x == kept || corners.y == kept || corners.z == kept) {
@@ -59,14 +62,16 @@ class Collapser {
                 continue;
             }
             for (int k = 0; k < 3; ++k) {
-                if (corners[k] == point)
+                if (corners[k] == point) {
                     corners[k] = kept;
+                }
             }
             at_[kept].push_back(t);
         }
         at_[point].clear();
-        for (const std::uint32_t p : {kept, both[0], both[1]})
+        for (const std::uint32_t p : {kept, both[0], both[1]}) {
             std::erase_if(at_[p], [&](std::uint32_t t) { return gone_[t] != 0; });
+        }
         return true;
     }
 
@@ -75,8 +80,9 @@ class Collapser {
         std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
         std::vector<glm::dvec3> points;
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            if (gone_[t] != 0)
+            if (gone_[t] != 0) {
                 continue;
+            }
             glm::uvec3 corners = mesh_.triangles[t];
             for (int k = 0; k < 3; ++k) {
                 std::uint32_t& n = number[corners[k]];

@@ -20,12 +20,14 @@ class SurfaceMaker {
         std::vector<std::uint32_t> cell_of;
         Kinds kinds;
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
-            if (!is_surface(complex_.cells[c]))
+            if (!is_surface(complex_.cells[c])) {
                 continue;
+            }
             const std::uint32_t kind = kinds.of(complex_.cells[c].plane, turned(complex_.cells[c]), values_.owners[c]);
             for (glm::uvec3 t : complex_.cells[c].triangles) {
-                if (turned(complex_.cells[c]))
+                if (turned(complex_.cells[c])) {
                     std::swap(t.y, t.z);
+                }
                 mesh.triangles.push_back(t);
                 mesh.sources.push_back(kind);
                 cell_of.push_back(c);
@@ -35,18 +37,21 @@ class SurfaceMaker {
         mesh.points.resize(points);
         for (const glm::uvec3& t : mesh.triangles) {
             for (int k = 0; k < 3; ++k) {
-                if (placed[t[k]] == 0)
+                if (placed[t[k]] == 0) {
                     mesh.points[t[k]] = place(t[k]);
+                }
                 placed[t[k]] = 1;
             }
         }
         separate_sheets(mesh, turns(mesh, cell_of));
         std::vector<glm::dvec3> normals;
-        for (const Kinds::Kind& kind : kinds.all)
+        for (const Kinds::Kind& kind : kinds.all) {
             normals.push_back(normal(kind.plane) * (kind.turned ? -1.0 : 1.0));
+        }
         merge_flat_areas(mesh, normals, stop);
-        for (std::uint32_t& source : mesh.sources)
+        for (std::uint32_t& source : mesh.sources) {
             source = kinds.all[source].owner;
+        }
         return mesh;
     }
 
@@ -59,12 +64,14 @@ class SurfaceMaker {
             LeafId owner;
         };
         std::uint32_t of(std::uint32_t plane, bool turned, LeafId owner) {
-            if (all.empty() || all.back().plane != plane)
+            if (all.empty() || all.back().plane != plane) {
                 of_plane.clear();  // Cells come plane by plane.
+            }
             const std::uint64_t key = std::uint64_t{owner} << 1 | (turned ? 1U : 0U);
             const auto [found, added] = of_plane.try_emplace(key, static_cast<std::uint32_t>(all.size()));
-            if (added)
+            if (added) {
                 all.push_back({plane, turned, owner});
+            }
             return found->second;
         }
         std::vector<Kind> all;
@@ -86,15 +93,18 @@ class SurfaceMaker {
         std::vector<Place> places;
         for (std::size_t i = 0, j; i < sides.size(); i = j) {
             std::size_t count = 0;
-            for (j = i; j < sides.size() && sides[j].lo == sides[i].lo && sides[j].hi == sides[i].hi; ++j)
+            for (j = i; j < sides.size() && sides[j].lo == sides[i].lo && sides[j].hi == sides[i].hi; ++j) {
                 count += is_surface(complex_.cells[sides[j].cell]) ? 1 : 0;
-            for (std::size_t k = i; k < j && count > 2; ++k)
+            }
+            for (std::size_t k = i; k < j && count > 2; ++k) {
                 places.push_back(
                     {sides[k].lo, sides[k].hi, sides[k].cell, sides[k].left ? 1u : 0u, static_cast<double>(k - i) + 1});
+            }
         }
         std::vector<double> result;
-        if (places.empty())
+        if (places.empty()) {
             return result;
+        }
         const auto key = [](const Place& p) { return std::tie(p.lo, p.hi, p.cell, p.left); };
         std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) { return key(a) < key(b); });
         result.resize(3 * mesh.triangles.size());
@@ -105,8 +115,9 @@ class SurfaceMaker {
                 const Place sought{std::min(a, b), std::max(a, b), cell_of[t], left ? 1u : 0u, 0};
                 const auto at = std::lower_bound(places.begin(), places.end(), sought,
                                                  [&](const Place& p, const Place& q) { return key(p) < key(q); });
-                if (at != places.end() && key(*at) == key(sought))
+                if (at != places.end() && key(*at) == key(sought)) {
                     result[3 * t + static_cast<std::size_t>(k)] = at->turn;
+                }
             }
         }
         return result;

@@ -37,14 +37,17 @@ std::vector<std::uint32_t> component_by_triangle(const Mesh& mesh) {
     const std::vector<Edge> edges = sorted_edges(mesh);
     DisjointSets sets(mesh.triangles.size());
     for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
-        while (end < edges.size() && edges[end].same_ends(edges[i]))
+        while (end < edges.size() && edges[end].same_ends(edges[i])) {
             ++end;
-        if (end - i == 2)
+        }
+        if (end - i == 2) {
             sets.unite(edges[i].triangle, edges[i + 1].triangle);
+        }
     }
     std::vector<std::uint32_t> component(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         component[t] = sets.find(t);
+    }
     return component;
 }
 
@@ -61,8 +64,9 @@ std::vector<Mesh> components_of(const Mesh& mesh) {
     std::vector<Mesh> components;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i == 0 || component[triangles[i]] != component[triangles[i - 1]]) {
-            for (const std::uint32_t point : used)
+            for (const std::uint32_t point : used) {
                 index[point] = kNone;
+            }
             used.clear();
             components.emplace_back();
         }
@@ -91,8 +95,9 @@ Mesh welded(std::span<const glm::dvec3> points, std::span<const glm::uvec3> tria
     number.reserve(points.size());
     for (const glm::dvec3& p : points) {
         const auto [id, added] = ids.add(p);
-        if (added)
+        if (added) {
             result.points.push_back(p);
+        }
         number.push_back(id);
     }
     result.triangles.reserve(triangles.size());
@@ -100,8 +105,9 @@ Mesh welded(std::span<const glm::dvec3> points, std::span<const glm::uvec3> tria
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const glm::uvec3& t = triangles[i];
         const glm::uvec3 own{number[t.x], number[t.y], number[t.z]};
-        if (own.x == own.y || own.y == own.z || own.z == own.x)
+        if (own.x == own.y || own.y == own.z || own.z == own.x) {
             continue;
+        }
         result.triangles.push_back(own);
         result.sources.push_back(sources.empty() ? 0 : sources[i]);
     }
@@ -112,10 +118,12 @@ bool balanced(const Mesh& mesh) {
     const std::vector<Edge> edges = sorted_edges(mesh);
     for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
         long balance = 0;
-        for (; end < edges.size() && edges[end].same_ends(edges[i]); ++end)
+        for (; end < edges.size() && edges[end].same_ends(edges[i]); ++end) {
             balance += edges[end].forward ? 1 : -1;
-        if (balance != 0)
+        }
+        if (balance != 0) {
             return false;
+        }
     }
     return true;
 }

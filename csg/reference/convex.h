@@ -10,7 +10,7 @@
 namespace csg::reference {
 
 /// A convex polyhedron, or a convex polygon in space. Which point is the farthest in a direction is found by walking
-/// along edges uphill: what is highest among its neighbours is highest of all.
+/// along edges uphill: what is highest among its neighbors is highest of all.
 class Convex {
   public:
     /// The hull of the points; without points where they lie in one plane.
@@ -32,7 +32,7 @@ class Convex {
     void connect();
 
     Mesh mesh_;
-    std::vector<std::uint32_t> first_, neighbours_;  ///< By point: its neighbours from first_[i] to first_[i + 1].
+    std::vector<std::uint32_t> first_, neighbors_;  ///< By point: its neighbors from first_[i] to first_[i + 1].
 };
 
 /// The hull of all sums of a point of one and a point of the other; empty where it is flat. Where these are many, most

@@ -18,25 +18,29 @@ namespace {
 
 /// The hull, where it holds no more than the mesh and a skin as thick as what makes planes one.
 std::optional<Convex> convex_but_for_rounding(const Mesh& mesh, const MeshFacts& known, const std::stop_token& stop) {
-    if (!known.manifold || !(known.volume > 0))
+    if (!known.manifold || !(known.volume > 0)) {
         return {};
+    }
     Convex full = Convex::hull_of(mesh.points, stop);
     const MeshFacts f = facts({full.points(), full.triangles(), {}});
     const glm::dvec3 largest = glm::max(glm::abs(known.box.lo), glm::abs(known.box.hi));
     const double skin = solid::coincidence_tolerance(std::max({largest.x, largest.y, largest.z}));
-    if (full.empty() || f.volume - known.volume > skin * f.area)
+    if (full.empty() || f.volume - known.volume > skin * f.area) {
         return {};
+    }
     return full;
 }
 
 /// Closed and evenly oriented, more of it outwards than inwards.
 Mesh solid_mesh(const Mesh& mesh, const std::stop_token& stop) {
     Mesh solid = welded(mesh.points, mesh.triangles, mesh.sources);
-    if (!balanced(solid))
+    if (!balanced(solid)) {
         solid = combine(ExpressionKind::Union, std::span(&mesh, 1), stop).mesh;
+    }
     if (facts(solid).volume < 0) {
-        for (glm::uvec3& t : solid.triangles)
+        for (glm::uvec3& t : solid.triangles) {
             std::swap(t.y, t.z);
+        }
     }
     return solid;
 }
@@ -50,15 +54,17 @@ void add(ConvexCover& cover, Mesh mesh, const std::stop_token& stop) {
         cover.points.push_back(components[i].points[0]);
         // Another component that is turned inwards may take from this one.
         bool whole = true;
-        for (std::size_t j = 0; j < components.size() && whole; ++j)
+        for (std::size_t j = 0; j < components.size() && whole; ++j) {
             whole = j == i || known[j].volume >= 0 || !overlap(known[i].box, known[j].box);
+        }
         if (std::optional<Convex> piece; whole && (piece = convex_but_for_rounding(components[i], known[i], stop))) {
             cover.points.back() = piece->middle();
             cover.pieces.push_back(std::move(*piece));
             continue;
         }
-        for (std::vector<glm::dvec3>& facet : convex_facets(components[i]))
+        for (std::vector<glm::dvec3>& facet : convex_facets(components[i])) {
             cover.pieces.push_back(Convex::polygon(std::move(facet)));
+        }
     }
     cover.meshes.push_back(std::move(mesh));
 }
@@ -75,10 +81,12 @@ void grow(ConvexCover& cover, const std::stop_token& stop) {
     std::vector<std::vector<glm::dvec3>> facets;
     double largest = 0;
     for (const Mesh& mesh : cover.meshes) {
-        for (std::vector<glm::dvec3>& facet : convex_facets(mesh))
+        for (std::vector<glm::dvec3>& facet : convex_facets(mesh)) {
             facets.push_back(std::move(facet));
-        for (const glm::dvec3& p : mesh.points)
+        }
+        for (const glm::dvec3& p : mesh.points) {
             largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        }
     }
     cover.pieces = grown(
         std::move(cover.pieces), facets, solid::coincidence_tolerance(largest),
@@ -88,8 +96,9 @@ void grow(ConvexCover& cover, const std::stop_token& stop) {
 ConvexCover convex_cover(const std::vector<Mesh>& meshes, const std::stop_token& stop) {
     ConvexCover cover;
     for (const Mesh& mesh : meshes) {
-        if (Mesh solid = solid_mesh(mesh, stop); !solid.empty())
+        if (Mesh solid = solid_mesh(mesh, stop); !solid.empty()) {
             add(cover, std::move(solid), stop);
+        }
     }
     cover.convex = cover.pieces.size() == 1 && !cover.pieces[0].triangles().empty();
     return cover;

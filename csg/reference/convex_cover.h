@@ -18,7 +18,8 @@ struct ConvexCover {
     [[nodiscard]] bool holds(const glm::dvec3& point) const;
 };
 
-/// Replaces the pieces by fewer and larger ones (convex_growth.h), at a cost of the number of pieces times that of faces.
+/// Replaces the pieces by fewer and larger ones (convex_growth.h), at a cost of the number of pieces times that of
+/// faces.
 void grow(ConvexCover& cover, const std::stop_token& stop = {});
 
 /// A component of a mesh that is convex but for rounding (a tessellated sphere is) is one piece; of others the faces

@@ -18,21 +18,24 @@ std::vector<solid::Plane> planes_of(const Convex& convex, double tolerance) {
         const glm::dvec3 &a = convex.points()[t.x], &b = convex.points()[t.y], &c = convex.points()[t.z];
         const glm::dvec3 normal = glm::cross(b - a, c - a);
         const double length = glm::length(normal);
-        if (!(length > 0))
+        if (!(length > 0)) {
             continue;
+        }
         const solid::Plane plane{normal / length, glm::dot(normal, a) / length};
         if (std::all_of(convex.points().begin(), convex.points().end(), [&](const glm::dvec3& p) {
                 return glm::dot(plane.normal, p) - plane.offset <= 0.5 * tolerance;
-            }))
+            })) {
             planes.push_back(plane);
+        }
     }
     return planes;
 }
 
 Box box_of(std::span<const glm::dvec3> points) {
     Box box;
-    for (const glm::dvec3& p : points)
+    for (const glm::dvec3& p : points) {
         box = enclose(box, p);
+    }
     return box;
 }
 
@@ -45,14 +48,17 @@ bool cuts(std::vector<glm::dvec3> polygon, const std::vector<solid::Plane>& plan
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const glm::dvec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
             const double from = above(p), to = above(q);
-            if (from < 0)
+            if (from < 0) {
                 kept.push_back(p);
-            if ((from < 0) != (to < 0))
+            }
+            if ((from < 0) != (to < 0)) {
                 kept.push_back(p + (q - p) * (from / (from - to)));
+            }
         }
         polygon.swap(kept);
-        if (polygon.empty())
+        if (polygon.empty()) {
             return false;
+        }
     }
     return true;
 }
@@ -62,8 +68,9 @@ class Grower {
     Grower(std::vector<Convex> pieces, std::span<const std::vector<glm::dvec3>> facets, double tolerance,
            const std::function<bool(const glm::dvec3&)>& holds, const std::stop_token& stop)
         : facets_(facets), tolerance_(tolerance), holds_(holds), stop_(stop) {
-        for (const auto& facet : facets)
+        for (const auto& facet : facets) {
             boxes_.push_back(box_of(facet));
+        }
         std::vector<std::vector<std::uint32_t>> at_point;
         PointIds ids;
         for (Convex& piece : pieces) {
@@ -79,16 +86,17 @@ class Grower {
         for (const auto& around : at_point) {
             for (const std::uint32_t a : around) {
                 for (const std::uint32_t b : around) {
-                    if (a < b && around.size() <= kCrowd)
+                    if (a < b && around.size() <= kCrowd) {
                         shared.emplace_back(a, b);
+                    }
                 }
             }
         }
         std::sort(shared.begin(), shared.end());
         for (std::size_t i = 1; i < shared.size(); ++i) {
             if (shared[i] == shared[i - 1]) {
-                patches_[shared[i].first].neighbours.insert(shared[i].second);
-                patches_[shared[i].second].neighbours.insert(shared[i].first);
+                patches_[shared[i].first].neighbors.insert(shared[i].second);
+                patches_[shared[i].second].neighbors.insert(shared[i].first);
             }
         }
     }
@@ -100,33 +108,36 @@ class Grower {
         }
         std::vector<Convex> result;
         for (Patch& patch : patches_) {
-            if (!patch.shape.empty())
+            if (!patch.shape.empty()) {
                 result.push_back(std::move(patch.shape));
+            }
         }
         return result;
     }
 
   private:
-    /// At a point where more pieces meet, they are not looked at as neighbours.
+    /// At a point where more pieces meet, they are not looked at as neighbors.
     static constexpr std::size_t kCrowd = 64;
 
     struct Patch {
         Convex shape;  ///< Empty once it is part of another.
-        std::set<std::uint32_t> neighbours;
+        std::set<std::uint32_t> neighbors;
     };
 
-    /// Takes in the first neighbour that it can.
+    /// Takes in the first neighbor that it can.
     bool grow_one(std::uint32_t index) {
-        if (patches_[index].shape.empty())
+        if (patches_[index].shape.empty()) {
             return false;
-        for (const std::uint32_t other : patches_[index].neighbours) {
+        }
+        for (const std::uint32_t other : patches_[index].neighbors) {
             base::end_if_asked(stop_);
             std::vector<glm::dvec3> points = patches_[index].shape.points();
             const std::vector<glm::dvec3>& more = patches_[other].shape.points();
             points.insert(points.end(), more.begin(), more.end());
             Convex both = Convex::hull_of(points, stop_);
-            if (both.empty() || !within(both))
+            if (both.empty() || !within(both)) {
                 continue;
+            }
             patches_[index].shape = std::move(both);
             replace(other, index);
             return true;
@@ -135,11 +146,11 @@ class Grower {
     }
 
     void replace(std::uint32_t gone, std::uint32_t by) {
-        for (const std::uint32_t n : patches_[gone].neighbours) {
-            patches_[n].neighbours.erase(gone);
+        for (const std::uint32_t n : patches_[gone].neighbors) {
+            patches_[n].neighbors.erase(gone);
             if (n != by) {
-                patches_[n].neighbours.insert(by);
-                patches_[by].neighbours.insert(n);
+                patches_[n].neighbors.insert(by);
+                patches_[by].neighbors.insert(n);
             }
         }
         patches_[gone] = {};
@@ -152,11 +163,13 @@ class Grower {
         const glm::dvec3 middle = shape.middle();
         if (std::any_of(planes.begin(), planes.end(), [&](const solid::Plane& plane) {
                 return glm::dot(plane.normal, middle) - plane.offset > -8 * tolerance_;
-            }))
+            })) {
             return false;
+        }
         for (std::size_t i = 0; i < facets_.size(); ++i) {
-            if (!intersect(boxes_[i], box).empty() && cuts(facets_[i], planes, tolerance_))
+            if (!intersect(boxes_[i], box).empty() && cuts(facets_[i], planes, tolerance_)) {
                 return false;
+            }
         }
         return holds_(middle);
     }

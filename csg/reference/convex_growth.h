@@ -10,7 +10,7 @@
 
 namespace csg::reference {
 
-/// Convex sets within a solid that hold all of `pieces` (polygons or polyhedra within it): neighbours, which share two
+/// Convex sets within a solid that hold all of `pieces` (polygons or polyhedra within it): neighbors, which share two
 /// points, are replaced by their hull where that lies in the solid: where none of `facets`, which cover the solid's
 /// surface, cuts it by more than the tolerance, and `holds` says so of its middle. Which are tried first is a matter of
 /// their order: the result is small, not smallest. Throws base::Stopped where `stop` asked for it.

@@ -23,8 +23,9 @@ constexpr double kCrossing = 1e-8;
 double largest_coordinate(std::span<const Mesh> meshes) {
     double largest = 0;
     for (const Mesh& mesh : meshes) {
-        for (const glm::dvec3& p : mesh.points)
+        for (const glm::dvec3& p : mesh.points) {
             largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        }
     }
     return largest;
 }
@@ -32,10 +33,10 @@ double largest_coordinate(std::span<const Mesh> meshes) {
 /// A polyhedron by its planes.
 struct Body {
     Box box;
-    std::vector<solid::PlaneRef> faces;     ///< Of the triangles.
-    std::vector<solid::PlaneRef> planes;    ///< Each once.
-    std::vector<std::uint32_t> neighbours;  ///< Whose boxes meet this one's.
-    bool swallowed = false;                 ///< Another holds all of it.
+    std::vector<solid::PlaneRef> faces;    ///< Of the triangles.
+    std::vector<solid::PlaneRef> planes;   ///< Each once.
+    std::vector<std::uint32_t> neighbors;  ///< Whose boxes meet this one's.
+    bool swallowed = false;                ///< Another holds all of it.
 };
 
 class ConvexUnion {
@@ -49,8 +50,9 @@ class ConvexUnion {
         std::vector<Box> boxes;
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             Body& body = bodies_[i];
-            for (const glm::dvec3& p : meshes[i].points)
+            for (const glm::dvec3& p : meshes[i].points) {
                 body.box = enclose(body.box, p);
+            }
             box_ = enclose(box_, body.box);
             boxes.push_back(body.box);
             body.faces = face_planes(meshes[i].points, meshes[i].triangles, planes_);
@@ -59,8 +61,8 @@ class ConvexUnion {
             body.planes.erase(std::unique(body.planes.begin(), body.planes.end(), equal), body.planes.end());
         }
         BoxTree(boxes).pairs([&](std::uint32_t a, std::uint32_t b) {
-            bodies_[a].neighbours.push_back(b);
-            bodies_[b].neighbours.push_back(a);
+            bodies_[a].neighbors.push_back(b);
+            bodies_[b].neighbors.push_back(a);
         });
     }
 
@@ -87,16 +89,19 @@ class ConvexUnion {
         std::vector<glm::dvec3> normals;
         for (const PlaneContent& plane : content.planes) {
             base::end_if_asked(stop_);
-            if (plane.segments.empty())
+            if (plane.segments.empty()) {
                 continue;
+            }
             const glm::dvec3 normal = plane.plane.normal;
             for (const PlaneCells::Cell& cell : make_cells(content, plane, rule).cells) {
                 const std::optional<bool> above = solid_above(cell, plane.index, content.points);
-                if (!above)
+                if (!above) {
                     continue;
+                }
                 for (glm::uvec3 t : cell.triangles) {
-                    if (*above)
+                    if (*above) {
                         std::swap(t.y, t.z);
+                    }
                     mesh.triangles.push_back(t);
                     normals.push_back(*above ? -normal : normal);
                 }
@@ -133,7 +138,7 @@ class ConvexUnion {
 
     [[nodiscard]] bool swallowed(std::uint32_t index) const {
         const Body& body = bodies_[index];
-        return std::any_of(body.neighbours.begin(), body.neighbours.end(), [&](std::uint32_t other) {
+        return std::any_of(body.neighbors.begin(), body.neighbors.end(), [&](std::uint32_t other) {
             return !bodies_[other].swallowed && holds(bodies_[other].box, body.box, tolerance_) &&
                    std::all_of(meshes_[index].points.begin(), meshes_[index].points.end(),
                                [&](const glm::dvec3& p) { return inside(bodies_[other], p, tolerance_); });
@@ -145,16 +150,18 @@ class ConvexUnion {
         const Body& body = bodies_[index];
         solid::PlacedLeaf leaf;
         leaf.solid = convex_;
-        if (body.swallowed)
+        if (body.swallowed) {
             return leaf;
+        }
         const Mesh& mesh = meshes_[index];
         std::vector<std::vector<std::uint32_t>> corners(body.planes.size());
         std::vector<std::size_t> face_of;
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
             const auto at = std::lower_bound(body.planes.begin(), body.planes.end(), body.faces[t], less);
             face_of.push_back(static_cast<std::size_t>(at - body.planes.begin()));
-            for (int k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k) {
                 corners[face_of[t]].push_back(mesh.triangles[t][k]);
+            }
         }
         std::vector<char> hidden;
         for (auto& face : corners) {
@@ -164,8 +171,9 @@ class ConvexUnion {
         }
         std::vector<std::uint32_t> number(mesh.points.size(), ~std::uint32_t{0});
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (hidden[face_of[t]] != 0)
+            if (hidden[face_of[t]] != 0) {
                 continue;
+            }
             glm::uvec3 own;
             for (int k = 0; k < 3; ++k) {
                 std::uint32_t& n = number[mesh.triangles[t][k]];
@@ -185,7 +193,7 @@ class ConvexUnion {
     [[nodiscard]] bool is_hidden(std::uint32_t index, const std::vector<std::uint32_t>& corners) const {
         const double margin = 16 * tolerance_;  // wide against what makes points one
         const std::vector<glm::dvec3>& points = meshes_[index].points;
-        return std::any_of(bodies_[index].neighbours.begin(), bodies_[index].neighbours.end(), [&](std::uint32_t j) {
+        return std::any_of(bodies_[index].neighbors.begin(), bodies_[index].neighbors.end(), [&](std::uint32_t j) {
             return !bodies_[j].swallowed && std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
                 return inside(bodies_[j], points[corner], -margin);
             });
@@ -200,8 +208,9 @@ class ConvexUnion {
             const bool flipped = std::binary_search(planes.begin(), planes.end(), solid::PlaneRef{plane, true}, less);
             (flipped ? above : below) = true;
         }
-        if (above == below)
+        if (above == below) {
             return {};
+        }
         const glm::dvec3 at = inside_of(cell, points);
         const Body& body = bodies_[body_of_[cell.covers[0].leaf]];
         const auto covers = [&](std::uint32_t j) {
@@ -210,9 +219,10 @@ class ConvexUnion {
             }) && inside(bodies_[j], at, 0);
         };
         // Whatever covered the last cell is likely to cover this one.
-        if (last_ < bodies_.size() && covers(last_))
+        if (last_ < bodies_.size() && covers(last_)) {
             return {};
-        for (const std::uint32_t j : body.neighbours) {
+        }
+        for (const std::uint32_t j : body.neighbors) {
             if (covers(j)) {
                 last_ = j;
                 return {};
@@ -238,12 +248,15 @@ class ConvexUnion {
 
     void check(const Mesh& mesh) const {
         const MeshFacts f = facts(mesh);
-        if (!f.manifold)
+        if (!f.manifold) {
             throw Undecided("the surface is not closed");
-        if (!(f.volume > 0))
+        }
+        if (!(f.volume > 0)) {
             throw Undecided("the surface encloses no volume");
-        if (count_self_intersections(mesh, kCrossing * f.box.diagonal(), Overlaps::Counted, stop_) != 0)
+        }
+        if (count_self_intersections(mesh, kCrossing * f.box.diagonal(), Overlaps::Counted, stop_) != 0) {
             throw Undecided("the surface crosses itself");
+        }
     }
 
     static std::shared_ptr<const solid::Solid> convex_solid() {
@@ -266,10 +279,12 @@ class ConvexUnion {
 }  // namespace
 
 Mesh union_of_convex(std::span<const Mesh> meshes, const std::stop_token& stop) {
-    if (meshes.empty())
+    if (meshes.empty()) {
         return {};
-    if (meshes.size() == 1)
+    }
+    if (meshes.size() == 1) {
         return meshes[0];
+    }
     try {
         return ConvexUnion(meshes, stop).make();
     } catch (const Undecided&) {

@@ -17,8 +17,9 @@ class DisjointSets {
 
     /// The number that stands for the set of `i`.
     [[nodiscard]] std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i)
+        while (parent_[i] != i) {
             i = parent_[i] = parent_[parent_[i]];
+        }
         return i;
     }
     /// Makes one set of two; that of `b` stands for it.
@@ -37,8 +38,9 @@ class SetNumbers {
     /// That of the set of `i`.
     std::uint32_t operator()(std::uint32_t i) {
         std::uint32_t& number = numbers_[sets_.find(i)];
-        if (number == kNone)
+        if (number == kNone) {
             number = count_++;
+        }
         return number;
     }
     /// How many sets have been asked for.

@@ -35,11 +35,13 @@ void visit_borders(std::vector<EdgeUse>& uses, LeafId leaf, const InsideRule& ru
         const bool one_plane = uses[i].plane == uses[end - 1].plane;
         for (std::size_t j = i, k; j < end; j = k) {
             std::int32_t count = 0;
-            for (k = j; k < end && uses[k].plane == uses[j].plane; ++k)
+            for (k = j; k < end && uses[k].plane == uses[j].plane; ++k) {
                 count += uses[k].count;
+            }
             count = rule.reduced(leaf, count);
-            if (count != 0 || !one_plane)
+            if (count != 0 || !one_plane) {
                 visit(uses[i].lo, uses[i].hi, uses[j].plane, count);
+            }
         }
     }
 }

@@ -18,8 +18,9 @@ PlaneCells whole(const ExactFace& face) {
     const auto [a, b, c] = face.corners;
     PlaneCells result;
     result.cells.push_back({{{face.leaf, 1}}, {{a, b, c}}});
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
         result.sides.push_back({std::min(from, to), std::max(from, to), 0, from < to});
+    }
     return result;
 }
 
@@ -31,16 +32,20 @@ PlaneCells cells_of(const ExactSegments& segments, std::uint32_t plane, const Ex
     const auto for_each_edge = [&](std::uint32_t segment, auto&& visit) {
         const std::vector<std::uint32_t> chain = segments.chain(segment);
         split |= chain.size() > 2;
-        for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+        for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             visit(chain[i], chain[i + 1]);
+        }
     };
-    for (const std::uint32_t id : content.segments)
+    for (const std::uint32_t id : content.segments) {
         for_each_edge(id, [&](std::uint32_t a, std::uint32_t b) { edges.add(a, b); });
-    if (alone != nullptr && !split)
+    }
+    if (alone != nullptr && !split) {
         return whole(*alone);
-    for (const ExactBorder& border : content.borders)
+    }
+    for (const ExactBorder& border : content.borders) {
         for_each_edge(border.segment,
                       [&](std::uint32_t a, std::uint32_t b) { edges.add(a, b, border.leaf, border.count); });
+    }
     return CellMaker<ExactKernel>(edges).make([&](std::uint32_t id) { return segments.picture(plane, id); });
 }
 
@@ -49,16 +54,18 @@ PlaneCells cells_of(const ExactSegments& segments, std::uint32_t plane, const Ex
 std::vector<PlaneCells> cells_of_planes(const ExactFaces& faces, const ExactSegments& segments, const InsideRule& rule,
                                         unsigned threads, const std::stop_token& stop) {
     std::vector<std::uint32_t> faces_in(faces.planes.size(), 0);
-    for (const ExactFace& face : faces.faces)
+    for (const ExactFace& face : faces.faces) {
         ++faces_in[face.plane];
+    }
     std::vector<PlaneCells> cells(faces.planes.size());
     std::atomic<std::uint32_t> next{0};
     const auto work = [&] {
         for (std::uint32_t plane; (plane = next.fetch_add(1)) < cells.size();) {
             base::end_if_asked(stop);
-            if (!segments.planes()[plane].segments.empty())
+            if (!segments.planes()[plane].segments.empty()) {
                 cells[plane] = cells_of(segments, plane,
                                         faces_in[plane] == 1 ? &faces.faces[faces.planes[plane].face] : nullptr, rule);
+            }
         }
     };
     base::on_threads(threads, static_cast<unsigned>(cells.size() / 64 + 1), work,

@@ -31,8 +31,9 @@ std::size_t count_shared(const ExactFace& a, const ExactFace& b) {
 class Collector {
   public:
     Collector(const LeafGroup& group, double largest) : all_{PointTable(largest * kRounding), {}, {}, {}, largest} {
-        for (LeafId leaf = 0; leaf < group.leaves.size(); ++leaf)
+        for (LeafId leaf = 0; leaf < group.leaves.size(); ++leaf) {
             add(leaf, *group.leaves[leaf]);
+        }
     }
 
     ExactFaces collect(const std::stop_token& stop) {
@@ -42,13 +43,16 @@ class Collector {
             paced();
             const ExactFace &a = all_.faces[i], &b = all_.faces[j];
             const auto [b_least, b_most] = sides(a, b);
-            if (b_least == 0 && b_most == 0)
+            if (b_least == 0 && b_most == 0) {
                 planes.unite(std::max(i, j), std::min(i, j));
-            // Neighbours in a leaf meet in their edge, which is known to both. One of another leaf may end in the
+            }
+            // Neighbors in a leaf meet in their edge, which is known to both. One of another leaf may end in the
             // middle of what is one face, where a diagonal between two of its triangles is.
-            else if (b_least <= 0 && b_most >= 0 && (a.leaf != b.leaf || count_shared(a, b) < 2))
-                if (const auto [least, most] = sides(b, a); least <= 0 && most >= 0)
+            else if (b_least <= 0 && b_most >= 0 && (a.leaf != b.leaf || count_shared(a, b) < 2)) {
+                if (const auto [least, most] = sides(b, a); least <= 0 && most >= 0) {
                     all_.meeting.emplace_back(std::min(i, j), std::max(i, j));
+                }
+            }
         };
         BoxTree(boxes_).pairs(visit);
         std::sort(all_.meeting.begin(), all_.meeting.end());
@@ -60,13 +64,15 @@ class Collector {
     void add(LeafId leaf, const solid::PlacedLeaf& placed) {
         std::vector<std::uint32_t> ids;
         ids.reserve(placed.points.size());
-        for (const glm::dvec3& p : placed.points)
+        for (const glm::dvec3& p : placed.points) {
             ids.push_back(all_.corners.add(p));
+        }
         for (const glm::uvec3& t : placed.triangles) {
             const ExactFace face{{ids[t.x], ids[t.y], ids[t.z]}, leaf, 0};
             const glm::dvec3 &a = all_.corner(face, 0), &b = all_.corner(face, 1), &c = all_.corner(face, 2);
-            if (CGAL::collinear(to_point(a), to_point(b), to_point(c)))
+            if (CGAL::collinear(to_point(a), to_point(b), to_point(c))) {
                 continue;
+            }
             all_.faces.push_back(face);
             boxes_.push_back(enclose(enclose(enclose(Box(), a), b), c));
         }
@@ -87,8 +93,9 @@ class Collector {
         SetNumbers number(sets);
         for (std::uint32_t i = 0; i < all_.faces.size(); ++i) {
             all_.faces[i].plane = number(i);
-            if (number.count() > all_.planes.size())
+            if (number.count() > all_.planes.size()) {
                 all_.planes.push_back(plane_of(i));
+            }
         }
     }
 
@@ -99,8 +106,9 @@ class Collector {
         const int widest = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
         for (int i = 0; i < 3; ++i) {
             const int u = (widest + i + 1) % 3, v = (widest + i + 2) % 3;
-            if (const int way = turn(a, b, c, u, v); way != 0)
+            if (const int way = turn(a, b, c, u, v); way != 0) {
                 return way > 0 ? ExactPlane{face, u, v} : ExactPlane{face, v, u};
+            }
         }
         return {face, 0, 1};  // not reached: the face has an area
     }
@@ -122,10 +130,11 @@ ExactFaces collect_faces(const LeafGroup& group, const std::stop_token& stop) {
 }
 
 int side_of(const ExactFaces& all, const ExactFace& face, std::uint32_t corner) {
-    if (std::find(face.corners.begin(), face.corners.end(), corner) != face.corners.end())
+    if (std::find(face.corners.begin(), face.corners.end(), corner) != face.corners.end()) {
         return 0;
-    return CGAL::orientation(to_point(all.corner(face, 0)), to_point(all.corner(face, 1)), to_point(all.corner(face, 2)),
-                             to_point(all.corners[corner]));
+    }
+    return CGAL::orientation(to_point(all.corner(face, 0)), to_point(all.corner(face, 1)),
+                             to_point(all.corner(face, 2)), to_point(all.corners[corner]));
 }
 
 bool holds(const ExactFaces& all, const ExactFace& face, std::uint32_t corner) {
@@ -146,8 +155,9 @@ bool pierces(const ExactFaces& all, std::uint32_t from, std::uint32_t to, const 
         const int way = CGAL::orientation(p, q, to_point(all.corner(face, k)), to_point(all.corner(face, k + 1)));
         least = std::min(least, way);
         most = std::max(most, way);
-        if (least < 0 && most > 0)
+        if (least < 0 && most > 0) {
             return false;
+        }
     }
     return true;
 }

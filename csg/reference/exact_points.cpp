@@ -7,8 +7,9 @@ constexpr double kHairPerSize = 0x1p-40;
 
 /// The middle of the number's interval, once that is narrow.
 double middle(const ExactKernel::FT& x, double hair) {
-    if (!(x.approx().sup() - x.approx().inf() <= hair))
+    if (!(x.approx().sup() - x.approx().inf() <= hair)) {
         (void)x.exact();
+    }
     return 0.5 * (x.approx().sup() + x.approx().inf());
 }
 
@@ -19,8 +20,9 @@ ExactPoints::ExactPoints(double size) : hair_(size > 0 ? size * kHairPerSize : 1
 std::uint32_t ExactPoints::add(const Point& point) {
     const glm::dvec3 near(middle(point.x(), hair_), middle(point.y(), hair_), middle(point.z(), hair_));
     const std::uint32_t known = grid_.find(near, [&](std::uint32_t id) { return points_[id] == point; });
-    if (known != PointGrid::kNone)
+    if (known != PointGrid::kNone) {
         return known;
+    }
     points_.push_back(point);
     return grid_.add(near);
 }

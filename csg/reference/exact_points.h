@@ -33,7 +33,7 @@ class ExactPoints {
     [[nodiscard]] const Point& operator[](std::uint32_t id) const { return points_[id]; }
     /// Within a hair of the point (2⁻⁴⁰ of the size).
     [[nodiscard]] const glm::dvec3& near(std::uint32_t id) const { return grid_.points()[id]; }
-    /// The point in doubles, each coordinate a neighbour of the exact one.
+    /// The point in doubles, each coordinate a neighbor of the exact one.
     [[nodiscard]] glm::dvec3 rounded(std::uint32_t id) const;
     [[nodiscard]] std::size_t size() const { return points_.size(); }
 

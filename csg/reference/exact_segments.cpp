@@ -19,8 +19,9 @@ std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
 ExactSegments::ExactSegments(const ExactFaces& faces, const InsideRule& rule, const std::stop_token& stop)
     : faces_(faces), points_(faces.largest), planes_(faces.planes.size()) {
     // The corners first: a corner's number is that of its point.
-    for (const glm::dvec3& corner : faces.corners.points())
+    for (const glm::dvec3& corner : faces.corners.points()) {
         (void)points_.add(exact(corner));
+    }
     add_borders(rule);
     for (const auto& [a, b] : faces.meeting) {
         base::end_if_asked(stop);
@@ -38,16 +39,19 @@ void ExactSegments::add_borders(const InsideRule& rule) {
     std::vector<EdgeUse> uses;
     const std::vector<ExactFace>& faces = faces_.faces;
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t k = 0; k < 3; ++k) {
             uses.push_back(edge_use(faces[i].corners[k], faces[i].corners[(k + 1) % 3], faces[i].plane));
+        }
         const LeafId leaf = faces[i].leaf;
-        if (i + 1 < faces.size() && faces[i + 1].leaf == leaf)
+        if (i + 1 < faces.size() && faces[i + 1].leaf == leaf) {
             continue;
+        }
         visit_borders(uses, leaf, rule, [&](std::uint32_t lo, std::uint32_t hi, std::uint32_t at, std::int32_t count) {
             const std::uint32_t segment = add_segment(lo, hi, true, {lo, hi});
             planes_[at].segments.push_back(segment);
-            if (count != 0)
+            if (count != 0) {
                 planes_[at].borders.push_back({segment, leaf, count});
+            }
         });
         uses.clear();
     }
@@ -58,22 +62,26 @@ std::uint32_t ExactSegments::add_segment(std::uint32_t a, std::uint32_t b, bool 
     const auto [from, to] = sorted(a, b);
     const auto [at, added] =
         by_ends_.try_emplace(std::uint64_t{from} << 32 | to, static_cast<std::uint32_t>(segments_.size()));
-    if (added)
+    if (added) {
         segments_.push_back({from, to, edge, line});
+    }
     return at->second;
 }
 
 /// The corners of `b` in `a`, and the points where edges of `b` pass through `a`. `sides`: of b's corners.
 void ExactSegments::add_meeting_points(const ExactFace& a, const ExactFace& b, std::vector<std::uint32_t>& found,
                                        std::array<int, 3>& sides) {
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k) {
         sides[k] = side_of(faces_, a, b.corners[k]);
+    }
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t p = b.corners[k], q = b.corners[(k + 1) % 3];
-        if (sides[k] == 0 && holds(faces_, a, p))
+        if (sides[k] == 0 && holds(faces_, a, p)) {
             found.push_back(p);
-        if (sides[k] * sides[(k + 1) % 3] < 0 && pierces(faces_, std::min(p, q), std::max(p, q), a))
+        }
+        if (sides[k] * sides[(k + 1) % 3] < 0 && pierces(faces_, std::min(p, q), std::max(p, q), a)) {
             found.push_back(point_on(sorted(p, q), a.plane));
+        }
     }
 }
 
@@ -84,19 +92,22 @@ void ExactSegments::meet(const ExactFace& a, const ExactFace& b) {
     add_meeting_points(b, a, found, of_a);
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    if (found.size() < 2)
+    if (found.size() < 2) {
         return;  // they touch in a point at most
+    }
     const auto in_plane = [](const ExactFace& face, const std::array<int, 3>& sides) {
         std::vector<std::uint32_t> corners;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (sides[k] == 0)
+            if (sides[k] == 0) {
                 corners.push_back(face.corners[k]);
+            }
         }
         return corners;
     };
     std::vector<std::uint32_t> edge = in_plane(a, of_a);
-    if (edge.size() < 2)
+    if (edge.size() < 2) {
         edge = in_plane(b, of_b);
+    }
     const std::uint32_t segment = edge.size() == 2 ? add_segment(found[0], found[1], true, sorted(edge[0], edge[1]))
                                                    : add_segment(found[0], found[1], false, sorted(a.plane, b.plane));
     planes_[a.plane].segments.push_back(segment);
@@ -116,10 +127,12 @@ std::uint32_t ExactSegments::point_on(std::array<std::uint32_t, 2> edge, std::ui
 
 std::uint32_t ExactSegments::crossing(const ExactSegment& s, const ExactSegment& t, std::uint32_t plane) {
     const auto other_plane = [&](const ExactSegment& of) { return of.line[0] == plane ? of.line[1] : of.line[0]; };
-    if (s.edge && !t.edge)
+    if (s.edge && !t.edge) {
         return point_on(s.line, other_plane(t));
-    if (t.edge && !s.edge)
+    }
+    if (t.edge && !s.edge) {
         return point_on(t.line, other_plane(s));
+    }
     if (s.edge) {
         const auto [first, second] = std::minmax(s.line, t.line);
         const auto [at, added] = known_.try_emplace(PointKey{2, first[0], first[1], second[0], second[1]});
@@ -163,16 +176,18 @@ void ExactSegments::split(const std::stop_token& stop) {
         // Three segments that are all borders are those of one triangle. Faces that lie on each other and cancel have
         // no borders; what meets them may cross all the same.
         const ExactPlaneContent& content = planes_[plane];
-        if (content.segments.size() > 3 || content.borders.size() < content.segments.size())
+        if (content.segments.size() > 3 || content.borders.size() < content.segments.size()) {
             ExactSplitter(*this, plane).split(stop);
+        }
     }
 }
 
 /// Segments that overlap are on one line; what splits one of them there splits all.
 void ExactSegments::sort_lines() {
     DisjointSets sets(segments_.size());
-    for (const auto& [a, b] : overlaps_)
+    for (const auto& [a, b] : overlaps_) {
         sets.unite(std::max(a, b), std::min(a, b));
+    }
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::uint32_t> number(segments_.size(), kNone);
     line_of_.resize(segments_.size());
@@ -190,15 +205,17 @@ void ExactSegments::sort_lines() {
     for (std::vector<std::uint32_t>& line : lines_) {
         std::sort(line.begin(), line.end());
         line.erase(std::unique(line.begin(), line.end()), line.end());
-        if (line.size() < 3)
+        if (line.size() < 3) {
             continue;
+        }
         const glm::dvec3 size = glm::abs(points_.near(line.back()) - points_.near(line.front()));
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         std::sort(line.begin(), line.end(), [&](std::uint32_t a, std::uint32_t b) {
             for (int i = 0; i < 3 && a != b; ++i) {
                 const int k = (axis + i) % 3;
-                if (const auto way = CGAL::compare(points_[a][k], points_[b][k]); way != CGAL::EQUAL)
+                if (const auto way = CGAL::compare(points_[a][k], points_[b][k]); way != CGAL::EQUAL) {
                     return way == CGAL::SMALLER;
+                }
             }
             return false;
         });
@@ -210,8 +227,9 @@ std::vector<std::uint32_t> ExactSegments::chain(std::uint32_t segment) const {
     const std::vector<std::uint32_t>& line = lines_[line_of_[segment]];
     const auto from = std::find(line.begin(), line.end(), s.from), to = std::find(line.begin(), line.end(), s.to);
     std::vector<std::uint32_t> chain(std::min(from, to), std::max(from, to) + 1);
-    if (to < from)
+    if (to < from) {
         std::reverse(chain.begin(), chain.end());
+    }
     return chain;
 }
 

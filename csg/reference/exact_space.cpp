@@ -16,8 +16,9 @@ std::vector<Box> boxes_of(const ExactFaces& faces) {
     boxes.reserve(faces.faces.size());
     for (const ExactFace& face : faces.faces) {
         Box box;
-        for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t k = 0; k < 3; ++k) {
             box = enclose(box, faces.corner(face, k));
+        }
         const double margin = kMargin * faces.largest;
         boxes.push_back({box.lo - margin, box.hi + margin});
     }
@@ -28,8 +29,9 @@ Covers summed(Covers hits) {
     std::sort(hits.begin(), hits.end(), [](const Cover& a, const Cover& b) { return a.leaf < b.leaf; });
     Covers result;
     for (const Cover& hit : hits) {
-        if (result.empty() || result.back().leaf != hit.leaf)
+        if (result.empty() || result.back().leaf != hit.leaf) {
             result.push_back({hit.leaf, 0});
+        }
         result.back().count += hit.count;
     }
     std::erase_if(result, [](const Cover& c) { return c.count == 0; });
@@ -47,18 +49,21 @@ class Ray {
         const auto a = exact(faces_.corner(face, 0)), b = exact(faces_.corner(face, 1)),
                    c = exact(faces_.corner(face, 2));
         const int start = CGAL::orientation(a, b, c, from_), end = CGAL::orientation(a, b, c, to_);
-        if (start == 0 || start * end >= 0)
+        if (start == 0 || start * end >= 0) {
             return 0;  // In the face's plane it is at its start, which does not count, or beyond everything.
+        }
         int least = 1, most = -1;
         for (const int way : {CGAL::orientation(from_, to_, a, b), CGAL::orientation(from_, to_, b, c),
                               CGAL::orientation(from_, to_, c, a)}) {
             least = std::min(least, way);
             most = std::max(most, way);
         }
-        if (least < 0 && most > 0)
+        if (least < 0 && most > 0) {
             return 0;
-        if (least == 0 || most == 0)
+        }
+        if (least == 0 || most == 0) {
             return {};
+        }
         return start < 0 ? 1 : -1;
     }
 
@@ -90,8 +95,9 @@ const ExactKernel::Vector_3& ExactSpace::normal(std::uint32_t plane) const {
 /// With normals n, m and the edge's direction d, the half-planes' directions are ± n × d and ± m × d, and
 /// ((n × d) × (m × d)) · d has the sign of (n × m) · d; n × m is parallel to d, so one axis tells.
 int ExactSpace::turn(const Half& a, const Half& b, int axis, int along) const {
-    if (a.plane == b.plane)
+    if (a.plane == b.plane) {
         return 0;
+    }
     const ExactKernel::Vector_3 &n = normal(a.plane), &m = normal(b.plane);
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const int way = static_cast<int>(CGAL::compare(n[u] * m[v], n[v] * m[u])) * along;
@@ -99,8 +105,9 @@ int ExactSpace::turn(const Half& a, const Half& b, int axis, int along) const {
 }
 
 void ExactSpace::sort_around(std::span<ComplexSide> sides, std::span<const ComplexCell> cells) const {
-    if (sides.size() < 3)
+    if (sides.size() < 3) {
         return;
+    }
     const std::uint32_t lo = sides[0].lo, hi = sides[0].hi;
     const glm::dvec3 size = glm::abs(points_.near(hi) - points_.near(lo));
     int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -114,8 +121,9 @@ void ExactSpace::sort_around(std::span<ComplexSide> sides, std::span<const Compl
         int quarter;  ///< 0: as the first, 1: before half a turn, 2: half a turn, 3: beyond.
     };
     std::vector<Item> items;
-    for (const ComplexSide& side : sides)
+    for (const ComplexSide& side : sides) {
         items.push_back({{cells[side.cell].plane, side.left, side}, 0});
+    }
     for (std::size_t i = 1; i < items.size(); ++i) {
         const Half &first = items[0].half, &half = items[i].half;
         if (half.plane == first.plane) {
@@ -123,15 +131,17 @@ void ExactSpace::sort_around(std::span<ComplexSide> sides, std::span<const Compl
             continue;
         }
         const int way = turn(first, half, axis, along);
-        if (way == 0)
+        if (way == 0) {
             throw Undecided("two planes at an edge are one");
+        }
         items[i].quarter = way > 0 ? 1 : 3;
     }
     std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
         return a.quarter != b.quarter ? a.quarter < b.quarter : turn(a.half, b.half, axis, along) > 0;
     });
-    for (std::size_t i = 0; i < items.size(); ++i)
+    for (std::size_t i = 0; i < items.size(); ++i) {
         sides[i] = items[i].half.side;
+    }
 }
 
 Covers ExactSpace::windings_above(const ComplexCell& cell) const {
@@ -150,25 +160,29 @@ Covers ExactSpace::windings_above(const ComplexCell& cell) const {
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
     for (int attempt = 0; attempt < 1000; ++attempt) {
         glm::dvec3 aside;
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             aside[i] = number();
+        }
         // Beyond everything: no coordinate is larger than `largest`.
         glm::dvec3 way = std::isfinite(up.x + up.y + up.z) ? up + aside : aside;
         way *= 8 * faces_.largest / std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z), 1e-3});
         const glm::dvec3 to = near + way;
         if (CGAL::orientation(exact(faces_.corner(face, 0)), exact(faces_.corner(face, 1)),
-                              exact(faces_.corner(face, 2)), exact(to)) != CGAL::POSITIVE)
+                              exact(faces_.corner(face, 2)), exact(to)) != CGAL::POSITIVE) {
             continue;
+        }
         const Ray ray(faces_, from, to);
         Covers hits;
         const bool told = tree_.along(near, to - near, [&](std::uint32_t i) {
             const std::optional<int> hit = ray.meet(faces_.faces[i]);
-            if (hit.value_or(0) != 0)
+            if (hit.value_or(0) != 0) {
                 hits.push_back({faces_.faces[i].leaf, *hit});
+            }
             return hit.has_value();
         });
-        if (told)
+        if (told) {
             return summed(std::move(hits));
+        }
     }
     throw Undecided("no ray from a face tells what is in front of it");
 }

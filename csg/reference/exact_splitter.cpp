@@ -27,29 +27,34 @@ void ExactSplitter::split(const std::stop_token& stop) {
 
 const ExactKernel::Point_2& ExactSplitter::picture(std::uint32_t point) {
     auto at = pictures_.find(point);
-    if (at == pictures_.end())
+    if (at == pictures_.end()) {
         at = pictures_.emplace(point, segments_.picture(plane_, point)).first;
+    }
     return at->second;
 }
 
 int ExactSplitter::turn(std::uint32_t from, std::uint32_t to, std::uint32_t point) {
-    if (point == from || point == to)
+    if (point == from || point == to) {
         return 0;
+    }
     return CGAL::orientation(picture(from), picture(to), picture(point));
 }
 
 void ExactSplitter::meet(const Item& s, const Item& t) {
     const int from_t = turn(s.from, s.to, t.from), to_t = turn(s.from, s.to, t.to);
     if (from_t == 0 && to_t == 0) {
-        if (overlap(s, t))
+        if (overlap(s, t)) {
             segments_.overlaps_.emplace_back(s.segment, t.segment);
+        }
         return;
     }
-    if (from_t * to_t > 0)
+    if (from_t * to_t > 0) {
         return;
+    }
     const int from_s = turn(t.from, t.to, s.from), to_s = turn(t.from, t.to, s.to);
-    if (from_s * to_s > 0)
+    if (from_s * to_s > 0) {
         return;
+    }
     const bool through_s = from_s * to_s < 0, through_t = from_t * to_t < 0;
     if (through_s && through_t) {
         const std::uint32_t point =

@@ -7,8 +7,9 @@ namespace csg::reference {
 std::vector<PartId> solid_parts(const Scene& scene) {
     std::vector<PartId> parts;
     for (PartId i = 0; i < scene.parts.size(); ++i) {
-        if (scene.parts[i].kind == PartKind::Solid || scene.parts[i].kind == PartKind::Translucent)
+        if (scene.parts[i].kind == PartKind::Solid || scene.parts[i].kind == PartKind::Translucent) {
             parts.push_back(i);
+        }
     }
     return parts;
 }
@@ -35,8 +36,9 @@ void ExpressionValue::set(LeafId leaf, bool inside) {
     states_[node].entered = inside ? 1 : 0;
     for (;;) {
         const bool value = evaluate(node);
-        if (value == states_[node].value)
+        if (value == states_[node].value) {
             return;
+        }
         states_[node].value = value;
         const GroupExpression::Node& e = expression_.nodes[node];
         if (e.parent == GroupExpression::kNone) {
@@ -44,10 +46,11 @@ void ExpressionValue::set(LeafId leaf, bool inside) {
             return;
         }
         State& above = states_[e.parent];
-        if (e.first && expression_.nodes[e.parent].kind == ExpressionKind::Difference)
+        if (e.first && expression_.nodes[e.parent].kind == ExpressionKind::Difference) {
             above.first = value;
-        else
+        } else {
             above.entered += value ? 1 : ~std::uint32_t{0};
+        }
         node = e.parent;
     }
 }
@@ -56,8 +59,9 @@ LeafId ExpressionValue::owner(std::span<const LeafId> switching) const {
     // Below an odd number of subtractions a node speaks for the solid when it is false.
     const auto speaks = [&](LeafId leaf) {
         for (std::uint32_t i = expression_.leaves[leaf]; i != GroupExpression::kNone; i = expression_.nodes[i].parent) {
-            if (states_[i].value == expression_.nodes[i].complement)
+            if (states_[i].value == expression_.nodes[i].complement) {
                 return false;
+            }
         }
         return true;
     };

@@ -56,16 +56,18 @@ std::vector<solid::PlaneRef> face_planes(std::span<const glm::dvec3> points, std
     const std::vector<std::uint32_t> twins = any_thin ? twins_of(triangles) : std::vector<std::uint32_t>();
     std::vector<solid::PlaneRef> planes(triangles.size());
     std::vector<char> known(triangles.size(), 0);
-    const auto of_neighbour = [&](std::uint32_t triangle) {
+    const auto of_neighbor = [&](std::uint32_t triangle) {
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t twin = twins[3 * triangle + k];
-            if (twin == kNoTwin || known[twin / 3] == 0)
+            if (twin == kNoTwin || known[twin / 3] == 0) {
                 continue;
+            }
             const solid::Plane& plane = table.planes()[planes[twin / 3].index];
             bool within = true;
-            for (int i = 0; i < 3; ++i)
+            for (int i = 0; i < 3; ++i) {
                 within &= std::abs(glm::dot(plane.normal, points[triangles[triangle][i]]) - plane.offset) <=
                           table.tolerance();
+            }
             if (within) {
                 planes[triangle] = planes[twin / 3];
                 return true;
@@ -75,8 +77,9 @@ std::vector<solid::PlaneRef> face_planes(std::span<const glm::dvec3> points, std
     };
     for (const std::uint32_t triangle : order) {
         const glm::uvec3& t = triangles[triangle];
-        if (faces[triangle].thickness > table.tolerance() || !of_neighbour(triangle))
+        if (faces[triangle].thickness > table.tolerance() || !of_neighbor(triangle)) {
             planes[triangle] = table.add(points[t.x], points[t.y], points[t.z]);
+        }
         known[triangle] = 1;
     }
     return planes;

@@ -9,7 +9,7 @@
 namespace csg::reference {
 
 /// For each triangle its plane in the table, to which the planes are added: large triangles first, as they know theirs
-/// best. A triangle as thin as the table's tolerance has no plane worth the name and takes a neighbour's, where it lies
+/// best. A triangle as thin as the table's tolerance has no plane worth the name and takes a neighbor's, where it lies
 /// in it.
 [[nodiscard]] std::vector<solid::PlaneRef> face_planes(std::span<const glm::dvec3> points,
                                                        std::span<const glm::uvec3> triangles, solid::PlaneTable& table);

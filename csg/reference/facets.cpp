@@ -16,13 +16,15 @@ class Merger {
   public:
     explicit Merger(const Mesh& mesh) : mesh_(mesh), twins_(twins_of(mesh.triangles)) {
         double largest = 0;
-        for (const glm::dvec3& p : mesh.points)
+        for (const glm::dvec3& p : mesh.points) {
             largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        }
         bent_ = kBent * largest;
         solid::PlaneTable table(solid::coincidence_tolerance(largest));
         planes_ = face_planes(mesh.points, mesh.triangles, table);
-        for (const solid::PlaneRef& plane : planes_)
+        for (const solid::PlaneRef& plane : planes_) {
             normals_.push_back(table.planes()[plane.index].normal * (plane.flipped ? -1.0 : 1.0));
+        }
         const auto count = static_cast<std::uint32_t>(3 * mesh.triangles.size());
         for (std::uint32_t e = 0; e < count; ++e) {
             next_.push_back(e - e % 3 + (e + 1) % 3);
@@ -33,23 +35,27 @@ class Merger {
 
     std::vector<std::vector<glm::dvec3>> merge() {
         for (const std::uint32_t edge : inner_edges()) {
-            if (may_go(edge) && may_go(twins_[edge]))
+            if (may_go(edge) && may_go(twins_[edge])) {
                 remove(edge);
+            }
         }
         std::vector<std::vector<glm::dvec3>> polygons;
         std::vector<char> seen(next_.size(), 0);
         for (std::uint32_t start = 0; start < next_.size(); ++start) {
-            if (removed_[start] != 0 || seen[start] != 0)
+            if (removed_[start] != 0 || seen[start] != 0) {
                 continue;
+            }
             std::vector<glm::dvec3>& polygon = polygons.emplace_back();
             for (std::uint32_t e = start; seen[e] == 0; e = next_[e]) {
                 seen[e] = 1;
                 // A corner where the ring goes straight on is none.
-                if (glm::dot(turn(previous_[e], e), normals_[e / 3]) > bent_ * reach(previous_[e], e))
+                if (glm::dot(turn(previous_[e], e), normals_[e / 3]) > bent_ * reach(previous_[e], e)) {
                     polygon.push_back(from(e));
+                }
             }
-            if (polygon.size() < 3)
+            if (polygon.size() < 3) {
                 polygons.pop_back();
+            }
         }
         return polygons;
     }
@@ -73,19 +79,21 @@ class Merger {
     [[nodiscard]] std::vector<std::uint32_t> inner_edges() const {
         std::vector<std::uint32_t> edges;
         for (std::uint32_t e = 0; e < twins_.size(); ++e) {
-            if (twins_[e] == kNoTwin || twins_[e] < e)
+            if (twins_[e] == kNoTwin || twins_[e] < e) {
                 continue;
+            }
             const solid::PlaneRef &p = planes_[e / 3], &q = planes_[twins_[e] / 3];
-            if (p.index == q.index && p.flipped == q.flipped)
+            if (p.index == q.index && p.flipped == q.flipped) {
                 edges.push_back(e);
+            }
         }
         std::stable_sort(edges.begin(), edges.end(),
                          [&](auto a, auto b) { return glm::dot(along(a), along(a)) > glm::dot(along(b), along(b)); });
         return edges;
     }
 
-    /// Does the ring stay convex at the edge's beginning? Not where it would turn back: behind a corner at which it goes
-    /// straight on, an edge may end that another polygon lies on both sides of.
+    /// Does the ring stay convex at the edge's beginning? Not where it would turn back: behind a corner at which it
+    /// goes straight on, an edge may end that another polygon lies on both sides of.
     [[nodiscard]] bool may_go(std::uint32_t edge) const {
         const std::uint32_t in = previous_[edge], out = next_[twins_[edge]];
         const double bend = glm::dot(turn(in, out), normals_[edge / 3]), rounding = bent_ * reach(in, out);

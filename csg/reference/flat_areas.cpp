@@ -18,19 +18,23 @@ class AreaMerger {
 
     /// The mesh with its areas filled anew; nothing where all stays as it is.
     std::optional<Mesh> merge() {
-        if (!outlines_.closed())
+        if (!outlines_.closed()) {
             return std::nullopt;
+        }
         frozen_.assign(outlines_.areas(), 0);
         // What cannot be filled keeps its points, and its neighbors keep theirs beside it.
         constexpr int kAttempts = 4;
         for (int attempt = 0; attempt < kAttempts; ++attempt) {
             outlines_.straighten(frozen_);
-            if (!outlines_.any_lost())
+            if (!outlines_.any_lost()) {
                 return std::nullopt;
-            if (!fill())
+            }
+            if (!fill()) {
                 continue;
-            if (Mesh result = assembled(); freeze_shared_edges(result))
+            }
+            if (Mesh result = assembled(); freeze_shared_edges(result)) {
                 return result;
+            }
         }
         return std::nullopt;
     }
@@ -44,8 +48,9 @@ class AreaMerger {
         filled_.assign(outlines_.areas(), {});
         for (std::uint32_t area = 0; area < outlines_.areas(); ++area) {
             base::end_if_asked(stop_);
-            if (outlines_.lost_of(area).empty())
+            if (outlines_.lost_of(area).empty()) {
                 continue;
+            }
             try {
                 filled_[area] = fill_area(outlines_.border_of_lost(area), mesh_.points, normals_[kind(area)]);
             } catch (const Undecided&) {
@@ -66,8 +71,9 @@ class AreaMerger {
             if (!outlines_.lost(t)) {
                 add(result, mesh_.triangles[t], area);
             } else if (t == outlines_.lost_of(area)[0]) {
-                for (const glm::uvec3& triangle : filled_[area])
+                for (const glm::uvec3& triangle : filled_[area]) {
                     add(result, triangle, area);
+                }
             }
         }
         return result;
@@ -89,8 +95,9 @@ class AreaMerger {
                 good = false;
             }
         }
-        if (good)
+        if (good) {
             number_points(result);
+        }
         return good;
     }
 
@@ -121,8 +128,9 @@ class AreaMerger {
 }  // namespace
 
 void merge_flat_areas(Mesh& mesh, std::span<const glm::dvec3> normals, const std::stop_token& stop) {
-    if (auto merged = AreaMerger(mesh, normals, stop).merge())
+    if (auto merged = AreaMerger(mesh, normals, stop).merge()) {
         mesh = std::move(*merged);
+    }
 }
 
 }  // namespace csg::reference

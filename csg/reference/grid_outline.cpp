@@ -19,7 +19,7 @@ using Loop = GridOutline::Loop;
 constexpr int kBits = 30;        // Of the larger side of the box.
 constexpr double kRounding = 2;  // Cells: points and ends of edges are moved by half a cell's diagonal, 0.71, each.
 
-/// Takes out what lies on the straight line between its neighbours, spikes too, unless `stays`.
+/// Takes out what lies on the straight line between its neighbors, spikes too, unless `stays`.
 template <typename Stays>
 void straighten(Loop& loop, Stays&& stays) {
     for (std::size_t i = 0, kept = 0; loop.size() > 2 && kept < loop.size();) {
@@ -31,11 +31,12 @@ void straighten(Loop& loop, Stays&& stays) {
             continue;
         }
         loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
-        i = (i + 2 * loop.size() - 2) % loop.size();  // Both neighbours have new ones.
+        i = (i + 2 * loop.size() - 2) % loop.size();  // Both neighbors have new ones.
         kept = 0;
     }
-    if (loop.size() < 3)
+    if (loop.size() < 3) {
         loop.clear();
+    }
 }
 
 struct Edge {
@@ -46,8 +47,9 @@ struct Edge {
 std::vector<Edge> edges_of(const std::vector<Loop>& loops) {
     std::vector<Edge> edges;
     for (std::size_t l = 0; l < loops.size(); ++l) {
-        for (std::size_t i = 0; i < loops[l].size(); ++i)
+        for (std::size_t i = 0; i < loops[l].size(); ++i) {
             edges.push_back({loops[l][i], loops[l][(i + 1) % loops[l].size()], l, i});
+        }
     }
     return edges;
 }
@@ -82,8 +84,9 @@ struct Split {
 /// cross because they were rounded have one of their four ends near the other edge.
 std::vector<Split> touching_corners(const std::vector<Edge>& edges) {
     std::vector<Box> boxes;
-    for (const Edge& e : edges)
+    for (const Edge& e : edges) {
         boxes.push_back(enclose(enclose({}, {e.from, 0}), {e.to, 0}));
+    }
     for (Box& box : boxes) {
         box.lo -= kRounding;
         box.hi += kRounding;
@@ -91,19 +94,23 @@ std::vector<Split> touching_corners(const std::vector<Edge>& edges) {
     std::vector<Split> splits;
     const auto split = [&](const Edge& e, const Point& p) {
         const bool near = is_near(p, e);
-        if (near)
+        if (near) {
             splits.push_back({e.loop, e.index, std::abs(p.x - e.from.x) + std::abs(p.y - e.from.y), p});
+        }
         return near;
     };
     BoxTree(boxes).pairs([&](std::size_t i, std::size_t j) {
         const Edge &a = edges[i], &b = edges[j];
         int near = 0;
-        for (const Point& p : {b.from, b.to})
+        for (const Point& p : {b.from, b.to}) {
             near += split(a, p);
-        for (const Point& p : {a.from, a.to})
+        }
+        for (const Point& p : {a.from, a.to}) {
             near += split(b, p);
-        if (near == 0 && cross(a, b))
+        }
+        if (near == 0 && cross(a, b)) {
             throw std::runtime_error("outlines cross within the precision of the roof");
+        }
     });
     const auto less = [](const Split& a, const Split& b) { return a.order() < b.order(); };
     const auto same = [](const Split& a, const Split& b) { return a.order() == b.order(); };
@@ -117,8 +124,9 @@ std::vector<Loop> divided(const std::vector<Edge>& edges, const std::vector<Spli
     auto next = splits.begin();
     for (const Edge& e : edges) {
         result[e.loop].push_back(e.from);
-        for (; next != splits.end() && next->loop == e.loop && next->index == e.index; ++next)
+        for (; next != splits.end() && next->loop == e.loop && next->index == e.index; ++next) {
             result[e.loop].push_back(next->at);
+        }
     }
     return result;
 }
@@ -131,13 +139,15 @@ std::vector<Edge> without_opposites(const std::vector<Edge>& edges) {
         const auto [a, b] = is_forward(e) ? std::pair(e.from, e.to) : std::pair(e.to, e.from);
         return counts[{a.x, a.y, b.x, b.y}];
     };
-    for (const Edge& e : edges)
+    for (const Edge& e : edges) {
         count_of(e) += is_forward(e) ? 1 : -1;
+    }
     std::vector<Edge> kept;
     for (const Edge& e : edges) {
         int& count = count_of(e);
-        if (std::abs(count) > 1)
+        if (std::abs(count) > 1) {
             throw std::runtime_error("outlines overlap within the precision of the roof");
+        }
         if (count == (is_forward(e) ? 1 : -1)) {
             kept.push_back(e);
             count = 0;
@@ -160,8 +170,9 @@ bool is_before(const Point& back, const Point& a, const Point& b) {
 /// region: a hole that touches a loop becomes part of it, and a loop that touches itself from outside becomes two.
 std::vector<Loop> untangled(const std::vector<Edge>& edges) {
     std::multimap<std::pair<std::int64_t, std::int64_t>, std::size_t> leaving;
-    for (std::size_t e = 0; e < edges.size(); ++e)
+    for (std::size_t e = 0; e < edges.size(); ++e) {
         leaving.emplace(std::pair(edges[e].from.x, edges[e].from.y), e);
+    }
     const auto after = [&](const Edge& edge) {
         const auto [first, last] = leaving.equal_range({edge.to.x, edge.to.y});
         const auto way = [&](const auto& entry) { return edges[entry.second].to - edge.to; };
@@ -173,8 +184,9 @@ std::vector<Loop> untangled(const std::vector<Edge>& edges) {
     std::vector<Loop> result;
     std::vector<bool> used(edges.size());
     for (std::size_t start = 0; start < edges.size(); ++start) {
-        if (used[start])
+        if (used[start]) {
             continue;
+        }
         Loop& loop = result.emplace_back();
         for (std::size_t e = start; !used[e]; e = after(edges[e])) {
             used[e] = true;
@@ -191,27 +203,33 @@ std::vector<Loop> untangled(const std::vector<Edge>& edges) {
 GridOutline::GridOutline(std::span<const std::vector<glm::dvec2>> loops) {
     const Box box = solid::bounds_of(loops);
     const double side = std::max(box.size().x, box.size().y);
-    if (!std::isfinite(side))
+    if (!std::isfinite(side)) {
         throw std::runtime_error("an outline is not finite");
-    if (side == 0)
+    }
+    if (side == 0) {
         return;
-    centre_ = box.centre();
+    }
+    center_ = box.center();
     scale_ = std::ldexp(1.0, kBits - 1 - std::ilogb(side));
-    if (!std::isfinite(scale_))
+    if (!std::isfinite(scale_)) {
         throw std::runtime_error("an outline is too small");
+    }
     for (const auto& given : loops) {
         Loop loop;
         for (const glm::dvec2& p : given) {
-            if (!is_finite(p))  // Boxes pass over these.
+            if (!is_finite(p)) {  // Boxes pass over these.
                 throw std::runtime_error("an outline is not finite");
-            const Point q(std::llround((p.x - centre_.x) * scale_), std::llround((p.y - centre_.y) * scale_));
+            }
+            const Point q(std::llround((p.x - center_.x) * scale_), std::llround((p.y - center_.y) * scale_));
             origin_.try_emplace({q.x, q.y}, p);
-            if (loop.empty() || loop.back() != q)
+            if (loop.empty() || loop.back() != q) {
                 loop.push_back(q);
+            }
         }
         straighten(loop, [](const Point&) { return false; });
-        if (!loop.empty())
+        if (!loop.empty()) {
             loops_.push_back(std::move(loop));
+        }
     }
     // Edges are bent where a corner near them is put on them, and may then meet others.
     constexpr int kMostRounds = 32;
@@ -220,11 +238,13 @@ GridOutline::GridOutline(std::span<const std::vector<glm::dvec2>> loops) {
         const std::vector<Edge> edges = edges_of(loops_);
         const std::vector<Split> splits = touching_corners(edges);
         settled = splits.empty();
-        if (!settled)
+        if (!settled) {
             loops_ = divided(edges, splits, loops_.size());
+        }
     }
-    if (!settled)
+    if (!settled) {
         throw std::runtime_error("outlines cross within the precision of the roof");
+    }
     // Edges may be opposite ones only when points on straight lines, and spikes, are out.
     for (std::size_t before = 0, after = 1; before != after;) {
         const std::vector<Edge> edges = edges_of(loops_), kept = without_opposites(edges);

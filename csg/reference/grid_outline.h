@@ -27,14 +27,14 @@ class GridOutline {
     /// Where a corner was before it was rounded.
     [[nodiscard]] glm::dvec2 corner(const Point& p) const { return origin_.at({p.x, p.y}); }
     /// A point anywhere, in the outline's units.
-    [[nodiscard]] glm::dvec2 place(const glm::dvec2& p) const { return centre_ + p / scale_; }
+    [[nodiscard]] glm::dvec2 place(const glm::dvec2& p) const { return center_ + p / scale_; }
     /// A distance, in the outline's units.
     [[nodiscard]] double length(double cells) const { return cells / scale_; }
 
   private:
     std::vector<Loop> loops_;
     std::map<std::pair<std::int64_t, std::int64_t>, glm::dvec2> origin_;
-    glm::dvec2 centre_{0.0};
+    glm::dvec2 center_{0.0};
     double scale_ = 1;  ///< Cells a unit; a power of two, so that short binary fractions are not rounded.
 };
 

@@ -15,7 +15,7 @@
 namespace csg::reference {
 namespace {
 
-/// Of the diagonal: far above the rounding of coordinates, far below anything modelled on purpose.
+/// Of the diagonal: far above the rounding of coordinates, far below anything modeled on purpose.
 constexpr double kCrossing = 1e-8;
 /// Of the diagonal: where planes that near to each other are one, details are lost.
 constexpr double kCoarse = 1e-5;
@@ -27,24 +27,28 @@ class GroupMaker {
 
     BooleanResult make() {
         if (!request_.method) {
-            if (BooleanResult copy; copy_alone(copy))
+            if (BooleanResult copy; copy_alone(copy)) {
                 return copy;
+            }
         }
         const CombinedLeaves leaves = groups_.combined(group_);
         BooleanResult result = combine(leaves);
-        for (std::uint32_t& source : result.mesh.sources)
+        for (std::uint32_t& source : result.mesh.sources) {
             source = leaves.sources[source];
+        }
         return result;
     }
 
   private:
     bool copy_alone(BooleanResult& result) {
         const LeafGroups::Alone alone = groups_.alone(group_);
-        if (alone.leaf == nullptr)
+        if (alone.leaf == nullptr) {
             return false;
+        }
         auto found = simple_surface(*alone.leaf, request_.stop);
-        if (!found)
+        if (!found) {
             return false;
+        }
         result.mesh = std::move(found->mesh);
         result.mesh.sources.assign(result.mesh.triangles.size(), alone.source);
         result.facts = found->facts;
@@ -59,8 +63,9 @@ class GroupMaker {
                 return by_planes(leaves);
             } catch (const Undecided& undecided) {
                 reason = undecided.what();
-                if (request_.method)
+                if (request_.method) {
                     throw;
+                }
             }
         }
         BooleanResult result = by_exact_arithmetic(leaves);
@@ -77,13 +82,16 @@ class GroupMaker {
     void check(BooleanResult& result, Overlaps overlaps) {
         const Mesh& mesh = result.mesh;
         result.facts = facts(mesh);
-        if (!result.facts.manifold)
+        if (!result.facts.manifold) {
             throw Undecided("the surface is not closed");
-        if (!mesh.empty() && !(result.facts.volume > 0))
+        }
+        if (!mesh.empty() && !(result.facts.volume > 0)) {
             throw Undecided("the surface encloses no volume");
+        }
         base::end_if_asked(request_.stop);
-        if (count_self_intersections(mesh, kCrossing * diagonal(result), overlaps, request_.stop) != 0)
+        if (count_self_intersections(mesh, kCrossing * diagonal(result), overlaps, request_.stop) != 0) {
             throw Undecided("the surface crosses itself");
+        }
     }
 
     BooleanResult by_planes(const CombinedLeaves& leaves) {
@@ -92,8 +100,9 @@ class GroupMaker {
             result.mesh = plane_boolean(leaves.group, leaves.expression, threads_, request_.stop);
             check(result, Overlaps::Counted);
             const double size = result.mesh.empty() ? leaves.group.extent.diagonal() : diagonal(result);
-            if (groups_.tolerance() > kCoarse * size)
+            if (groups_.tolerance() > kCoarse * size) {
                 throw Undecided("the tolerance is too coarse for a solid so small and so far from the origin");
+            }
         } catch (const std::logic_error&) {  // CGAL's: its text is of no use here
             throw Undecided("the triangulation of a plane contradicts itself");
         }

@@ -17,8 +17,9 @@ struct LeafGroup {
 
     [[nodiscard]] std::size_t triangles() const {
         std::size_t count = 0;
-        for (const solid::PlacedLeaf* leaf : leaves)
+        for (const solid::PlacedLeaf* leaf : leaves) {
             count += leaf->triangles.size();
+        }
         return count;
     }
 };

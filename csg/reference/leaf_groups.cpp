@@ -28,8 +28,9 @@ double margin_of(const Box& box) {
 LeafGroups::LeafGroups(const Scene& scene, const solid::Geometry& geometry, std::span<const LeafId> leaves,
                        const std::stop_token& stop)
     : scene_(scene), geometry_(geometry) {
-    if (leaves.empty())
+    if (leaves.empty()) {
         return;
+    }
     make_units(leaves, margin_of(geometry.box), stop);
     make_groups(stop);
 }
@@ -48,10 +49,12 @@ void LeafGroups::look_above(std::span<const Box> leaf_boxes, std::vector<Box>& b
         for (std::uint32_t i = part.root + 1; i-- > part.first_expression;) {
             const Expression& e = scene_.expressions[i];
             const Above above = above_[i];
-            if (above.parent == kNone)
+            if (above.parent == kNone) {
                 continue;
-            if (e.kind == ExpressionKind::Leaf)
+            }
+            if (e.kind == ExpressionKind::Leaf) {
                 node_of_[e.leaf] = i;
+            }
             const bool in_union =
                 above.parent == root || scene_.expressions[above.parent].kind == ExpressionKind::Union;
             const auto children = scene_.children(e);
@@ -82,11 +85,13 @@ void LeafGroups::make_units(std::span<const LeafId> leaves, double margin, const
         base::end_if_asked(stop);
         const solid::PlacedLeaf& placed = geometry_.leaves[leaf];
         const Box& box = boxes[node_of_[leaf]];
-        if (box.empty())
+        if (box.empty()) {
             continue;
+        }
         std::vector<solid::PlacedLeaf> pieces;
-        if (!placed.solid->convex)
+        if (!placed.solid->convex) {
             pieces = pieces_of(placed, margin, stop);
+        }
         if (pieces.empty()) {
             units_.push_back({leaf, &placed, box});
             continue;
@@ -94,8 +99,9 @@ void LeafGroups::make_units(std::span<const LeafId> leaves, double margin, const
         pieces_.push_back(std::move(pieces));
         for (const solid::PlacedLeaf& piece : pieces_.back()) {
             const Box own = intersect({piece.box.lo - margin, piece.box.hi + margin}, box);
-            if (!own.empty())
+            if (!own.empty()) {
                 units_.push_back({leaf, &piece, own});
+            }
         }
     }
 }
@@ -114,8 +120,9 @@ void LeafGroups::make_groups(const std::stop_token& stop) {
         boxes.push_back(units_[i].box);
         extent_ = enclose(extent_, units_[i].box);
     }
-    if (carried.empty())
+    if (carried.empty()) {
         return;
+    }
     base::PacedStop paced(stop);
     const BoxTree tree(boxes);
     DisjointSets sets = meeting_sets(tree, stop);
@@ -131,26 +138,31 @@ void LeafGroups::make_groups(const std::stop_token& stop) {
         });
         std::sort(met.begin(), met.end());
         met.erase(std::unique(met.begin(), met.end()), met.end());
-        if (met.empty())
+        if (met.empty()) {
             continue;
+        }
         const std::size_t more = (met.size() - 1) * units_[other].placed->triangles.size();
         if (copied + more > kMostCopies * triangles) {
-            for (const std::uint32_t group : met)
+            for (const std::uint32_t group : met) {
                 sets.unite(std::max(group, met[0]), std::min(group, met[0]));
+            }
             met.erase(met.begin() + 1, met.end());
         } else {
             copied += more;
         }
-        for (const std::uint32_t group : met)
+        for (const std::uint32_t group : met) {
             copies.emplace_back(group, other);
+        }
     }
     SetNumbers number(sets);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // group, unit
     members.reserve(carried.size() + copies.size());
-    for (std::uint32_t i = 0; i < carried.size(); ++i)
+    for (std::uint32_t i = 0; i < carried.size(); ++i) {
         members.emplace_back(number(i), carried[i]);
-    for (const auto& [at, unit] : copies)
+    }
+    for (const auto& [at, unit] : copies) {
         members.emplace_back(number(at), unit);
+    }
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
     first_.assign(number.count() + 1, 0);
@@ -158,21 +170,24 @@ void LeafGroups::make_groups(const std::stop_token& stop) {
         ++first_[group + 1];
         members_.push_back(unit);
     }
-    for (std::uint32_t g = 0; g < number.count(); ++g)
+    for (std::uint32_t g = 0; g < number.count(); ++g) {
         first_[g + 1] += first_[g];
+    }
 }
 
 std::size_t LeafGroups::triangles(std::size_t group) const {
     std::size_t count = 0;
-    for (std::uint32_t i = first_[group]; i < first_[group + 1]; ++i)
+    for (std::uint32_t i = first_[group]; i < first_[group + 1]; ++i) {
         count += units_[members_[i]].placed->triangles.size();
+    }
     return count;
 }
 
 LeafGroups::Alone LeafGroups::alone(std::size_t group) const {
     const Unit& unit = units_[members_[first_[group]]];
-    if (first_[group + 1] - first_[group] != 1 || !above_[node_of_[unit.leaf]].plain)
+    if (first_[group + 1] - first_[group] != 1 || !above_[node_of_[unit.leaf]].plain) {
         return {};
+    }
     return {unit.placed, unit.leaf};
 }
 
@@ -201,11 +216,13 @@ CombinedLeaves LeafGroups::combined(std::size_t group) const {
         for (std::uint32_t of = is_piece ? node_of_[unit.leaf] : above_[node_of_[unit.leaf]].parent; of != kNone;
              of = above_[of].parent) {
             const auto [at, added] = number.try_emplace(of, 0);
-            if (added)
+            if (added) {
                 at->second = make_node(of);
+            }
             nodes[below].parent = at->second;
-            if (!added)
+            if (!added) {
                 break;
+            }
             below = at->second;
         }
     }

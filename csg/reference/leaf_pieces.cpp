@@ -28,8 +28,9 @@ std::uint32_t number_shells(const solid::PlacedLeaf& leaf, std::vector<std::uint
     }
     SetNumbers shell(points);
     shell_of.reserve(leaf.triangles.size());
-    for (const glm::uvec3& t : leaf.triangles)
+    for (const glm::uvec3& t : leaf.triangles) {
         shell_of.push_back(shell(id[t.x]));
+    }
     return shell.count();
 }
 
@@ -38,22 +39,27 @@ std::uint32_t number_shells(const solid::PlacedLeaf& leaf, std::vector<std::uint
 std::vector<solid::PlacedLeaf> pieces_of(const solid::PlacedLeaf& leaf, double margin, const std::stop_token& stop) {
     std::vector<std::uint32_t> shell_of;
     const std::uint32_t shells = number_shells(leaf, shell_of, stop);
-    if (shells < 2)
+    if (shells < 2) {
         return {};
+    }
     std::vector<Box> boxes(shells);
     for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k) {
             boxes[shell_of[t]] = enclose(boxes[shell_of[t]], leaf.points[leaf.triangles[t][k]]);
+        }
     }
-    for (Box& box : boxes)
+    for (Box& box : boxes) {
         box = {box.lo - margin, box.hi + margin};
+    }
     DisjointSets sets = meeting_sets(BoxTree(boxes), stop);
     SetNumbers piece(sets);
     std::vector<std::uint32_t> piece_of;
-    for (std::uint32_t i = 0; i < shells; ++i)
+    for (std::uint32_t i = 0; i < shells; ++i) {
         piece_of.push_back(piece(i));
-    if (piece.count() < 2)
+    }
+    if (piece.count() < 2) {
         return {};
+    }
     base::end_if_asked(stop);
     std::vector<solid::PlacedLeaf> pieces(piece.count());
     std::vector<std::pair<std::uint32_t, std::uint32_t>> number(leaf.points.size(), {kNone, kNone});  // piece, point

@@ -50,20 +50,23 @@ class Separator {
         for (std::size_t i = 0, j; i < edges.size(); i = j) {
             for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
             }
-            if (j - i == 2)
+            if (j - i == 2) {
                 join(edges[i], edges[i + 1]);
-            else
+            } else {
                 pair_up(std::span(edges).subspan(i, j - i));
+            }
         }
         std::vector<std::pair<std::uint32_t, std::uint32_t>> shared;
         for (std::size_t i = 0, j; i < edges.size(); i = j) {
             for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
             }
-            if (j - i > 2 && still_shared(std::span(edges).subspan(i, j - i)))
+            if (j - i > 2 && still_shared(std::span(edges).subspan(i, j - i))) {
                 shared.emplace_back(edges[i].lo, edges[i].hi);
+            }
         }
-        if (shared.empty())
+        if (shared.empty()) {
             renumber();
+        }
         return shared;
     }
 
@@ -75,14 +78,16 @@ class Separator {
         std::stable_sort(around.begin(), around.end(), [&](const Edge& p, const Edge& q) { return turn(p) < turn(q); });
         for (std::size_t i = 0; i < around.size(); ++i) {
             const Edge &e = around[i], &next = around[(i + 1) % around.size()];
-            if (!e.forward && next.forward)
+            if (!e.forward && next.forward) {
                 join(e, next);
+            }
         }
     }
 
     void join(const Edge& a, const Edge& b) {
-        if (a.forward == b.forward)
+        if (a.forward == b.forward) {
             return;  // not a boundary; the check of the result says so
+        }
         unite(3 * a.triangle + a.corner, 3 * b.triangle + (b.corner + 1) % 3);
         unite(3 * a.triangle + (a.corner + 1) % 3, 3 * b.triangle + b.corner);
     }
@@ -90,16 +95,18 @@ class Separator {
     bool still_shared(std::span<const Edge> around) {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
         for (const Edge& e : around) {
-            if (e.forward)
+            if (e.forward) {
                 ends.emplace_back(find(3 * e.triangle + e.corner), find(3 * e.triangle + (e.corner + 1) % 3));
+            }
         }
         std::sort(ends.begin(), ends.end());
         return std::adjacent_find(ends.begin(), ends.end()) != ends.end();
     }
 
     std::uint32_t find(std::uint32_t i) {
-        while (root_[i] != i)
+        while (root_[i] != i) {
             i = root_[i] = root_[root_[i]];
+        }
         return i;
     }
     void unite(std::uint32_t a, std::uint32_t b) {
@@ -133,8 +140,9 @@ class Separator {
 /// For a triangle divided in the middle of its edge from corner k on: itself and the new last one. The middle has a
 /// larger number than both ends, so the half at the edge's larger end runs the other way.
 void divide_turns(std::vector<double>& turns, std::size_t triangle, std::size_t k, bool forward) {
-    if (turns.empty())
+    if (turns.empty()) {
         return;
+    }
     const std::array whole{turns[3 * triangle], turns[3 * triangle + 1], turns[3 * triangle + 2]};
     const double edge = whole[k], next = whole[(k + 1) % 3], last = whole[(k + 2) % 3];
     // {corner k, middle, corner k + 2} and {middle, corner k + 1, corner k + 2}
@@ -146,8 +154,9 @@ void divide_turns(std::vector<double>& turns, std::size_t triangle, std::size_t 
 /// Divides the triangles at the edges (sorted) by a new point in the middle of each.
 void divide(Mesh& mesh, std::vector<double>& turns, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
-    for (const auto& [a, b] : edges)
+    for (const auto& [a, b] : edges) {
         mesh.points.push_back(0.5 * (mesh.points[a] + mesh.points[b]));
+    }
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
         const auto key = std::minmax(a, b);
         const auto at = std::lower_bound(edges.begin(), edges.end(), std::pair(key.first, key.second));
@@ -159,8 +168,9 @@ void divide(Mesh& mesh, std::vector<double>& turns, const std::vector<std::pair<
         for (int k = 0; k < 3; ++k) {
             const glm::uvec3 whole = mesh.triangles[t];
             const std::uint32_t m = middle(whole[k], whole[(k + 1) % 3]);
-            if (m == kNone)
+            if (m == kNone) {
                 continue;
+            }
             mesh.triangles[t] = {whole[k], m, whole[(k + 2) % 3]};
             mesh.triangles.emplace_back(m, whole[(k + 1) % 3], whole[(k + 2) % 3]);
             mesh.sources.push_back(mesh.sources[t]);
@@ -177,8 +187,9 @@ std::vector<double> turns_of(const Mesh& mesh, std::span<const glm::dvec3> norma
     for (std::size_t i = 0, j; i < edges.size(); i = j) {
         for (j = i + 1; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
         }
-        if (j - i == 2)
+        if (j - i == 2) {
             continue;
+        }
         const glm::dvec3 along = glm::normalize(mesh.points[edges[i].hi] - mesh.points[edges[i].lo]);
         const glm::dvec3 a = glm::abs(along);
         const glm::dvec3 helper = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
@@ -198,8 +209,9 @@ std::vector<double> turns_of(const Mesh& mesh, std::span<const glm::dvec3> norma
 
 void separate_sheets(Mesh& mesh, std::vector<double> turns) {
     const auto shared = Separator(mesh, turns).run();
-    if (shared.empty())
+    if (shared.empty()) {
         return;
+    }
     divide(mesh, turns, shared);
     // Around the new points the sheets are apart, so nothing is shared any more. Were it so, the points would stay as
     // they are and the check of the result would find the edge.

@@ -9,7 +9,7 @@
 namespace csg::reference {
 
 /// `mesh` is the boundary of a solid in which several sheets may share an edge or a point. Afterwards triangles share
-/// a point only where they are neighbours around it, and at every edge those two triangles are neighbours that have
+/// a point only where they are neighbors around it, and at every edge those two triangles are neighbors that have
 /// the solid between them. An edge at which two sheets touch that are connected around both of its ends gets a point in
 /// its middle. `normals`: outward, by triangle. Unused points are dropped. A mesh that is no such
 /// boundary is left not manifold (`facts` tells).

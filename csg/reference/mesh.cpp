@@ -13,26 +13,30 @@ bool every_edge_has_its_opposite(const Mesh& mesh) {
     std::vector<std::uint32_t> first(mesh.points.size() + 1, 0), ends(3 * mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles) {
         for (int i = 0; i < 3; ++i) {
-            if (t[i] == t[(i + 1) % 3])
+            if (t[i] == t[(i + 1) % 3]) {
                 return false;
+            }
             ++first[t[i] + 1];
         }
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (const glm::uvec3& t : mesh.triangles) {
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             ends[next[t[i]]++] = t[(i + 1) % 3];
+        }
     }
     const auto at = [&](std::uint32_t point) { return ends.begin() + first[point]; };
     for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
         std::sort(at(p), at(p + 1));
-        if (std::adjacent_find(at(p), at(p + 1)) != at(p + 1))
+        if (std::adjacent_find(at(p), at(p + 1)) != at(p + 1)) {
             return false;
+        }
     }
     for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
-        if (!std::all_of(at(p), at(p + 1), [&](std::uint32_t q) { return std::binary_search(at(q), at(q + 1), p); }))
+        if (!std::all_of(at(p), at(p + 1), [&](std::uint32_t q) { return std::binary_search(at(q), at(q + 1), p); })) {
             return false;
+        }
     }
     return true;
 }
@@ -51,13 +55,14 @@ MeshFacts facts(const Mesh& mesh) {
         }
     }
     const auto count = static_cast<long>(std::count(used.begin(), used.end(), 1));
-    for (std::uint32_t i = 0; i < used.size(); ++i)
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
         result.components += used[i] != 0 && sets.find(i) == i ? 1 : 0;
+    }
     // Seen from a point of each component: what is far from there cancels badly.
-    const glm::dvec3 centre = result.box.empty() ? glm::dvec3(0.0) : result.box.centre();
+    const glm::dvec3 center = result.box.empty() ? glm::dvec3(0.0) : result.box.center();
     double volume6 = 0;
     for (const glm::uvec3& t : mesh.triangles) {
-        const glm::dvec3 origin = result.components == 1 ? centre : mesh.points[sets.find(t.x)];
+        const glm::dvec3 origin = result.components == 1 ? center : mesh.points[sets.find(t.x)];
         const glm::dvec3 a = mesh.points[t.x] - origin, b = mesh.points[t.y] - origin, c = mesh.points[t.z] - origin;
         volume6 += glm::dot(a, glm::cross(b, c));
         result.area += 0.5 * glm::length(glm::cross(b - a, c - a));

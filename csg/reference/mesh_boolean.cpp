@@ -38,12 +38,14 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
     all.kind = operation;
     all.child_count = count;
     scene.expressions.push_back(all);
-    if (count > 0)
+    if (count > 0) {
         scene.parts.push_back({PartKind::Solid, 0, count, 0, count, "", {}});
+    }
     geometry.planes = solid::PlaneTable(solid::coincidence_tolerance(largest));
     for (solid::PlacedLeaf& leaf : geometry.leaves) {
-        for (const glm::uvec3& t : leaf.triangles)
+        for (const glm::uvec3& t : leaf.triangles) {
             leaf.planes.push_back(geometry.planes.add(leaf.points[t.x], leaf.points[t.y], leaf.points[t.z]));
+        }
     }
     return result;
 }

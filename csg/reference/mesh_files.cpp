@@ -32,8 +32,9 @@ std::string ascii_stl(const Mesh& mesh, const std::stop_token& stop) {
 }
 
 void put_bytes(std::string& out, std::uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i)
+    for (int i = 0; i < bytes; ++i) {
         out += static_cast<char>(value >> (8 * i) & 255);
+    }
 }
 
 void put_float(std::string& out, double value) {
@@ -49,11 +50,13 @@ std::string binary_stl(const Mesh& mesh, const std::stop_token& stop) {
     for (const glm::uvec3& t : mesh.triangles) {
         paced();
         const glm::dvec3 n = normal_of(mesh, t);
-        for (int k = 0; k < 3; ++k)
-            put_float(out, n[k]);
         for (int k = 0; k < 3; ++k) {
-            for (int axis = 0; axis < 3; ++axis)
+            put_float(out, n[k]);
+        }
+        for (int k = 0; k < 3; ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
                 put_float(out, mesh.points[t[k]][axis]);
+            }
         }
         put_bytes(out, 0, 2);
     }
@@ -63,8 +66,9 @@ std::string binary_stl(const Mesh& mesh, const std::stop_token& stop) {
 std::string off(const MeshDocument& d, const std::stop_token& stop) {
     Text out(stop);
     put(out, "OFF\n{} {} 0\n", d.mesh.points.size(), d.mesh.triangles.size());
-    for (const glm::dvec3& p : d.mesh.points)
+    for (const glm::dvec3& p : d.mesh.points) {
         put(out, "{} {} {}\n", p.x + 0.0, p.y + 0.0, p.z + 0.0);
+    }
     for (std::size_t i = 0; i < d.mesh.triangles.size(); ++i) {
         const glm::uvec3& t = d.mesh.triangles[i];
         const auto& c = d.parts[part_of(d, i)].rgba;
@@ -76,15 +80,17 @@ std::string off(const MeshDocument& d, const std::stop_token& stop) {
 /// The triangles of each part.
 std::vector<std::vector<std::uint32_t>> by_part(const MeshDocument& d) {
     std::vector<std::vector<std::uint32_t>> triangles(d.parts.size());
-    for (std::uint32_t i = 0; i < d.mesh.triangles.size(); ++i)
+    for (std::uint32_t i = 0; i < d.mesh.triangles.size(); ++i) {
         triangles[part_of(d, i)].push_back(i);
+    }
     return triangles;
 }
 
 std::string one_line(std::string text) {
     for (char& c : text) {
-        if (static_cast<unsigned char>(c) <= ' ')
+        if (static_cast<unsigned char>(c) <= ' ') {
             c = '_';
+        }
     }
     return text;
 }
@@ -92,12 +98,14 @@ std::string one_line(std::string text) {
 std::string obj(const MeshDocument& d, const std::stop_token& stop) {
     Text out(stop);
     put(out, "# csgscope\n");
-    for (const glm::dvec3& p : d.mesh.points)
+    for (const glm::dvec3& p : d.mesh.points) {
         put(out, "v {} {} {}\n", p.x + 0.0, p.y + 0.0, p.z + 0.0);
+    }
     const auto parts = by_part(d);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        if (parts[p].empty())
+        if (parts[p].empty()) {
             continue;
+        }
         put(out, "g {}\n", one_line(d.parts[p].name));
         for (const std::uint32_t i : parts[p]) {
             const glm::uvec3 t = d.mesh.triangles[i] + 1u;
@@ -120,14 +128,16 @@ std::string amf(const MeshDocument& d, const std::stop_token& stop) {
             p + 1, xml(d.parts[p].name), c[0], c[1], c[2], c[3]);
     }
     put(out, " <object id=\"0\">\n  <mesh>\n   <vertices>\n");
-    for (const glm::dvec3& v : d.mesh.points)
+    for (const glm::dvec3& v : d.mesh.points) {
         put(out, "    <vertex><coordinates><x>{}</x><y>{}</y><z>{}</z></coordinates></vertex>\n", v.x + 0.0, v.y + 0.0,
             v.z + 0.0);
+    }
     put(out, "   </vertices>\n");
     const auto parts = by_part(d);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        if (parts[p].empty())
+        if (parts[p].empty()) {
             continue;
+        }
         put(out, "   <volume materialid=\"{}\">\n", p + 1);
         for (const std::uint32_t i : parts[p]) {
             const glm::uvec3& t = d.mesh.triangles[i];
@@ -146,8 +156,9 @@ std::string wrl(const MeshDocument& d, const std::stop_token& stop) {
     put(out, "Group {{ children [\n");
     bool points_written = false;
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        if (parts[p].empty())
+        if (parts[p].empty()) {
             continue;
+        }
         const auto& c = d.parts[p].rgba;
         put(out,
             "Shape {{ appearance Appearance {{ material Material {{ diffuseColor {} {} {} transparency {} }} }}\n"
@@ -157,8 +168,9 @@ std::string wrl(const MeshDocument& d, const std::stop_token& stop) {
             put(out, "USE P");
         } else {
             put(out, "DEF P Coordinate {{ point [\n");
-            for (const glm::dvec3& v : d.mesh.points)
+            for (const glm::dvec3& v : d.mesh.points) {
                 put(out, "{} {} {},\n", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+            }
             put(out, "] }}");
             points_written = true;
         }

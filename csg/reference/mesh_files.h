@@ -16,7 +16,7 @@ namespace csg::reference {
 
 enum class MeshFormat { AsciiStl, BinaryStl, Off, Obj, Amf, ThreeMf, Wrl };
 
-/// One object of a file: a range of the mesh's triangles with a name and a colour.
+/// One object of a file: a range of the mesh's triangles with a name and a color.
 struct MeshPart {
     std::string name;
     std::array<float, 4> rgba{0.976f, 0.843f, 0.173f, 1};  ///< sRGB, 0 to 1.
@@ -27,8 +27,8 @@ enum class ThreeMfColors { Model, None, Selected };
 struct ThreeMfOptions {
     std::string unit = "millimeter";  ///< One of the specification's names.
     ThreeMfColors colors = ThreeMfColors::Model;
-    std::array<float, 4> selected{0.976f, 0.843f, 0.173f, 1};  ///< The colour of all parts for Selected.
-    bool color_group = false;  ///< Colours as colours (materials extension), without the names of parts.
+    std::array<float, 4> selected{0.976f, 0.843f, 0.173f, 1};  ///< The color of all parts for Selected.
+    bool color_group = false;  ///< Colors as colors (materials extension), without the names of parts.
     int decimals = 0;          ///< Of coordinates; 0: as many as are needed to read them back to the last bit.
     std::map<std::string, std::string> meta_data;  ///< By the specification's names; empty texts are left out.
 };
@@ -42,8 +42,8 @@ struct MeshDocument {
 };
 
 /// The bytes of the file. Coordinates are written so that they are read back to the last bit (STL in single precision
-/// where binary). Formats that know parts (OBJ, AMF, 3MF) keep names, those that know colours (OFF, AMF, 3MF, WRL)
-/// colours. Throws base::Stopped where `stop` asked for it.
+/// where binary). Formats that know parts (OBJ, AMF, 3MF) keep names, those that know colors (OFF, AMF, 3MF, WRL)
+/// colors. Throws base::Stopped where `stop` asked for it.
 [[nodiscard]] std::string encode(const MeshDocument& document, MeshFormat format, const std::stop_token& stop = {});
 
 /// Reads STL (either kind) or OFF; equal points are one. Throws std::runtime_error with the reason.

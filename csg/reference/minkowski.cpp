@@ -27,11 +27,13 @@ constexpr std::size_t kManyHulls = 64, kMostGrown = 4096;
 void check_cost(const ConvexCover& a, const ConvexCover& b) {
     std::size_t corners = 0;
     for (const Convex& p : a.pieces) {
-        for (const Convex& q : b.pieces)
+        for (const Convex& q : b.pieces) {
             corners += std::min(p.points().size() * q.points().size(), 2 * (p.points().size() + q.points().size()));
-        if (corners > kMostCorners)
+        }
+        if (corners > kMostCorners) {
             throw std::runtime_error(fmt::format("minkowski() would need {} hulls, with more than {} corners together",
                                                  a.pieces.size() * b.pieces.size(), kMostCorners));
+        }
     }
 }
 
@@ -65,17 +67,20 @@ glm::dvec3 before(const Mesh& mesh, double distance) {
 /// Closes the holes that belong to the sum: without the components of the surface that have the sum before them, too.
 Mesh without_false_holes(const Mesh& hulls, const ConvexCover& a, const ConvexCover& b, const std::stop_token& stop) {
     const std::vector<Mesh> components = components_of(hulls);
-    if (components.size() == 1)
+    if (components.size() == 1) {
         return hulls;
+    }
     const double distance = 64 * solid::coincidence_tolerance(facts(hulls).box.diagonal());
     Mesh result;
     for (const Mesh& component : components) {
-        if (holds(a, b, before(component, distance), stop))
+        if (holds(a, b, before(component, distance), stop)) {
             continue;
+        }
         const auto first = static_cast<std::uint32_t>(result.points.size());
         result.points.insert(result.points.end(), component.points.begin(), component.points.end());
-        for (const glm::uvec3& t : component.triangles)
+        for (const glm::uvec3& t : component.triangles) {
             result.triangles.push_back(t + first);
+        }
     }
     return result;
 }
@@ -86,32 +91,37 @@ Mesh sum_of_pieces(const ConvexCover& a, const ConvexCover& b, const std::stop_t
     for (const Convex& p : a.pieces) {
         for (const Convex& q : b.pieces) {
             base::end_if_asked(stop);
-            if (Mesh sum = sum_of_convex(p, q, stop); !sum.empty())
+            if (Mesh sum = sum_of_convex(p, q, stop); !sum.empty()) {
                 hulls.push_back(std::move(sum));
+            }
         }
     }
-    if (hulls.size() == 1)
+    if (hulls.size() == 1) {
         return std::move(hulls[0]);
+    }
     return without_false_holes(union_of_convex(hulls, stop), a, b, stop);
 }
 
 Mesh sum_of(ConvexCover a, ConvexCover b, const std::stop_token& stop) {
     const auto grow_both = [&] {
         for (ConvexCover* cover : {&a, &b}) {
-            if (cover->pieces.size() > 1 && cover->pieces.size() <= kMostGrown)
+            if (cover->pieces.size() > 1 && cover->pieces.size() <= kMostGrown) {
                 grow(*cover, stop);
+            }
         }
     };
     // Larger pieces are worth their making where both are many.
     const bool many = std::min(a.pieces.size(), b.pieces.size()) > 1 && a.pieces.size() * b.pieces.size() > kManyHulls;
-    if (many)
+    if (many) {
         grow_both();
+    }
     try {
         return sum_of_pieces(a, b, stop);
     } catch (const std::runtime_error&) {
         // Other pieces give other hulls, which may be united where these are too near to degenerate.
-        if (many)
+        if (many) {
             throw;
+        }
         grow_both();
         return sum_of_pieces(a, b, stop);
     }
@@ -122,27 +132,32 @@ Mesh sum_of(ConvexCover a, ConvexCover b, const std::stop_token& stop) {
 Mesh minkowski_sum(std::span<const std::vector<Mesh>> operands, const std::stop_token& stop) {
     std::vector<ConvexCover> covers;
     for (const std::vector<Mesh>& operand : operands) {
-        if (ConvexCover cover = convex_cover(operand, stop); !cover.pieces.empty())
+        if (ConvexCover cover = convex_cover(operand, stop); !cover.pieces.empty()) {
             covers.push_back(std::move(cover));
+        }
     }
-    if (covers.empty())
+    if (covers.empty()) {
         return {};
+    }
     // What is convex stays convex when it is summed.
     std::stable_partition(covers.begin(), covers.end(), [](const ConvexCover& cover) { return cover.convex; });
     Mesh sum;
-    if (covers.size() == 1)
+    if (covers.size() == 1) {
         sum = covers[0].meshes.size() == 1 ? std::move(covers[0].meshes[0])
                                            : combine(ExpressionKind::Union, covers[0].meshes, stop).mesh;
-    for (std::size_t i = 1; i < covers.size(); ++i)
+    }
+    for (std::size_t i = 1; i < covers.size(); ++i) {
         sum = sum_of(i == 1 ? std::move(covers[0]) : convex_cover({std::move(sum)}, stop), std::move(covers[i]), stop);
+    }
     sum.sources.assign(sum.triangles.size(), 0);
     return sum;
 }
 
 Mesh minkowski_sum(std::span<const Mesh> operands, const std::stop_token& stop) {
     std::vector<std::vector<Mesh>> unions;
-    for (const Mesh& operand : operands)
+    for (const Mesh& operand : operands) {
         unions.push_back({operand});
+    }
     return minkowski_sum(unions, stop);
 }
 

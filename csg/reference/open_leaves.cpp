@@ -12,26 +12,30 @@ namespace csg::reference {
 namespace {
 
 bool is_open(const solid::PlacedLeaf& leaf) {
-    if (leaf.solid->closed)
+    if (leaf.solid->closed) {
         return false;
+    }
     PointIds points;
     std::vector<std::uint32_t> ids;
-    for (const glm::dvec3& p : leaf.points)
+    for (const glm::dvec3& p : leaf.points) {
         ids.push_back(points.add(p).first);
+    }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const glm::uvec3& t : leaf.triangles) {
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t a = ids[t[k]], b = ids[t[(k + 1) % 3]];
-            if (a != b)
+            if (a != b) {
                 edges.emplace_back(std::min(a, b), std::max(a, b));
+            }
         }
     }
     std::sort(edges.begin(), edges.end());
     for (std::size_t i = 0, j; i < edges.size(); i = j) {
         for (j = i + 1; j < edges.size() && edges[j] == edges[i]; ++j) {
         }
-        if ((j - i) % 2 != 0)
+        if ((j - i) % 2 != 0) {
             return true;
+        }
     }
     return false;
 }
@@ -44,11 +48,13 @@ std::vector<char> only_united(const Scene& scene) {
         united[part.root] = 1;
         for (std::uint32_t i = part.root + 1; i-- > part.first_expression;) {
             const Expression& e = scene.expressions[i];
-            if (e.kind == ExpressionKind::Leaf)
+            if (e.kind == ExpressionKind::Leaf) {
                 result[e.leaf] = united[i];
+            }
             const bool alone = e.kind == ExpressionKind::Union || e.child_count == 1;
-            for (const std::uint32_t child : scene.children(e))
+            for (const std::uint32_t child : scene.children(e)) {
                 united[child] = alone ? united[i] : 0;
+            }
         }
     }
     return result;
@@ -68,15 +74,17 @@ std::optional<LeafId> find_combined(const Scene& scene, const solid::Geometry& g
     const std::vector<char> united = only_united(scene);
     std::vector<Box> boxes;
     boxes.reserve(leaves.size());
-    for (const LeafId leaf : leaves)
+    for (const LeafId leaf : leaves) {
         boxes.push_back(geometry.leaves[leaf].box);
+    }
     const BoxTree tree(boxes);
     for (const LeafId leaf : open) {
         const Box& box = geometry.leaves[leaf].box;
         bool met = united[leaf] == 0;
         tree.meeting(box, [&](std::uint32_t i) { met |= leaves[i] != leaf && overlap(box, boxes[i]); });
-        if (met)
+        if (met) {
             return leaf;
+        }
     }
     return {};
 }

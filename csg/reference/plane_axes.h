@@ -14,8 +14,9 @@ class PlaneAxes {
         const int axis = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
         u_ = (axis + 1) % 3;
         v_ = (axis + 2) % 3;
-        if (normal[axis] < 0)
+        if (normal[axis] < 0) {
             std::swap(u_, v_);
+        }
     }
     [[nodiscard]] glm::dvec2 operator()(const glm::dvec3& p) const { return {p[u_], p[v_]}; }
 

@@ -21,8 +21,9 @@ std::vector<PlaneCells> cells_of_planes(const Content& content, const InsideRule
         for (std::size_t from; (from = next.fetch_add(kChunk)) < cells.size();) {
             for (std::size_t i = from; i < std::min(from + kChunk, cells.size()); ++i) {
                 base::end_if_asked(stop);
-                if (!content.planes[i].segments.empty())
+                if (!content.planes[i].segments.empty()) {
                     cells[i] = make_cells(content, content.planes[i], rule);
+                }
             }
         }
     };

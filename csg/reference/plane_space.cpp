@@ -27,8 +27,9 @@ void PlaneSpace::sort_around(std::span<ComplexSide> sides, std::span<const Compl
     }
     std::stable_sort(sorted.begin(), sorted.end(), [](const Angle& p, const Angle& q) { return p.angle < q.angle; });
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        if (i > 0 && sorted[i].angle - sorted[i - 1].angle < 1e-9)
+        if (i > 0 && sorted[i].angle - sorted[i - 1].angle < 1e-9) {
             throw Undecided("two faces meet at an edge at no angle");
+        }
         sides[i] = sorted[i].side;
     }
 }
@@ -47,8 +48,9 @@ Covers PlaneSpace::windings_above(const ComplexCell& cell) const {
         const glm::dvec3 origin = points_[t.x] * (1 - u - v) + points_[t.y] * u + points_[t.z] * v;
         const double a = number(), b = number(), c = number();
         const glm::dvec3 aside(a - 0.5, b - 0.5, c - 0.5);
-        if (const auto found = probe_.windings(origin, glm::normalize(plane.plane.normal + aside), plane.index))
+        if (const auto found = probe_.windings(origin, glm::normalize(plane.plane.normal + aside), plane.index)) {
             return *found;
+        }
     }
     throw Undecided("no ray from a face tells what is in front of it");
 }

@@ -23,14 +23,18 @@ class PointGrid {
     template <typename Same>
     [[nodiscard]] std::uint32_t find(const glm::dvec3& point, Same&& same) const {
         const glm::dvec3 lo = point - reach_, hi = point + reach_;
-        for (std::int64_t x = cell_of(lo.x); x <= cell_of(hi.x); ++x)
-            for (std::int64_t y = cell_of(lo.y); y <= cell_of(hi.y); ++y)
-                for (std::int64_t z = cell_of(lo.z); z <= cell_of(hi.z); ++z)
+        for (std::int64_t x = cell_of(lo.x); x <= cell_of(hi.x); ++x) {
+            for (std::int64_t y = cell_of(lo.y); y <= cell_of(hi.y); ++y) {
+                for (std::int64_t z = cell_of(lo.z); z <= cell_of(hi.z); ++z) {
                     for (std::uint32_t id = buckets_[bucket(x, y, z)]; id != kNone; id = next_[id]) {
                         const glm::dvec3 way = glm::abs(points_[id] - point);
-                        if (way.x <= reach_ && way.y <= reach_ && way.z <= reach_ && same(id))
+                        if (way.x <= reach_ && way.y <= reach_ && way.z <= reach_ && same(id)) {
                             return id;
+                        }
                     }
+                }
+            }
+        }
         return kNone;
     }
 
@@ -40,8 +44,9 @@ class PointGrid {
         next_.push_back(kNone);
         if (points_.size() * 2 > buckets_.size()) {
             buckets_.assign(buckets_.size() * 2, kNone);
-            for (std::uint32_t i = 0; i <= id; ++i)
+            for (std::uint32_t i = 0; i <= id; ++i) {
                 insert(i);
+            }
         } else {
             insert(id);
         }

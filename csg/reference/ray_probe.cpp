@@ -17,8 +17,9 @@ std::vector<Box> widened(std::vector<Box> boxes, double by) {
 std::vector<Box> boxes_of(const LeafGroup& group) {
     std::vector<Box> boxes;
     boxes.reserve(group.leaves.size());
-    for (const solid::PlacedLeaf* leaf : group.leaves)
+    for (const solid::PlacedLeaf* leaf : group.leaves) {
         boxes.push_back(leaf->box);
+    }
     return boxes;
 }
 
@@ -31,18 +32,21 @@ std::optional<int> crosses(const solid::PlacedLeaf& leaf, const glm::uvec3& t, c
     // Relative to the sizes that cancel in each of them.
     const double scale = 1e-11 * std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)});
     if ((u > scale && v < -scale) || (v > scale && w < -scale) || (w > scale && u < -scale) ||
-        (u < -scale && v > scale) || (v < -scale && w > scale) || (w < -scale && u > scale))
+        (u < -scale && v > scale) || (v < -scale && w > scale) || (w < -scale && u > scale)) {
         return 0;
+    }
     const double volume = glm::dot(a, bc);
     if (std::abs(u) <= scale || std::abs(v) <= scale || std::abs(w) <= scale) {
         // Beside an edge; behind the origin it does not matter.
-        if (volume * (u + v + w) < 0 && std::abs(volume) > scale * 1e-3)
+        if (volume * (u + v + w) < 0 && std::abs(volume) > scale * 1e-3) {
             return 0;
+        }
         return {};
     }
     const bool outwards = u + v + w > 0;
-    if ((volume > 0) != outwards)
+    if ((volume > 0) != outwards) {
         return 0;
+    }
     return outwards ? 1 : -1;
 }
 
@@ -64,9 +68,10 @@ RayProbe::RayProbe(const LeafGroup& group, double tolerance)
 RayProbe::~RayProbe() = default;
 
 const RayProbe::Triangles& RayProbe::triangles(LeafId leaf) const {
-    if (!triangles_[leaf])
+    if (!triangles_[leaf]) {
         triangles_[leaf] = std::make_unique<const Triangles>(
             widened(triangle_boxes(group_.leaves[leaf]->points, group_.leaves[leaf]->triangles), tolerance_));
+    }
     return *triangles_[leaf];
 }
 
@@ -77,20 +82,24 @@ std::optional<Covers> RayProbe::windings(const glm::dvec3& origin, const glm::dv
         const solid::PlacedLeaf& leaf = *group_.leaves[index];
         std::int32_t count = 0;
         const auto pass = [&](std::uint32_t t) {
-            if (leaf.planes[t].index == without)
+            if (leaf.planes[t].index == without) {
                 return true;
+            }
             const std::optional<int> hit = crosses(leaf, leaf.triangles[t], origin, direction);
             count += hit.value_or(0);
             return hit.has_value();
         };
-        if (!triangles(index).tree.along(origin, direction, pass))
+        if (!triangles(index).tree.along(origin, direction, pass)) {
             return false;
-        if (count != 0)
+        }
+        if (count != 0) {
             result.push_back({index, count});
+        }
         return true;
     });
-    if (!told)
+    if (!told) {
         return {};
+    }
     std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.leaf < b.leaf; });
     return result;
 }

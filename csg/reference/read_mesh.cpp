@@ -17,11 +17,13 @@ class Words {
     explicit Words(std::string_view text) : text_(text) {}
 
     std::string_view next() {
-        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) <= ' ')
+        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) <= ' ') {
             ++at_;
+        }
         const std::size_t from = at_;
-        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ')
+        while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) > ' ') {
             ++at_;
+        }
         return text_.substr(from, at_ - from);
     }
 
@@ -29,21 +31,24 @@ class Words {
         const std::string_view word = next();
         double value = 0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
+        if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value)) {
             throw std::runtime_error("a number was expected, not \"" + std::string(word.substr(0, 40)) + "\"");
+        }
         return value;
     }
 
     std::size_t count(std::size_t most) {
         const double value = number();
-        if (value < 0 || value != std::floor(value) || value > static_cast<double>(most))
+        if (value < 0 || value != std::floor(value) || value > static_cast<double>(most)) {
             throw std::runtime_error("a count or an index is out of bounds");
+        }
         return static_cast<std::size_t>(value);
     }
 
     void end_line() {
-        while (at_ < text_.size() && text_[at_] != '\n')
+        while (at_ < text_.size() && text_[at_] != '\n') {
             ++at_;
+        }
     }
 
   private:
@@ -55,13 +60,15 @@ class Joiner {
   public:
     std::uint32_t add(const glm::dvec3& p) {
         const auto [id, added] = ids_.add(p);
-        if (added)
+        if (added) {
             mesh.points.push_back(p);
+        }
         return id;
     }
     void triangle(const glm::uvec3& t) {
-        if (t.x == t.y || t.y == t.z || t.z == t.x)
+        if (t.x == t.y || t.y == t.z || t.z == t.x) {
             return;
+        }
         mesh.triangles.push_back(t);
         mesh.sources.push_back(0);
     }
@@ -79,8 +86,9 @@ Mesh binary_stl(std::string_view bytes, std::size_t count) {
         glm::uvec3 t;
         for (int k = 0; k < 3; ++k) {
             const glm::dvec3 p(values[3 + 3 * k], values[4 + 3 * k], values[5 + 3 * k]);
-            if (!std::isfinite(p.x + p.y + p.z))
+            if (!std::isfinite(p.x + p.y + p.z)) {
                 throw std::runtime_error("a point is not finite");
+            }
             t[k] = joiner.add(p);
         }
         joiner.triangle(t);
@@ -97,14 +105,16 @@ Mesh ascii_stl(std::string_view text) {
             const double x = words.number(), y = words.number(), z = words.number();
             loop.push_back(joiner.add({x, y, z}));
         } else if (word == "endloop") {
-            if (loop.size() != 3)
+            if (loop.size() != 3) {
                 throw std::runtime_error("a facet does not have three vertices");
+            }
             joiner.triangle({loop[0], loop[1], loop[2]});
             loop.clear();
         }
     }
-    if (!loop.empty() || joiner.mesh.triangles.empty())
+    if (!loop.empty() || joiner.mesh.triangles.empty()) {
         throw std::runtime_error("the STL file ends early or has no facets");
+    }
     return std::move(joiner.mesh);
 }
 
@@ -124,13 +134,15 @@ Mesh off(std::string_view text) {
         std::vector<std::uint32_t> face;
         for (std::size_t k = 0; k < corners; ++k) {
             const std::size_t id = words.count(kMostTriangles);
-            if (id >= ids.size())
+            if (id >= ids.size()) {
                 throw std::runtime_error("a face has a point that is not there");
+            }
             face.push_back(ids[id]);
         }
-        words.end_line();  // a colour may follow
-        for (std::size_t k = 1; k + 1 < face.size(); ++k)
+        words.end_line();  // a color may follow
+        for (std::size_t k = 1; k + 1 < face.size(); ++k) {
             joiner.triangle({face[0], face[k], face[k + 1]});
+        }
     }
     return std::move(joiner.mesh);
 }
@@ -141,13 +153,16 @@ Mesh decode_mesh(std::string_view bytes) {
     if (bytes.size() >= 84) {
         std::uint32_t count = 0;
         std::memcpy(&count, bytes.data() + 80, 4);
-        if (bytes.size() == 84 + std::size_t{50} * count)
+        if (bytes.size() == 84 + std::size_t{50} * count) {
             return binary_stl(bytes, count);
+        }
     }
-    if (bytes.starts_with("OFF"))
+    if (bytes.starts_with("OFF")) {
         return off(bytes);
-    if (bytes.starts_with("solid"))
+    }
+    if (bytes.starts_with("solid")) {
         return ascii_stl(bytes);
+    }
     throw std::runtime_error("neither an STL nor an OFF file");
 }
 

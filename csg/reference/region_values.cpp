@@ -19,7 +19,7 @@ class Walk {
           sums_(complex.regions, 0) {
         values_.solid.assign(complex.regions, 0);
         values_.owners.assign(complex.cells.size(), 0);
-        list_neighbours();
+        list_neighbors();
     }
 
     RegionValues run() {
@@ -39,14 +39,15 @@ class Walk {
         std::int32_t sign;
     };
 
-    void list_neighbours() {
+    void list_neighbors() {
         first_.assign(complex_.regions + 1, 0);
         for (const ComplexCell& cell : complex_.cells) {
             ++first_[cell.above + 1];
             ++first_[cell.below + 1];
         }
-        for (std::size_t i = 0; i < complex_.regions; ++i)
+        for (std::size_t i = 0; i < complex_.regions; ++i) {
             first_[i + 1] += first_[i];
+        }
         std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
         cells_.resize(2 * complex_.cells.size());
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
@@ -66,8 +67,9 @@ class Walk {
             std::int32_t& count = counts_[cover.leaf];
             const std::int32_t now = beyond(cover, sign);
             sum_ += weight(cover.leaf) * static_cast<std::uint64_t>(static_cast<std::int64_t>(now) - count);
-            if ((count != 0) != (now != 0))
+            if ((count != 0) != (now != 0)) {
                 expression_.set(cover.leaf, now != 0);
+            }
             count = now;
         }
     }
@@ -78,16 +80,18 @@ class Walk {
         while (!stack_.empty()) {
             Step& step = stack_.back();
             if (step.next == first_[step.region + 1]) {
-                if (step.through != nullptr)
+                if (step.through != nullptr) {
                     pass(step.through->covers, -step.sign);
+                }
                 stack_.pop_back();
                 continue;
             }
             const ComplexCell& cell = complex_.cells[cells_[step.next++]];
             const bool down = cell.above == step.region;
             const std::uint32_t to = down ? cell.below : cell.above;
-            if (known_[to] != 0)
+            if (known_[to] != 0) {
                 continue;
+            }
             const std::int32_t sign = down ? 1 : -1;
             pass(cell.covers, sign);
             enter(to);
@@ -105,29 +109,35 @@ class Walk {
             const ComplexCell& cell = complex_.cells[cells_[i]];
             const bool down = cell.above == region;
             check(cell, down ? cell.below : cell.above, down ? 1 : -1);
-            if (solid)
+            if (solid) {
                 values_.owners[cells_[i]] = owner(cell.covers, down ? 1 : -1);
+            }
         }
     }
 
     void check(const ComplexCell& cell, std::uint32_t other, std::int32_t sign) const {
-        if (known_[other] == 0)
+        if (known_[other] == 0) {
             return;
+        }
         std::uint64_t sum = sum_;
-        for (const Cover& c : cell.covers)
+        for (const Cover& c : cell.covers) {
             sum += weight(c.leaf) *
                    static_cast<std::uint64_t>(static_cast<std::int64_t>(beyond(c, sign)) - counts_[c.leaf]);
-        if (sum != sums_[other])
+        }
+        if (sum != sums_[other]) {
             throw Undecided("the regions between the faces do not fit together");
+        }
     }
 
     LeafId owner(const Covers& covers, std::int32_t sign) {
-        if (covers.size() == 1)
+        if (covers.size() == 1) {
             return covers[0].leaf;
+        }
         switching_.clear();
         for (const Cover& c : covers) {
-            if ((counts_[c.leaf] != 0) != (beyond(c, sign) != 0))
+            if ((counts_[c.leaf] != 0) != (beyond(c, sign) != 0)) {
                 switching_.push_back(c.leaf);
+            }
         }
         return switching_.empty() ? 0 : switching_.size() == 1 ? switching_[0] : expression_.owner(switching_);
     }

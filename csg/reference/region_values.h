@@ -14,7 +14,7 @@ struct RegionValues {
     std::vector<LeafId> owners;  ///< By cell; of those with the solid on one side only.
 };
 
-/// Goes through the regions from neighbour to neighbour; the winding numbers, and by them the expression, are changed
+/// Goes through the regions from neighbor to neighbor; the winding numbers, and by them the expression, are changed
 /// only by what each cell on the way tells. So it takes as long as there are cells, however many leaves, and memory for
 /// the leaves and for the regions, not for one with the other. Throws Undecided where a cell does not lead from its one
 /// region to the other, whichever way they were reached (told by sums of random weights of 64 bits), and base::Stopped.

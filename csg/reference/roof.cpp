@@ -20,8 +20,9 @@ using Region = CGAL::Polygon_with_holes_2<Kernel>;
 
 Polygon polygon_of(const std::vector<glm::dvec2>& loop) {
     Polygon polygon;
-    for (const glm::dvec2& p : loop)
+    for (const glm::dvec2& p : loop) {
         polygon.push_back({p.x, p.y});
+    }
     return polygon;
 }
 
@@ -30,24 +31,29 @@ std::vector<Region> regions_of(std::span<const std::vector<glm::dvec2>> loops) {
     std::vector<Region> regions;
     for (const auto& loop : loops) {
         Polygon polygon = polygon_of(loop);
-        if (!polygon.is_simple())
+        if (!polygon.is_simple()) {
             throw std::runtime_error("an outline touches itself");
-        if (polygon.is_counterclockwise_oriented())
+        }
+        if (polygon.is_counterclockwise_oriented()) {
             regions.emplace_back(std::move(polygon));
+        }
     }
     for (const auto& loop : loops) {
         Polygon hole = polygon_of(loop);
-        if (hole.is_counterclockwise_oriented())
+        if (hole.is_counterclockwise_oriented()) {
             continue;
+        }
         Region* around = nullptr;
         for (Region& region : regions) {
             const Polygon& outer = region.outer_boundary();
             if (!outer.has_on_unbounded_side(hole[0]) &&
-                (around == nullptr || outer.area() < around->outer_boundary().area()))
+                (around == nullptr || outer.area() < around->outer_boundary().area())) {
                 around = &region;
+            }
         }
-        if (around == nullptr)
+        if (around == nullptr) {
             throw std::runtime_error("a hole lies in nothing");
+        }
         around->add_hole(std::move(hole));
     }
     return regions;
@@ -69,15 +75,17 @@ Mesh roof(std::span<const std::vector<glm::dvec2>> loops, const std::stop_token&
     PointIds known;
     const auto point = [&](double x, double y, double z) {
         const auto [id, added] = known.add({x, y, z});
-        if (added)
+        if (added) {
             mesh.points.emplace_back(x, y, z);
+        }
         return id;
     };
     for (const Region& region : regions_of(loops)) {
         base::end_if_asked(stop);
         const auto skeleton = skeleton_of(region);
-        if (!skeleton)
+        if (!skeleton) {
             throw std::runtime_error("no straight skeleton was found");
+        }
         for (auto face = skeleton->faces_begin(); face != skeleton->faces_end(); ++face) {
             std::vector<std::uint32_t> corners;
             auto edge = face->halfedge();
@@ -92,10 +100,12 @@ Mesh roof(std::span<const std::vector<glm::dvec2>> loops, const std::stop_token&
     // The floor, seen from below.
     const solid::IndexedOutline floor = solid::index_corners({{loops.begin(), loops.end()}});
     std::vector<std::uint32_t> ids;
-    for (const glm::dvec2& p : floor.points)
+    for (const glm::dvec2& p : floor.points) {
         ids.push_back(point(p.x, p.y, 0));
-    for (const glm::uvec3& t : solid::triangulate_region(floor))
+    }
+    for (const glm::uvec3& t : solid::triangulate_region(floor)) {
         mesh.triangles.emplace_back(ids[t.x], ids[t.z], ids[t.y]);
+    }
     mesh.sources.assign(mesh.triangles.size(), 0);
     return mesh;
 }

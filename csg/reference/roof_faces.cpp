@@ -7,23 +7,26 @@ namespace csg::reference {
 std::vector<std::uint32_t> reduced(std::span<const std::uint32_t> loop) {
     std::vector<std::uint32_t> kept;
     for (const std::uint32_t id : loop) {
-        if (!kept.empty() && kept.back() == id)
+        if (!kept.empty() && kept.back() == id) {
             continue;
-        if (kept.size() > 1 && kept[kept.size() - 2] == id)
+        }
+        if (kept.size() > 1 && kept[kept.size() - 2] == id) {
             kept.pop_back();
-        else
+        } else {
             kept.push_back(id);
+        }
     }
     std::size_t from = 0, to = kept.size();
     while (to - from > 1) {
-        if (kept[from] == kept[to - 1])
+        if (kept[from] == kept[to - 1]) {
             --to;
-        else if (to - from > 2 && (kept[from + 1] == kept[to - 1]))
+        } else if (to - from > 2 && (kept[from + 1] == kept[to - 1])) {
             ++from;
-        else if (to - from > 2 && (kept[from] == kept[to - 2]))
+        } else if (to - from > 2 && (kept[from] == kept[to - 2])) {
             --to;
-        else
+        } else {
             break;
+        }
     }
     return {kept.begin() + static_cast<std::ptrdiff_t>(from), kept.begin() + static_cast<std::ptrdiff_t>(to)};
 }
@@ -40,8 +43,9 @@ void triangulate_over_eaves(std::span<const glm::dvec3> points, std::span<const 
         }
         open.push_back(id);
     }
-    for (std::size_t i = 2; i < open.size(); ++i)  // What rounding left.
+    for (std::size_t i = 2; i < open.size(); ++i) {  // What rounding left.
         triangles.emplace_back(open[0], open[i - 1], open[i]);
+    }
 }
 
 }  // namespace csg::reference

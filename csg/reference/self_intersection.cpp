@@ -18,8 +18,9 @@ class Triangle {
         normal_ = length > 0 ? normal_ / length : glm::dvec3(0.0);
         for (std::size_t i = 0; i < 3; ++i) {
             box_ = enclose(box_, corners[i]);
-            if (!degenerate())
+            if (!degenerate()) {
                 inward_[i] = glm::normalize(glm::cross(normal_, corners[(i + 1) % 3] - corners[i]));
+            }
         }
     }
 
@@ -32,11 +33,13 @@ class Triangle {
     [[nodiscard]] bool crosses(const Triangle& other, double tolerance, Overlaps overlaps) const {
         const std::array<double, 3> d = distances(other);
         const auto [least, most] = std::minmax_element(d.begin(), d.end());
-        if (*least >= -tolerance && *most <= tolerance)
+        if (*least >= -tolerance && *most <= tolerance) {
             return overlaps == Overlaps::Counted && glm::dot(normal_, other.normal_) > 0 &&
                    !apart(*this, other, tolerance) && !apart(other, *this, tolerance);
-        if (*least >= -tolerance || *most <= tolerance)
-            return false;  // on one side, as nearly all neighbours are
+        }
+        if (*least >= -tolerance || *most <= tolerance) {
+            return false;  // on one side, as nearly all neighbors are
+        }
         return pierced_by(other, d, tolerance) ||
                (!other.degenerate() && other.pierced_by(*this, other.distances(*this), tolerance));
     }
@@ -44,8 +47,9 @@ class Triangle {
   private:
     [[nodiscard]] bool inside(const glm::dvec3& p, double tolerance) const {
         for (std::size_t i = 0; i < 3; ++i) {
-            if (glm::dot(inward_[i], p - corners_[i]) <= tolerance)
+            if (glm::dot(inward_[i], p - corners_[i]) <= tolerance) {
                 return false;
+            }
         }
         return true;
     }
@@ -53,8 +57,9 @@ class Triangle {
     /// Of the other's corners from this one's plane.
     [[nodiscard]] std::array<double, 3> distances(const Triangle& other) const {
         std::array<double, 3> d;
-        for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i) {
             d[i] = glm::dot(normal_, other.corners_[i] - corners_[0]);
+        }
         return d;
     }
 
@@ -65,8 +70,9 @@ class Triangle {
             if ((d[i] > tolerance && d[j] < -tolerance) || (d[i] < -tolerance && d[j] > tolerance)) {
                 const glm::dvec3 at =
                     other.corners_[i] + (other.corners_[j] - other.corners_[i]) * (d[i] / (d[i] - d[j]));
-                if (inside(at, tolerance))
+                if (inside(at, tolerance)) {
                     return true;
+                }
             }
         }
         return false;
@@ -76,8 +82,9 @@ class Triangle {
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec3& in = a.inward_[i];
             if (std::all_of(b.corners_.begin(), b.corners_.end(),
-                            [&](const glm::dvec3& p) { return glm::dot(in, p - a.corners_[i]) <= tolerance; }))
+                            [&](const glm::dvec3& p) { return glm::dot(in, p - a.corners_[i]) <= tolerance; })) {
                 return true;
+            }
         }
         return false;
     }
@@ -94,20 +101,23 @@ std::size_t count_self_intersections(const Mesh& mesh, double tolerance, Overlap
                                      const std::stop_token& stop) {
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles.size());
-    for (const glm::uvec3& t : mesh.triangles)
+    for (const glm::uvec3& t : mesh.triangles) {
         triangles.emplace_back(std::array{mesh.points[t.x], mesh.points[t.y], mesh.points[t.z]});
+    }
     std::vector<Box> boxes;
     boxes.reserve(triangles.size());
-    for (const Triangle& t : triangles)
+    for (const Triangle& t : triangles) {
         boxes.push_back(t.box());
+    }
     base::end_if_asked(stop);
     base::PacedStop paced(stop);
     std::size_t count = 0;
     BoxTree(boxes).pairs([&](std::uint32_t a, std::uint32_t b) {
         paced();
         const Triangle &t = triangles[a], &u = triangles[b];
-        if (t.degenerate() ? !u.degenerate() && u.crosses(t, tolerance, overlaps) : t.crosses(u, tolerance, overlaps))
+        if (t.degenerate() ? !u.degenerate() && u.crosses(t, tolerance, overlaps) : t.crosses(u, tolerance, overlaps)) {
             ++count;
+        }
     });
     return count;
 }

@@ -33,10 +33,12 @@ class Meeting {
         const std::array<int, 3> of_u = sides(t, u), of_t = sides(u, t);
         const auto [least_u, most_u] = std::minmax({of_u[0], of_u[1], of_u[2]});
         const auto [least_t, most_t] = std::minmax({of_t[0], of_t[1], of_t[2]});
-        if (least_u > 0 || most_u < 0 || least_t > 0 || most_t < 0)
+        if (least_u > 0 || most_u < 0 || least_t > 0 || most_t < 0) {
             return false;
-        if (least_u == 0 && most_u == 0)
+        }
+        if (least_u == 0 && most_u == 0) {
             return overlap(t, u);
+        }
         return reaches(t, u, of_u) || reaches(u, t, of_t);
     }
 
@@ -51,8 +53,9 @@ class Meeting {
     [[nodiscard]] std::array<int, 3> sides(const glm::uvec3& of, const glm::uvec3& corners) const {
         std::array<int, 3> result{};
         for (int k = 0; k < 3; ++k) {
-            if (!has(of, corners[k]))
+            if (!has(of, corners[k])) {
                 result[static_cast<std::size_t>(k)] = CGAL::orientation(at(of.x), at(of.y), at(of.z), at(corners[k]));
+            }
         }
         return result;
     }
@@ -62,11 +65,13 @@ class Meeting {
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t p = u[k], q = u[(k + 1) % 3];
             const int from = sides[static_cast<std::size_t>(k)], to = sides[static_cast<std::size_t>((k + 1) % 3)];
-            if (from * to < 0 && pierces(p, q, t))
+            if (from * to < 0 && pierces(p, q, t)) {
                 return true;
+            }
             // Beside a corner that is shared the line to it would only tell what is known.
-            if (from == 0 && !has(t, p) && holds(t, p))
+            if (from == 0 && !has(t, p) && holds(t, p)) {
                 return true;
+            }
         }
         return false;
     }
@@ -90,8 +95,9 @@ class Meeting {
     /// An axis along which the triangle is seen with an area, and which way around it turns there.
     [[nodiscard]] std::pair<int, int> view(const glm::uvec3& t) const {
         for (int axis = 0; axis < 3; ++axis) {
-            if (const int way = turn(mesh_.points[t.x], mesh_.points[t.y], mesh_.points[t.z], axis); way != 0)
+            if (const int way = turn(mesh_.points[t.x], mesh_.points[t.y], mesh_.points[t.z], axis); way != 0) {
                 return {axis, way};
+            }
         }
         return {0, 0};  // not reached: all triangles have an area
     }
@@ -100,8 +106,9 @@ class Meeting {
     [[nodiscard]] bool holds(const glm::uvec3& t, std::uint32_t point) const {
         const auto [axis, way] = view(t);
         for (int k = 0; k < 3; ++k) {
-            if (turn(mesh_.points[t[k]], mesh_.points[t[(k + 1) % 3]], mesh_.points[point], axis) == -way)
+            if (turn(mesh_.points[t[k]], mesh_.points[t[(k + 1) % 3]], mesh_.points[point], axis) == -way) {
                 return false;
+            }
         }
         return true;
     }
@@ -114,8 +121,9 @@ class Meeting {
             for (int k = 0; k < 3; ++k) {
                 const glm::dvec3 &p = mesh_.points[a[k]], &q = mesh_.points[a[(k + 1) % 3]];
                 if (turn(p, q, mesh_.points[b.x], axis) * way <= 0 && turn(p, q, mesh_.points[b.y], axis) * way <= 0 &&
-                    turn(p, q, mesh_.points[b.z], axis) * way <= 0)
+                    turn(p, q, mesh_.points[b.z], axis) * way <= 0) {
                     return true;
+                }
             }
             return false;
         };
@@ -141,18 +149,23 @@ bool meets_itself(const Mesh& mesh, const std::stop_token& stop) {
 
 std::optional<SimpleSurface> simple_surface(const solid::PlacedLeaf& leaf, const std::stop_token& stop) {
     // What trimming has closed (csg/solid/trim_leaves.h) may overlap itself in a plane; that is found below.
-    if (!leaf.solid->closed)
+    if (!leaf.solid->closed) {
         return {};
+    }
     Mesh mesh = welded(leaf.points, leaf.triangles);
-    if (!all_have_area(mesh))
+    if (!all_have_area(mesh)) {
         return {};
-    if (!leaf.solid->convex)
+    }
+    if (!leaf.solid->convex) {
         separate_sheets(mesh, std::vector<double>());  // those that share but a corner
+    }
     const MeshFacts f = facts(mesh);
-    if (!f.manifold || f.components != 1 || !(f.volume > 0))
+    if (!f.manifold || f.components != 1 || !(f.volume > 0)) {
         return {};
-    if (!leaf.solid->convex && meets_itself(mesh, stop))
+    }
+    if (!leaf.solid->convex && meets_itself(mesh, stop)) {
         return {};
+    }
     return SimpleSurface{std::move(mesh), f};
 }
 

@@ -46,15 +46,18 @@ class Splitter {
 
     /// Splits `item` at the point if it is on it.
     bool touch(const Item& item, std::uint32_t point, const glm::dvec2& at) {
-        if (point == item.from || point == item.to)
+        if (point == item.from || point == item.to) {
             return true;
+        }
         const glm::dvec2 d = item.b - item.a;
         const double t = glm::dot(at - item.a, d), length2 = glm::dot(d, d);
-        if (t <= 0 || t >= length2)
+        if (t <= 0 || t >= length2) {
             return false;
+        }
         const double off = cross(d, at - item.a);
-        if (off * off > tolerance_ * tolerance_ * length2)
+        if (off * off > tolerance_ * tolerance_ * length2) {
             return false;
+        }
         content_.segments.split(item.id, point);
         return true;
     }
@@ -64,8 +67,9 @@ class Splitter {
         const bool longer = glm::distance(s.a, s.b) >= glm::distance(t.a, t.b);
         const Item &l = longer ? s : t, &k = longer ? t : s;
         const glm::dvec2 d = (l.b - l.a) / glm::distance(l.a, l.b);
-        if (std::abs(cross(d, k.a - l.a)) > tolerance_ || std::abs(cross(d, k.b - l.a)) > tolerance_)
+        if (std::abs(cross(d, k.a - l.a)) > tolerance_ || std::abs(cross(d, k.b - l.a)) > tolerance_) {
             return false;
+        }
         const double length = glm::dot(d, l.b - l.a), p = glm::dot(d, k.a - l.a), q = glm::dot(d, k.b - l.a);
         return std::min(length, std::max(p, q)) - std::max(0.0, std::min(p, q)) > tolerance_;
     }
@@ -74,15 +78,17 @@ class Splitter {
         const bool touched = static_cast<int>(touch(s, t.from, t.a)) | static_cast<int>(touch(s, t.to, t.b)) |
                              static_cast<int>(touch(t, s.from, s.a)) | static_cast<int>(touch(t, s.to, s.b));
         if (touched) {
-            if (overlap(s, t))
+            if (overlap(s, t)) {
                 overlaps_.emplace_back(std::min(s.id, t.id), std::max(s.id, t.id));
+            }
             return;
         }
         const glm::dvec2 d = s.b - s.a, e = t.b - t.a;
         const double a = cross(d, t.a - s.a), b = cross(d, t.b - s.a);
         const double c = cross(e, s.a - t.a), f = cross(e, s.b - t.a);
-        if ((a > 0) == (b > 0) || (c > 0) == (f > 0))
+        if ((a > 0) == (b > 0) || (c > 0) == (f > 0)) {
             return;
+        }
         // The shorter of the two is the more accurate place to be.
         const auto between = [&](std::uint32_t from, std::uint32_t to, double at_from, double at_to) {
             const glm::dvec3 p = content_.points[from], q = content_.points[to];
@@ -111,19 +117,22 @@ bool pass_on(Content& content, std::uint32_t from, std::uint32_t to) {
     std::vector<std::uint32_t> found;
     for (const std::uint32_t p : s.splits) {
         const double at = glm::dot(content.points[p] - start, along) / length;
-        if (p == t.from || p == t.to || at <= 0 || at >= length)
+        if (p == t.from || p == t.to || at <= 0 || at >= length) {
             continue;
+        }
         if (glm::length(glm::cross(content.points[p] - start, along)) <= 2 * tolerance * length &&
             std::find(t.splits.begin(), t.splits.end(), p) == t.splits.end() &&
-            std::find(found.begin(), found.end(), p) == found.end())
+            std::find(found.begin(), found.end(), p) == found.end()) {
             found.push_back(p);
+        }
     }
-    for (const std::uint32_t p : found)
+    for (const std::uint32_t p : found) {
         content.segments.split(to, p);
+    }
     return !found.empty();
 }
 
-/// Where more than two planes share a line, a segment on it may be split in a plane that its neighbour on the line does
+/// Where more than two planes share a line, a segment on it may be split in a plane that its neighbor on the line does
 /// not lie in: what is split in one is split in all.
 void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps,
                   const std::stop_token& stop) {
@@ -146,8 +155,9 @@ void split_segments(Content& content, const std::stop_token& stop) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
     for (const PlaneContent& plane : content.planes) {
         base::end_if_asked(stop);
-        if (plane.segments.size() > 1)
+        if (plane.segments.size() > 1) {
             Splitter(content, plane, overlaps, stop).split();
+        }
     }
     share_splits(content, std::move(overlaps), stop);
 }

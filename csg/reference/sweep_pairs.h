@@ -26,8 +26,9 @@ void sweep_pairs(std::vector<Item>& items, Number&& number, Step&& step, Visit&&
         std::erase_if(active, [&](const Item* other) { return other->hi[axis] < item.lo[axis]; });
         for (const Item* other : active) {
             step();
-            if (other->lo[1 - axis] <= item.hi[1 - axis] && item.lo[1 - axis] <= other->hi[1 - axis])
+            if (other->lo[1 - axis] <= item.hi[1 - axis] && item.lo[1 - axis] <= other->hi[1 - axis]) {
                 visit(*other, item);
+            }
         }
         active.push_back(&item);
     }

@@ -37,8 +37,9 @@ void drop_thin_pieces(Mesh& mesh) {
     std::vector<Piece> pieces(mesh.points.size());
     for (const glm::uvec3& t : mesh.triangles) {
         Piece& piece = pieces[sets.find(t.x)];
-        if (!piece.seen)
+        if (!piece.seen) {
             piece.origin = mesh.points[t.x];
+        }
         piece.seen = true;
         const glm::dvec3 a = mesh.points[t.x] - piece.origin, b = mesh.points[t.y] - piece.origin,
                          c = mesh.points[t.z] - piece.origin;
@@ -49,13 +50,15 @@ void drop_thin_pieces(Mesh& mesh) {
     }
     std::size_t count = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (pieces[sets.find(mesh.triangles[t].x)].flake())
+        if (pieces[sets.find(mesh.triangles[t].x)].flake()) {
             continue;
+        }
         mesh.triangles[count] = mesh.triangles[t];
         mesh.sources[count++] = mesh.sources[t];
     }
-    if (count == mesh.triangles.size())
+    if (count == mesh.triangles.size()) {
         return;
+    }
     mesh.triangles.resize(count);
     mesh.sources.resize(count);
     constexpr std::uint32_t kNone = ~std::uint32_t{0};

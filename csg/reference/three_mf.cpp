@@ -1,4 +1,4 @@
-// 3MF core specification 1.3, and colour groups of the materials extension: a package with one model. Parts are entries
+// 3MF core specification 1.3, and color groups of the materials extension: a package with one model. Parts are entries
 // of one group of properties, triangle by triangle, so that the object stays one closed surface.
 #include "csg/reference/mesh_text.h"
 #include "csg/reference/zip.h"
@@ -13,12 +13,14 @@ std::string hex(const std::array<float, 4>& rgba) {
 
 /// A coordinate with all its digits, or with as many decimals as are asked for.
 std::string coordinate(double value, int decimals) {
-    if (decimals == 0)
+    if (decimals == 0) {
         return fmt::format("{}", value + 0.0);
+    }
     std::string text = fmt::format("{:.{}f}", value, decimals);
     text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.')
+    if (text.back() == '.') {
         text.pop_back();
+    }
     return text == "-0" ? "0" : text;
 }
 
@@ -30,10 +32,11 @@ void put_properties(Text& out, const MeshDocument& d) {
     put(out, "  <{} id=\"1\">\n", group);
     for (const MeshPart& part : d.parts) {
         const std::string color = hex(selected ? how.selected : part.rgba);
-        if (how.color_group)
+        if (how.color_group) {
             put(out, "   <m:color color=\"{}\"/>\n", color);
-        else
+        } else {
             put(out, "   <base name=\"{}\" displaycolor=\"{}\"/>\n", xml(part.name), color);
+        }
     }
     put(out, "  </{}>\n", group);
 }
@@ -49,25 +52,29 @@ std::string model(const MeshDocument& d, const std::stop_token& stop) {
         how.unit,
         how.color_group && colored ? " xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\"" : "");
     for (const auto& [name, value] : how.meta_data) {
-        if (!value.empty())
+        if (!value.empty()) {
             put(out, " <metadata name=\"{}\">{}</metadata>\n", name, xml(value));
+        }
     }
     put(out, " <resources>\n");
-    if (colored)
+    if (colored) {
         put_properties(out, d);
+    }
     put(out, "  <object id=\"2\" type=\"model\"{}>\n   <mesh>\n    <vertices>\n",
         colored ? " pid=\"1\" pindex=\"0\"" : "");
-    for (const glm::dvec3& v : d.mesh.points)
+    for (const glm::dvec3& v : d.mesh.points) {
         put(out, "     <vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", coordinate(v.x, how.decimals),
             coordinate(v.y, how.decimals), coordinate(v.z, how.decimals));
+    }
     put(out, "    </vertices>\n    <triangles>\n");
     for (std::size_t i = 0; i < d.mesh.triangles.size(); ++i) {
         const glm::uvec3& t = d.mesh.triangles[i];
         const std::uint32_t part = part_of(d, i);
-        if (part == 0 || !colored)
+        if (part == 0 || !colored) {
             put(out, "     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", t.x, t.y, t.z);
-        else
+        } else {
             put(out, "     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" pid=\"1\" p1=\"{}\"/>\n", t.x, t.y, t.z, part);
+        }
     }
     put(out,
         "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build><item objectid=\"2\"/></build>\n"

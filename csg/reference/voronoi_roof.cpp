@@ -1,5 +1,5 @@
 // The segment Voronoi diagram (boost::polygon, exact for integers) cut by the outline. Corners of the mesh are numbered
-// by vertex of the diagram, and an edge is divided once for both of its cells, so neighbouring faces share their
+// by vertex of the diagram, and an edge is divided once for both of its cells, so neighboring faces share their
 // points.
 #include "csg/reference/voronoi_roof.h"
 
@@ -59,12 +59,14 @@ class Builder {
         build_diagram();
         find_corners();
         for (const Cell& cell : diagram_.cells()) {
-            if (cell.is_degenerate())  // A corner between four edges, say.
+            if (cell.is_degenerate()) {  // A corner between four edges, say.
                 continue;
-            if (cell.contains_segment())
+            }
+            if (cell.contains_segment()) {
                 add_plane(cell);
-            else
+            } else {
                 add_cone(cell);
+            }
         }
         return std::move(mesh_);
     }
@@ -72,8 +74,9 @@ class Builder {
   private:
     std::uint32_t point(const glm::dvec2& p, double z) {
         const auto [id, added] = known_.add({p, z});
-        if (added)
+        if (added) {
             mesh_.points.emplace_back(p, z);
+        }
         return id;
     }
 
@@ -88,23 +91,27 @@ class Builder {
                 loop.push_back(outline_.corner(p));
                 ids.push_back(point(loop.back(), 0));
             }
-            for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t i = 0; i < n; ++i) {
                 sides_.push_back({corners[i], corners[(i + 1) % n], ids[first + i], ids[first + (i + 1) % n]});
+            }
         }
         const solid::IndexedOutline indexed = solid::index_corners(floor);
         ids.clear();
-        for (const glm::dvec2& p : indexed.points)
+        for (const glm::dvec2& p : indexed.points) {
             ids.push_back(point(p, 0));
-        for (const glm::uvec3& t : solid::triangulate_region(indexed))
+        }
+        for (const glm::uvec3& t : solid::triangulate_region(indexed)) {
             mesh_.triangles.emplace_back(ids[t.x], ids[t.z], ids[t.y]);
+        }
     }
 
     void build_diagram() {
         using Coordinate = std::int32_t;
         boost::polygon::default_voronoi_builder builder;
         const auto whole = [](double value) { return static_cast<Coordinate>(value); };
-        for (const Side& s : sides_)
+        for (const Side& s : sides_) {
             builder.insert_segment(whole(s.from.x), whole(s.from.y), whole(s.to.x), whole(s.to.y));
+        }
         builder.construct(&diagram_);
         ids_.assign(diagram_.vertices().size(), kNone);
     }
@@ -125,13 +132,15 @@ class Builder {
     void find_corners() {
         for (const Edge& edge : diagram_.edges()) {
             const Vertex* vertex = edge.vertex0();
-            if (vertex == nullptr)
+            if (vertex == nullptr) {
                 continue;
+            }
             const Side& side = side_of(*edge.cell());
-            if (glm::distance(position(*vertex), side.from) < kAtCorner)
+            if (glm::distance(position(*vertex), side.from) < kAtCorner) {
                 id_of(*vertex) = side.from_id;
-            else if (glm::distance(position(*vertex), side.to) < kAtCorner)
+            } else if (glm::distance(position(*vertex), side.to) < kAtCorner) {
                 id_of(*vertex) = side.to_id;
+            }
         }
     }
 
@@ -176,23 +185,28 @@ class Builder {
 
     /// Appends the start of an edge and what divides it, as both of its cells do.
     void append(const Edge& edge, Ids& loop) {
-        if (edge.vertex0() == nullptr || edge.vertex1() == nullptr)
+        if (edge.vertex0() == nullptr || edge.vertex1() == nullptr) {
             throw std::runtime_error("an outline is not closed");
+        }
         loop.push_back(roof_point(*edge.vertex0(), *edge.cell()));
-        if (edge.is_secondary())
+        if (edge.is_secondary()) {
             return;  // Between an edge of the outline and its end: straight, and so is the roof.
+        }
         const bool first =
             !edge.cell()->contains_segment() && (edge.twin()->cell()->contains_segment() || &edge < edge.twin());
         const Edge& divided = first ? edge : *edge.twin();
-        if (divided.cell()->contains_segment())
+        if (divided.cell()->contains_segment()) {
             return;  // Between two edges.
+        }
         const auto [at, added] = divisions_.try_emplace(&divided);
-        if (added)
+        if (added) {
             at->second = divide(divided);
-        if (first)
+        }
+        if (first) {
             loop.insert(loop.end(), at->second.begin(), at->second.end());
-        else
+        } else {
             loop.insert(loop.end(), at->second.rbegin(), at->second.rend());
+        }
     }
 
     /// From the end of the side over the region back to its start.
@@ -206,8 +220,9 @@ class Builder {
             while (!starts_at(*edge, id)) {
                 visit(*edge);
                 edge = edge->next();
-                if (edge == start)
+                if (edge == start) {
                     throw std::runtime_error("an edge of the outline has no cell");
+                }
             }
             return edge;
         };
@@ -227,8 +242,9 @@ class Builder {
         double farthest = 0, height = 0;
         const Edge* edge = cell.incident_edge();
         do {
-            if (edge->vertex0() == nullptr || edge->vertex1() == nullptr)
+            if (edge->vertex0() == nullptr || edge->vertex1() == nullptr) {
                 return false;
+            }
             if (edge->is_secondary()) {
                 for (const Vertex* vertex : {edge->vertex0(), edge->vertex1()}) {
                     const double way = glm::distance(position(*vertex), corner);
@@ -244,8 +260,9 @@ class Builder {
     }
 
     void add_cone(const Cell& cell) {
-        if (!is_inside(cell))
+        if (!is_inside(cell)) {
             return;
+        }
         Ids loop;
         const Edge* edge = cell.incident_edge();
         do {
@@ -255,11 +272,13 @@ class Builder {
         loop = reduced(loop);
         const std::uint32_t apex = at_start(cell) ? side_of(cell).from_id : side_of(cell).to_id;
         const auto at = std::find(loop.begin(), loop.end(), apex);
-        if (at == loop.end() && loop.size() > 2)
+        if (at == loop.end() && loop.size() > 2) {
             throw std::runtime_error("a corner of the outline has no cell");
+        }
         std::rotate(loop.begin(), at, loop.end());
-        for (std::size_t i = 2; i < loop.size(); ++i)
+        for (std::size_t i = 2; i < loop.size(); ++i) {
             mesh_.triangles.emplace_back(loop[0], loop[i - 1], loop[i]);
+        }
     }
 
     const GridOutline& outline_;
@@ -277,8 +296,9 @@ class Builder {
 Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness& fineness,
                   const std::stop_token& stop) {
     const GridOutline outline(loops);
-    if (outline.loops().empty())
+    if (outline.loops().empty()) {
         return {};
+    }
     base::end_if_asked(stop);
     Mesh mesh = Builder(outline, fineness).run();
     mesh.sources.assign(mesh.triangles.size(), 0);
@@ -289,8 +309,9 @@ Mesh voronoi_roof(std::span<const std::vector<glm::dvec2>> loops, const Fineness
     }
     base::end_if_asked(stop);
     separate_sheets(mesh, std::span<const glm::dvec3>(normals));
-    if (!facts(mesh).manifold)
+    if (!facts(mesh).manifold) {
         throw std::runtime_error("the roof does not close");
+    }
     return mesh;
 }
 

@@ -3,8 +3,9 @@
 namespace csg::reference {
 InsideRule::InsideRule(const LeafGroup& group) {
     even_odd_.reserve(group.leaves.size());
-    for (const solid::PlacedLeaf* leaf : group.leaves)
+    for (const solid::PlacedLeaf* leaf : group.leaves) {
         even_odd_.push_back(!leaf->solid->closed);
+    }
 }
 
 Covers InsideRule::sum(const Covers& a, const Covers& b, std::int32_t sign) const {
@@ -21,8 +22,9 @@ Covers InsideRule::sum(const Covers& a, const Covers& b, std::int32_t sign) cons
             c = {a[i].leaf, reduced(a[i].leaf, a[i].count + sign * b[j].count)};
             ++i, ++j;
         }
-        if (c.count != 0)
+        if (c.count != 0) {
             result.push_back(c);
+        }
     }
     return result;
 }

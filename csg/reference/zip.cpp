@@ -9,15 +9,17 @@ namespace csg::reference {
 namespace {
 
 void put(std::string& out, std::uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i)
+    for (int i = 0; i < bytes; ++i) {
         out += static_cast<char>(value >> (8 * i) & 255);
+    }
 }
 
 std::string deflated(const std::string& bytes) {
     z_stream stream{};
     // Negative window: raw deflate, as ZIP has it.
-    if (deflateInit2(&stream, 6, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    if (deflateInit2(&stream, 6, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
         throw std::runtime_error("cannot compress: out of memory");
+    }
     std::string out(deflateBound(&stream, bytes.size()), '\0');
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream.avail_in = static_cast<uInt>(bytes.size());
@@ -26,8 +28,9 @@ std::string deflated(const std::string& bytes) {
     const int status = deflate(&stream, Z_FINISH);
     out.resize(stream.total_out);
     deflateEnd(&stream);
-    if (status != Z_STREAM_END)
+    if (status != Z_STREAM_END) {
         throw std::runtime_error("cannot compress");
+    }
     return out;
 }
 
@@ -37,8 +40,9 @@ std::string zip(const std::vector<std::pair<std::string, std::string>>& entries)
     constexpr std::uint32_t kDate = (1u << 5) | 1u;  // 1980-01-01, the first that ZIP knows
     std::string out, directory;
     for (const auto& [name, bytes] : entries) {
-        if (bytes.size() >= 0xf0000000u || out.size() >= 0xf0000000u)
+        if (bytes.size() >= 0xf0000000u || out.size() >= 0xf0000000u) {
             throw std::runtime_error("the mesh is too large for a 3MF file");
+        }
         const std::string packed = deflated(bytes);
         const auto offset = static_cast<std::uint32_t>(out.size());
         std::string head;

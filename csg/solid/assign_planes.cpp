@@ -24,8 +24,9 @@ Plane plane_of(const PlacedLeaf& leaf, std::uint32_t triangle) {
 }
 
 int accuracy(const PlacedLeaf& leaf, std::uint32_t triangle) {
-    if (triangle < leaf.face_triangles)
+    if (triangle < leaf.face_triangles) {
         return kExact;
+    }
     const glm::uvec3& t = leaf.triangles[triangle];
     const glm::dvec3 &a = leaf.points[t.x], &b = leaf.points[t.y], &c = leaf.points[t.z];
     const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
@@ -39,8 +40,9 @@ void assign_planes(Geometry& geometry, const std::stop_token& stop) {
         std::uint32_t leaf, triangle;
     };
     std::size_t count = 0;
-    for (const PlacedLeaf& leaf : geometry.leaves)
+    for (const PlacedLeaf& leaf : geometry.leaves) {
         count += leaf.triangles.size();
+    }
     std::vector<Item> items;
     items.reserve(count);
     std::map<int, std::uint32_t, std::greater<>>
@@ -55,8 +57,9 @@ void assign_planes(Geometry& geometry, const std::stop_token& stop) {
         }
     }
     std::uint32_t next = 0;
-    for (auto& [accuracy, at] : place)
+    for (auto& [accuracy, at] : place) {
         at = std::exchange(next, next + at);
+    }
     base::PacedStop paced(stop);
     std::vector<std::uint32_t> order(items.size());
     for (std::uint32_t i = 0; i < items.size(); ++i) {

@@ -50,15 +50,17 @@ Loop seen_along_axis(std::span<const glm::dvec3> points, Face face) {
     int axis = size.y > size.x ? 1 : 0;
     axis = size.z > size[axis] ? 2 : axis;
     Loop loop;
-    for (const std::uint32_t index : face)
+    for (const std::uint32_t index : face) {
         loop.emplace_back(points[index][(axis + 1) % 3], points[index][(axis + 2) % 3]);
+    }
     double area = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
         area += (a.x - b.x) * (a.y + b.y);
     }
-    for (glm::dvec2& p : loop)
+    for (glm::dvec2& p : loop) {
         p.y = area < 0 ? -p.y : p.y;
+    }
     return loop;
 }
 
@@ -80,8 +82,9 @@ std::optional<std::vector<glm::uvec3>> sweep(const Loop& loop) {
     const std::uint32_t end = (static_cast<std::uint32_t>(left - loop.begin()) + n - first) % n;
     const auto at = [&](std::uint32_t place) -> const glm::dvec2& { return loop[(first + place) % n]; };
     for (std::uint32_t place = 0; place < n; ++place) {
-        if (place < end ? !before(at(place + 1), at(place)) : !before(at(place), at(place + 1)))
+        if (place < end ? !before(at(place + 1), at(place)) : !before(at(place), at(place + 1))) {
             return std::nullopt;
+        }
     }
     std::vector<glm::uvec3> triangles;
     const auto triangle = [&](std::array<std::uint32_t, 3> places) {
@@ -93,14 +96,16 @@ std::optional<std::vector<glm::uvec3>> sweep(const Loop& loop) {
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return before(at(b), at(a)); });
     for (const std::uint32_t place : order) {
         if (waiting.size() >= 2 && (place == end || (place < end) != (waiting.back() < end))) {
-            for (std::size_t i = 1; i < waiting.size(); ++i)
+            for (std::size_t i = 1; i < waiting.size(); ++i) {
                 triangles.push_back(triangle({waiting[i - 1], waiting[i], place}));
+            }
             waiting.erase(waiting.begin(), waiting.end() - 1);
         } else {
             while (waiting.size() >= 2) {
                 const glm::uvec3 cut = triangle({waiting[waiting.size() - 2], waiting.back(), place});
-                if (area_of(loop, cut) < 0)
+                if (area_of(loop, cut) < 0) {
                     break;
+                }
                 triangles.push_back(cut);
                 waiting.pop_back();
             }
@@ -114,11 +119,13 @@ std::optional<std::vector<glm::uvec3>> sweep(const Loop& loop) {
 class Flipping {
   public:
     Flipping(const Loop& loop, std::vector<glm::uvec3>& triangles) : loop_(loop), triangles_(triangles) {
-        for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
             note(t);
+        }
         for (const glm::uvec3& t : triangles) {
-            for (int i = 0; i < 3; ++i)
+            for (int i = 0; i < 3; ++i) {
                 push(t[i], t[(i + 1) % 3]);
+            }
         }
     }
 
@@ -128,8 +135,9 @@ class Flipping {
         for (std::size_t step = 0; !pending_.empty() && step < most; ++step) {
             const auto [a, b] = pending_.back();
             pending_.pop_back();
-            if (edges_.contains({a, b}) && edges_.contains({b, a}))
+            if (edges_.contains({a, b}) && edges_.contains({b, a})) {
                 settle(a, b);
+            }
         }
     }
 
@@ -137,12 +145,14 @@ class Flipping {
     using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
     void note(std::size_t t) {
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             edges_[{triangles_[t][i], triangles_[t][(i + 1) % 3]}] = t;
+        }
     }
     void push(std::uint32_t a, std::uint32_t b) {
-        if (edges_.contains({b, a}))
+        if (edges_.contains({b, a})) {
             pending_.emplace_back(a, b);
+        }
     }
     [[nodiscard]] std::uint32_t opposite(std::size_t t, std::uint32_t a, std::uint32_t b) const {
         const glm::uvec3& corners = triangles_[t];
@@ -157,16 +167,18 @@ class Flipping {
         constexpr double kSlack = 0.01;  // Corners nearly on a circle stay as they were swept.
         const std::size_t here = edges_[{a, b}], there = edges_[{b, a}];
         const std::uint32_t c = opposite(here, a, b), d = opposite(there, b, a);
-        if (angle(a, c, b) + angle(a, d, b) < std::numbers::pi + kSlack)
+        if (angle(a, c, b) + angle(a, d, b) < std::numbers::pi + kSlack) {
             return;
+        }
         edges_.erase({a, b});
         edges_.erase({b, a});
         triangles_[here] = {c, a, d};
         triangles_[there] = {d, b, c};
         note(here);
         note(there);
-        for (const auto& [from, to] : {Edge{a, d}, Edge{d, b}, Edge{b, c}, Edge{c, a}})
+        for (const auto& [from, to] : {Edge{a, d}, Edge{d, b}, Edge{b, c}, Edge{c, a}}) {
             push(from, to);
+        }
     }
 
     const Loop& loop_;
@@ -178,13 +190,15 @@ class Flipping {
 }  // namespace
 
 bool is_bent(std::span<const glm::dvec3> points, std::span<const std::uint32_t> face) {
-    if (face.size() < 4)
+    if (face.size() < 4) {
         return false;
+    }
     constexpr double kFlat = 1e-9;  // Of the face's size.
     const glm::dvec3 normal = view_normal(points, face);
     const double length = glm::length(normal);
-    if (!(length > 0) || !std::isfinite(length))
+    if (!(length > 0) || !std::isfinite(length)) {
         return false;
+    }
     double size = 0, height = 0;
     for (const std::uint32_t index : face) {
         const glm::dvec3 p = points[index] - points[face[0]];
@@ -203,11 +217,13 @@ bool triangulate_bent(std::span<const glm::dvec3> points, std::span<const std::u
         std::iota(around.begin(), around.end(), 0u);
         flat = triangulate_by_sweep(exact_points(loop), std::span(&around, 1));
     }
-    if (!flat || std::any_of(flat->begin(), flat->end(), [&](const glm::uvec3& t) { return area_of(loop, t) < 0; }))
+    if (!flat || std::any_of(flat->begin(), flat->end(), [&](const glm::uvec3& t) { return area_of(loop, t) < 0; })) {
         return false;
+    }
     Flipping(loop, *flat).run();
-    for (const glm::uvec3& t : *flat)
+    for (const glm::uvec3& t : *flat) {
         triangles.emplace_back(face[t.x], face[t.y], face[t.z]);
+    }
     return true;
 }
 

@@ -21,20 +21,24 @@ std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vec
         bool crosses = false;
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-            if (is_up(a) == is_up(b))
+            if (is_up(a) == is_up(b)) {
                 continue;
+            }
             crosses = true;
             (is_up(a) ? down : up) = std::minmax(a, b);
         }
-        if (crosses)
+        if (crosses) {
             segments.emplace(down, up);
+        }
     }
     const auto point = [&](const Edge& edge) {
         const glm::dvec3 &a = points[edge.first], &b = points[edge.second];
-        if (a.z == b.z || a.z == 0)
+        if (a.z == b.z || a.z == 0) {
             return glm::dvec2(a);
-        if (b.z == 0)
+        }
+        if (b.z == 0) {
             return glm::dvec2(b);
+        }
         return glm::dvec2(a) + (glm::dvec2(b) - glm::dvec2(a)) * (a.z / (a.z - b.z));
     };
     std::vector<Loop> loops;
@@ -43,8 +47,9 @@ std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vec
         auto segment = segments.begin();
         while (segment != segments.end()) {
             const glm::dvec2 p = point(segment->first);
-            if (loop.empty() || loop.back() != p)
+            if (loop.empty() || loop.back() != p) {
                 loop.push_back(p);
+            }
             const Edge end = segment->second;
             segments.erase(segment);
             segment = segments.find(end);
@@ -62,8 +67,9 @@ std::vector<glm::dvec3> placed_points(const Piece& piece) {
         reach = std::max({reach, std::abs(placed.x), std::abs(placed.y), std::abs(placed.z)});
     }
     for (glm::dvec3& p : points) {
-        if (std::abs(p.z) <= reach * 0x1p-40)
+        if (std::abs(p.z) <= reach * 0x1p-40) {
             p.z = 0;
+        }
     }
     return points;
 }
@@ -74,8 +80,9 @@ std::shared_ptr<const Outline> cut_piece(const Piece& piece) {
         std::vector<std::shared_ptr<const Outline>> operands;
         for (const auto& operand : piece.boolean->operands) {
             std::vector<Piece> moved = operand;
-            for (Piece& p : moved)
+            for (Piece& p : moved) {
                 p.placed = piece.placed * p.placed;
+            }
             operands.push_back(std::make_shared<Outline>(cut(moved)));
         }
         return std::make_shared<Outline>(combine(piece.boolean->kind, operands));
@@ -90,8 +97,9 @@ std::shared_ptr<const Outline> cut_piece(const Piece& piece) {
 
 Outline cut(std::span<const Piece> pieces) {
     std::vector<std::shared_ptr<const Outline>> outlines;
-    for (const Piece& piece : pieces)
+    for (const Piece& piece : pieces) {
         outlines.push_back(cut_piece(piece));
+    }
     return combine(BooleanKind::Union, outlines);
 }
 

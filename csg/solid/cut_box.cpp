@@ -26,15 +26,17 @@ class BoxCutter {
     }
 
     CutBox cut() {
-        for (const auto& face : kFaces)
+        for (const auto& face : kFaces) {
             cut(face);
+        }
         CutBox result;
         auto solid = std::make_shared<Solid>();
         // The cut is a convex polygon.
         if (!next_.empty()) {
             const std::uint32_t first = next_.begin()->first;
-            for (std::uint32_t b = next_[first], c = next_[b]; c != first; b = c, c = next_[c])
+            for (std::uint32_t b = next_[first], c = next_[b]; c != first; b = c, c = next_[c]) {
                 solid->triangles.emplace_back(first, b, c);
+            }
         }
         result.face_triangles = static_cast<std::uint32_t>(solid->triangles.size());
         solid->triangles.insert(solid->triangles.end(), triangles_.begin(), triangles_.end());
@@ -61,31 +63,38 @@ class BoxCutter {
         std::size_t count = 0;
         std::uint32_t leaving = kNone, entering = kNone;
         const auto add = [&](std::uint32_t p) {
-            if (count == 0 || polygon[count - 1] != p)
+            if (count == 0 || polygon[count - 1] != p) {
                 polygon[count++] = p;
+            }
         };
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t p = face[i], q = face[(i + 1) % 4];
-            if (inside(p))
+            if (inside(p)) {
                 add(p);
-            if (inside(p) && !inside(q))
+            }
+            if (inside(p) && !inside(q)) {
                 add(leaving = crossing(p, q));
-            else if (!inside(p) && inside(q))
+            } else if (!inside(p) && inside(q)) {
                 add(entering = crossing(q, p));
+            }
         }
-        if (count > 1 && polygon[count - 1] == polygon[0])
+        if (count > 1 && polygon[count - 1] == polygon[0]) {
             --count;
-        for (std::size_t i = 2; i < count; ++i)
+        }
+        for (std::size_t i = 2; i < count; ++i) {
             triangles_.emplace_back(polygon[0], polygon[i - 1], polygon[i]);
-        if (leaving != kNone && leaving != entering)
+        }
+        if (leaving != kNone && leaving != entering) {
             next_[entering] = leaving;
+        }
     }
 
     [[nodiscard]] bool inside(std::uint32_t corner) const { return depths_[corner] >= 0; }
 
     std::uint32_t crossing(std::uint32_t in, std::uint32_t out) {
-        if (depths_[in] == 0)
+        if (depths_[in] == 0) {
             return in;
+        }
         const auto [at, is_new] = crossings_.try_emplace({in, out}, static_cast<std::uint32_t>(points_.size()));
         if (is_new) {
             const glm::dvec3 p = points_[in], q = points_[out];

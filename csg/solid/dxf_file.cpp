@@ -9,10 +9,12 @@ namespace csg::solid {
 namespace {
 
 std::string_view trimmed(std::string_view line) {
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) {
         line.remove_suffix(1);
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t'))
+    }
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) {
         line.remove_prefix(1);
+    }
     return line;
 }
 
@@ -25,30 +27,34 @@ DxfFile read_dxf_file(std::string_view text) {
     bool in_block = false;
     DxfEntity entity;
     const auto finish_entity = [&] {
-        if (entity.kind == "BLOCK")
+        if (entity.kind == "BLOCK") {
             block = entity.block;
-        else if (!entity.kind.empty() && section == "ENTITIES")
+        } else if (!entity.kind.empty() && section == "ENTITIES") {
             file.entities.push_back(std::move(entity));
-        else if (!entity.kind.empty() && section == "BLOCKS" && in_block)
+        } else if (!entity.kind.empty() && section == "BLOCKS" && in_block) {
             file.blocks[block].push_back(std::move(entity));
+        }
         entity = {};
     };
     while (!words.at_end()) {
         const auto code_word = to_number(trimmed(words.line()));
         const std::string_view value = trimmed(words.line());
-        if (!code_word)
+        if (!code_word) {
             continue;
+        }
         const int code = static_cast<int>(std::clamp(*code_word, -1.0, 2000.0));
         if (code == 0) {
             finish_entity();
-            if (value == "BLOCK")
+            if (value == "BLOCK") {
                 in_block = true;
-            else if (value == "ENDBLK")
+            } else if (value == "ENDBLK") {
                 in_block = false;
-            if (value == "ENDSEC")
+            }
+            if (value == "ENDSEC") {
                 section.clear();
-            else
+            } else {
                 entity.kind = value;
+            }
         } else if (code == 2 && entity.kind == "SECTION") {
             section = value;
             entity.kind.clear();
@@ -60,8 +66,9 @@ DxfFile read_dxf_file(std::string_view text) {
             entity.layer = value;
         } else if (const auto number = to_number(value)) {
             entity.numbers[code] = *number;
-            if (code == 10 || code == 20 || code == 11 || code == 21 || (code >= 40 && code <= 42))
+            if (code == 10 || code == 20 || code == 11 || code == 21 || (code >= 40 && code <= 42)) {
                 entity.series.emplace_back(code, *number);
+            }
         }
     }
     finish_entity();

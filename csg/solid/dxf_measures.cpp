@@ -63,8 +63,9 @@ class LinePoints {
   public:
     explicit LinePoints(const std::vector<Loop>& lines) {
         for (const Loop& line : lines) {
-            for (const glm::dvec2& p : line)
+            for (const glm::dvec2& p : line) {
                 cells_.emplace(cell(p), Point{p, &line});
+            }
         }
     }
     /// Whether a line other than `line` has a point there.
@@ -75,8 +76,9 @@ class LinePoints {
                 const auto [from, to] = cells_.equal_range({i, j});
                 if (std::any_of(from, to, [&](const auto& entry) {
                         return entry.second.line != &line && is_near(entry.second.at, p);
-                    }))
+                    })) {
                     return true;
+                }
             }
         }
         return false;
@@ -126,15 +128,17 @@ Measured<glm::dvec2> dxf_cross(const DxfFile& file, const Import& import, std::s
     std::vector<const Loop*> alone;
     for (const Loop& line : lines) {
         if (line.size() == 2 && alone.size() < 2 && !points.touched(line.front(), line) &&
-            !points.touched(line.back(), line))
+            !points.touched(line.back(), line)) {
             alone.push_back(&line);
+        }
     }
     if (alone.size() == 2) {
         const glm::dvec2 a = alone[0]->front(), along = alone[0]->back() - a;
         const glm::dvec2 b = alone[1]->front(), across = alone[1]->back() - b;
         const double area = across.y * along.x - across.x * along.y;
-        if (area != 0)
+        if (area != 0) {
             return {a + along * ((across.x * (a.y - b.y) - across.y * (a.x - b.x)) / area), {}};
+        }
     }
     return {std::nullopt, fmt::format("Can't find cross in '{}', layer '{}'!", file_name, import.layer)};
 }

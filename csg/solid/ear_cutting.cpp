@@ -25,8 +25,9 @@ class CornerGrid {
         side_ = std::clamp<std::size_t>(static_cast<std::size_t>(std::sqrt(static_cast<double>(ring.size()))), 1, 1024);
         cells_.resize(side_ * side_);
         for (std::uint32_t i = 0; i < ring.size(); ++i) {
-            if (convex[i] == 0)
+            if (convex[i] == 0) {
                 cells_[column(ring[i].at.y, 1) * side_ + column(ring[i].at.x, 0)].push_back(i);
+            }
         }
     }
     /// Does `test` hold for any corner near the box? `lookups` grows by what that took.
@@ -36,8 +37,9 @@ class CornerGrid {
             for (std::size_t x = column(lo.x, 0); x <= column(hi.x, 0); ++x) {
                 const auto& cell = cells_[y * side_ + x];
                 lookups += 1 + cell.size();
-                if (std::any_of(cell.begin(), cell.end(), test))
+                if (std::any_of(cell.begin(), cell.end(), test)) {
                     return true;
+                }
             }
         }
         return false;
@@ -96,8 +98,9 @@ class EarCutter {
     [[nodiscard]] const glm::dvec2& at(std::uint32_t i) const { return ring_[i].at; }
     [[nodiscard]] bool is_ear(std::uint32_t i) {
         const glm::dvec2 &a = at(before_[i]), &b = at(i), &c = at(next_[i]);
-        if (!(turn(a, b, c) > 0))
+        if (!(turn(a, b, c) > 0)) {
             return false;
+        }
         const glm::dvec2 lo = glm::min(a, glm::min(b, c)), hi = glm::max(a, glm::max(b, c));
         return !grid_->any(lo, hi, lookups_, [&](std::uint32_t other) {
             const glm::dvec2& p = at(other);

@@ -34,15 +34,17 @@ Box with_room(const Box& bounded, const Room& room) {
     const Box usual{room.box.lo - margin, room.box.hi + margin};
     // Strictly within, or faces would coincide.
     const double least = margin / 4;
-    if (bounded.empty() || enclose(usual, {bounded.lo - least, bounded.hi + least}) == usual)
+    if (bounded.empty() || enclose(usual, {bounded.lo - least, bounded.hi + least}) == usual) {
         return usual;
+    }
     const double cell = power_of_two(bounded.diagonal()) / 4;
     return {(glm::floor(bounded.lo / cell) - 1.0) * cell, (glm::ceil(bounded.hi / cell) + 1.0) * cell};
 }
 
 Plane moved(const Plane& plane, const glm::dmat4& motion) {
-    if (motion == glm::dmat4(1.0))
+    if (motion == glm::dmat4(1.0)) {
         return plane;
+    }
     const glm::dvec3 normal = glm::normalize(glm::transpose(glm::inverse(glm::dmat3(motion))) * plane.normal);
     return {normal, glm::dot(normal, glm::dvec3(motion * glm::dvec4(plane.normal * plane.offset, 1.0)))};
 }
@@ -64,18 +66,20 @@ EditableScene::EditableScene(Scene& scene, Geometry& geometry)
     room_.box = geometry.box;
     for (LeafId id = 0; id < geometry.leaves.size(); ++id) {
         const PlacedLeaf& leaf = geometry.leaves[id];
-        if (!leaf.box.empty())
+        if (!leaf.box.empty()) {
             room_.reach = std::max(room_.reach, largest_coordinate(leaf.box));
+        }
         rest_.push_back(scene.leaves[id].to_world);
         PlacedLeaf uncut;
         uncut.solid = leaf.solid;
         (void)place_leaf(scene.leaves[id], geometry.flat, uncut);
         whole_[id] = uncut.box;
     }
-    for (const Part& part : scene.parts)
+    for (const Part& part : scene.parts) {
         limits_.push_back(trim_limit(scene, part, whole_));
+    }
     is_touched_.assign(geometry.leaves.size(), 0);
-    geometry.centre = room_.centre_for(geometry.box);
+    geometry.center = room_.center_for(geometry.box);
 }
 
 AddedId EditableScene::add(const Site& site, ExpressionKind operation, std::shared_ptr<const Solid> solid,
@@ -98,8 +102,9 @@ AddedId EditableScene::insert(const Site& site, ExpressionKind operation, const 
     instance.to_world = to_world;
     instance.color = color;
     const LeafId id = insert_leaf(scene_, site, operation, instance);
-    for (Added& other : added_)
+    for (Added& other : added_) {
         other.leaf += other.leaf >= id ? 1 : 0;
+    }
     geometry_.leaves.insert(geometry_.leaves.begin() + id, std::move(placed));
     rest_.insert(rest_.begin() + id, to_world);
     whole_.insert(whole_.begin() + id, Box{});
@@ -128,8 +133,9 @@ void EditableScene::remove(AddedId added) {
     whole_.erase(whole_.begin() + id);
     is_touched_.erase(is_touched_.begin() + id);
     added_[added] = {0, {}, {}, false};
-    for (Added& other : added_)
+    for (Added& other : added_) {
         other.leaf -= other.leaf > id ? 1 : 0;
+    }
     part_touched_[part] = 1;
     change_.structure = true;
 }
@@ -150,15 +156,17 @@ void EditableScene::move(LeafId leaf, const glm::dmat4& to_world) {
 void EditableScene::move(AddedId half_space, const Plane& plane) {
     Added& added = added_[half_space];
     assert(added.there && added.rest);
-    if (*added.plane != plane)
+    if (*added.plane != plane) {
         touch(added.leaf);
+    }
     added.rest = added.plane = plane;
 }
 
 void EditableScene::move_from_rest(LeafId leaf, const glm::dmat4& motion) {
     const glm::dmat4 to_world = motion == glm::dmat4(1.0) ? rest_[leaf] : motion * rest_[leaf];
-    if (to_world != scene_.leaves[leaf].to_world)
+    if (to_world != scene_.leaves[leaf].to_world) {
         touch(leaf);
+    }
     scene_.leaves[leaf].to_world = to_world;
 }
 
@@ -171,8 +179,9 @@ void EditableScene::move_part(PartId id, const glm::dmat4& motion) {
             continue;
         }
         const Plane plane = moved(*half_space->rest, motion);
-        if (plane != *half_space->plane)
+        if (plane != *half_space->plane) {
             touch(leaf);
+        }
         half_space->plane = plane;
     }
 }
@@ -181,14 +190,16 @@ void EditableScene::move_occurrence(OccurrenceId occurrence, const glm::dmat4& m
     const std::vector<char> below = occurrences_below(scene_, occurrence);
     for (LeafId leaf = 0; leaf < scene_.leaves.size(); ++leaf) {
         const OccurrenceId own = scene_.leaves[leaf].occurrence;
-        if (own != kNoOccurrence && below[own] != 0)
+        if (own != kNoOccurrence && below[own] != 0) {
             move_from_rest(leaf, motion);
+        }
     }
 }
 
 void EditableScene::show(PartId part, bool shown) {
-    if (scene_.parts[part].hidden == !shown)
+    if (scene_.parts[part].hidden == !shown) {
         return;
+    }
     scene_.parts[part].hidden = !shown;
     change_.parts.push_back(part);
 }
@@ -208,10 +219,12 @@ SceneChange EditableScene::commit() {
 }
 
 void EditableScene::settle() {
-    if (std::find(part_touched_.begin(), part_touched_.end(), char{1}) == part_touched_.end())
+    if (std::find(part_touched_.begin(), part_touched_.end(), char{1}) == part_touched_.end()) {
         return;
-    for (std::size_t i = 0; i < touched_.size(); ++i)
+    }
+    for (std::size_t i = 0; i < touched_.size(); ++i) {
         place_bounded(touched_[i]);
+    }
     const std::size_t moved = touched_.size();
     for (PartId part = 0; part < scene_.parts.size(); ++part) {
         if (std::exchange(part_touched_[part], char{0}) != 0) {
@@ -220,31 +233,34 @@ void EditableScene::settle() {
             change_.parts.push_back(part);
         }
     }
-    for (std::size_t i = moved; i < touched_.size(); ++i)
+    for (std::size_t i = moved; i < touched_.size(); ++i) {
         place_bounded(touched_[i]);
+    }
     place_touched();
 
     Box bounded;
     double largest = 0;
     for (LeafId id = 0; id < geometry_.leaves.size(); ++id) {
         const Box& box = geometry_.leaves[id].box;
-        if (box.empty() || whole_[id] == everything())
+        if (box.empty() || whole_[id] == everything()) {
             continue;
+        }
         bounded = enclose(bounded, box);
         largest = std::max(largest, largest_coordinate(box));
     }
     geometry_.box = bounded;
     place_half_spaces(bounded);
 
-    const std::optional<glm::dvec3> centre = room_.centre_for(geometry_.box);
-    change_.centre = change_.centre || centre != geometry_.centre;
-    geometry_.centre = centre;
+    const std::optional<glm::dvec3> center = room_.center_for(geometry_.box);
+    change_.center = change_.center || center != geometry_.center;
+    geometry_.center = center;
     const double tolerance = coincidence_tolerance(room_.reach_for(largest));
     std::sort(changed_.begin(), changed_.end(), [](const auto& a, const auto& b) { return a.leaf < b.leaf; });
-    if (tolerance != geometry_.planes.tolerance())
+    if (tolerance != geometry_.planes.tolerance()) {
         planes_.assign_all(tolerance, change_);
-    else
+    } else {
         planes_.update(changed_, change_);
+    }
     for (const PlaneKeeper::Changed& changed : changed_) {
         is_touched_[changed.leaf] = 0;
         change_.leaves.push_back(changed.leaf);
@@ -263,8 +279,9 @@ void EditableScene::place_bounded(LeafId id) {
         whole_[id] = everything();
         return;
     }
-    if (const std::string failure = place_leaf(scene_.leaves[id], geometry_.flat, leaf); !failure.empty())
+    if (const std::string failure = place_leaf(scene_.leaves[id], geometry_.flat, leaf); !failure.empty()) {
         change_.failures.push_back(failure);
+    }
     whole_[id] = leaf.box;
 }
 
@@ -272,12 +289,14 @@ void EditableScene::place_bounded(LeafId id) {
 void EditableScene::touch_trimmed(PartId id) {
     const Part& part = scene_.parts[id];
     const std::optional<Box> before = std::exchange(limits_[id], trim_limit(scene_, part, whole_));
-    if (before == limits_[id])
+    if (before == limits_[id]) {
         return;
+    }
     for (LeafId leaf = part.first_leaf; leaf < part.first_leaf + part.leaf_count; ++leaf) {
         if (whole_[leaf] != everything() &&
-            (reaches_beyond(whole_[leaf], before) || reaches_beyond(whole_[leaf], limits_[id])))
+            (reaches_beyond(whole_[leaf], before) || reaches_beyond(whole_[leaf], limits_[id]))) {
             touch(leaf);
+        }
     }
 }
 
@@ -286,32 +305,40 @@ void EditableScene::place_touched() {
     for (const LeafId id : touched_) {
         PlacedLeaf& leaf = geometry_.leaves[id];
         const std::optional<Box>& limit = limits_[scene_.leaves[id].part];
-        if (leaf.box.empty())
+        if (leaf.box.empty()) {
             continue;
-        if (limit && leaf.solid->closed)
+        }
+        if (limit && leaf.solid->closed) {
             trim_leaf(leaf, *limit);
-        if (leaf.box.empty())
+        }
+        if (leaf.box.empty()) {
             continue;
+        }
         const std::string fault = fault_of_size(leaf, largest_coordinate(leaf.box));
-        if (!fault.empty())
+        if (!fault.empty()) {
             change_.failures.push_back(fault);
-        if (!fault.empty() || (leaf.solid->closed && !has_volume(leaf.box)))
+        }
+        if (!fault.empty() || (leaf.solid->closed && !has_volume(leaf.box))) {
             leave_out(leaf);
+        }
     }
 }
 
 void EditableScene::place_half_spaces(const Box& bounded) {
     const bool any = std::any_of(added_.begin(), added_.end(), [](const Added& a) { return a.there && a.rest; });
-    if (!any)
+    if (!any) {
         return;
+    }
     const Box box = with_room(bounded, room_);
-    if (box.empty())
+    if (box.empty()) {
         return;  // Nothing that they could be put to has a surface.
+    }
     geometry_.box = enclose(geometry_.box, box);
     const bool others = box != std::exchange(half_space_box_, box);
     for (const Added& added : added_) {
-        if (!added.there || !added.rest || (!others && is_touched_[added.leaf] == 0))
+        if (!added.there || !added.rest || (!others && is_touched_[added.leaf] == 0)) {
             continue;
+        }
         if (is_touched_[added.leaf] == 0) {
             is_touched_[added.leaf] = 1;
             place_bounded(added.leaf);
@@ -322,8 +349,9 @@ void EditableScene::place_half_spaces(const Box& bounded) {
         (void)place_leaf(scene_.leaves[added.leaf], geometry_.flat, leaf);
         leaf.face = *added.plane;
         leaf.face_triangles = cut.face_triangles;
-        if (!has_volume(leaf.box))
+        if (!has_volume(leaf.box)) {
             leave_out(leaf);
+        }
     }
 }
 

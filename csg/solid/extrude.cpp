@@ -46,25 +46,29 @@ void add_quad(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, s
 
 void finish(Solid& solid) {
     solid.box = {};
-    for (const glm::dvec3& p : solid.points)
+    for (const glm::dvec3& p : solid.points) {
         solid.box = enclose(solid.box, p);
-    if (!solid.triangles.empty())
+    }
+    if (!solid.triangles.empty()) {
         check_mesh(solid);
+    }
 }
 
 std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude& how) {
     auto solid = std::make_shared<Solid>();
-    if (given.empty() || !(how.height > 0) || !std::isfinite(how.height))
+    if (given.empty() || !(how.height > 0) || !std::isfinite(how.height)) {
         return solid;
+    }
     const std::size_t slices = slice_count(given, how);
     // Loops that meet in a point share it.
     const Outline divided = divide_edges(given, how, slices);
     const IndexedOutline outline = index_corners(divided);
     const std::size_t corners = outline.points.size();
     const std::size_t most = std::min(kMostTriangles / corners / 2, static_cast<std::size_t>(kMostSlices) - 1);
-    if (slices > most)
+    if (slices > most) {
         throw GeometryError(
             fmt::format("linear_extrude() has too many slices: {} of {} corners each", slices, corners));
+    }
     const glm::dvec3 way = how.direction * how.height;
     const glm::dvec3 begin = how.center ? way * -0.5 : glm::dvec3(0.0);
     for (std::size_t i = 0; i <= slices; ++i) {

@@ -37,26 +37,30 @@ std::optional<std::string> read_file(const std::string& path, std::size_t most, 
 
 std::string file_suffix(const std::string& path) {
     std::string suffix = std::filesystem::path(path).extension().string();
-    for (char& c : suffix)
+    for (char& c : suffix) {
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
     return suffix.empty() ? suffix : suffix.substr(1);
 }
 
 std::optional<double> to_number(std::string_view text) {
-    if (text.starts_with('+'))
+    if (text.starts_with('+')) {
         text.remove_prefix(1);
+    }
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
         return std::nullopt;
+    }
     return value;
 }
 
 void Words::skip() {
     while (at_ < text_.size()) {
         if (comments_ && text_[at_] == '#') {
-            while (at_ < text_.size() && text_[at_] != '\n')
+            while (at_ < text_.size() && text_[at_] != '\n') {
                 ++at_;
+            }
         } else if (is_blank(text_[at_])) {
             ++at_;
         } else {
@@ -73,8 +77,9 @@ bool Words::at_end() {
 std::string_view Words::next() {
     skip();
     const std::size_t begin = at_;
-    while (at_ < text_.size() && !is_blank(text_[at_]))
+    while (at_ < text_.size() && !is_blank(text_[at_])) {
         ++at_;
+    }
     return text_.substr(begin, at_ - begin);
 }
 
@@ -84,15 +89,17 @@ std::optional<double> Words::number() {
 
 std::optional<std::size_t> Words::count() {
     const auto value = number();
-    if (!value || *value < 0 || *value > 4294967295.0)
+    if (!value || *value < 0 || *value > 4294967295.0) {
         return std::nullopt;
+    }
     return static_cast<std::size_t>(*value);
 }
 
 std::string_view Words::line() {
     const std::size_t begin = at_;
-    while (at_ < text_.size() && text_[at_] != '\n')
+    while (at_ < text_.size() && text_[at_] != '\n') {
         ++at_;
+    }
     const std::string_view line = text_.substr(begin, at_ - begin);
     at_ += at_ < text_.size();
     return line;

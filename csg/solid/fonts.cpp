@@ -29,8 +29,9 @@ FontLibrary::Impl::Impl() : config(FcInitLoadConfigAndFonts()) {
 FontLibrary::Impl::~Impl() {
     for (auto& [key, font] : fonts) {
         font.shaper.reset();
-        if (font.face != nullptr)
+        if (font.face != nullptr) {
             FT_Done_Face(font.face);
+        }
     }
     FT_Done_FreeType(freetype);
     FcConfigDestroy(config);
@@ -38,20 +39,23 @@ FontLibrary::Impl::~Impl() {
 
 const Font* FontLibrary::Impl::find(const Text& text) {
     for (const std::string& file : text.font_files) {
-        if (added.insert(file).second)
+        if (added.insert(file).second) {
             FcConfigAppFontAddFile(config, reinterpret_cast<const FcChar8*>(file.c_str()));
+        }
     }
     const std::string name = text.font.empty() ? "Liberation Sans:style=Regular" : text.font;
     const Pattern wanted(FcNameParse(reinterpret_cast<const FcChar8*>(name.c_str())));
-    if (!wanted)
+    if (!wanted) {
         return nullptr;
+    }
     FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
     FcConfigSubstitute(config, wanted.get(), FcMatchPattern);
     FcDefaultSubstitute(wanted.get());
     FcResult result = FcResultNoMatch;
     const Pattern match(FcFontMatch(config, wanted.get(), &result));
-    if (!match)
+    if (!match) {
         return nullptr;
+    }
     int index = 0;
     FcPatternGetInteger(match.get(), FC_INDEX, 0, &index);
     return open(string_of(match.get(), FC_FILE), index);
@@ -73,8 +77,9 @@ FontLibrary::FontLibrary() = default;
 FontLibrary::~FontLibrary() = default;
 
 FontLibrary::Impl& FontLibrary::impl() {
-    if (!impl_)
+    if (!impl_) {
         impl_ = std::make_unique<Impl>();
+    }
     return *impl_;
 }
 
@@ -82,8 +87,9 @@ std::vector<Glyph> shape(const Text& text, hb_font_t* shaper) {
     const HbBuffer buffer(hb_buffer_create());
     hb_buffer_add_utf8(buffer.get(), text.text.data(), static_cast<int>(text.text.size()), 0, -1);
     hb_buffer_set_direction(buffer.get(), hb_direction_from_string(text.direction.c_str(), -1));
-    if (!text.script.empty())
+    if (!text.script.empty()) {
         hb_buffer_set_script(buffer.get(), hb_script_from_string(text.script.c_str(), -1));
+    }
     hb_buffer_set_language(buffer.get(), hb_language_from_string(text.language.c_str(), -1));
     hb_buffer_guess_segment_properties(buffer.get());
     // `fontfeatures=+liga;-kern` of the font's name.
@@ -94,8 +100,9 @@ std::vector<Glyph> shape(const Text& text, hb_font_t* shaper) {
         for (std::size_t from = 0; from < list.size();) {
             const std::size_t to = std::min(list.find(';', from), list.size());
             hb_feature_t feature;
-            if (hb_feature_from_string(list.data() + from, static_cast<int>(to - from), &feature) != 0)
+            if (hb_feature_from_string(list.data() + from, static_cast<int>(to - from), &feature) != 0) {
                 features.push_back(feature);
+            }
             from = to + 1;
         }
     }

@@ -50,14 +50,17 @@ struct GridEdge {
 /// Do they cross, overlap, or touch anywhere but where both end?
 [[nodiscard]] inline bool conflict(const GridEdge& e, const GridEdge& f) {
     if (f.b < e.a || e.b < f.a || std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y) ||
-        std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y))
+        std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y)) {
         return false;
+    }
     const int ea = turn_sign(f.a, f.b, e.a), eb = turn_sign(f.a, f.b, e.b);
     const int fa = turn_sign(e.a, e.b, f.a), fb = turn_sign(e.a, e.b, f.b);
-    if (ea == 0 && eb == 0)
+    if (ea == 0 && eb == 0) {
         return std::max(e.a, f.a) < std::min(e.b, f.b);
-    if (ea * eb > 0 || fa * fb > 0)
+    }
+    if (ea * eb > 0 || fa * fb > 0) {
         return false;
+    }
     return !(e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b);
 }
 

@@ -40,11 +40,11 @@ void add_bulge(Line& line, const glm::dvec2& from, const glm::dvec2& to, double 
     }
     const glm::dvec2 chord = to - from;
     const glm::dvec2 left(-chord.y, chord.x);
-    const glm::dvec2 centre = 0.5 * (from + to) + left * ((1 - bulge * bulge) / (4 * bulge));
-    const double radius = glm::length(from - centre);
-    const double begin = atan2_degrees(from.y - centre.y, from.x - centre.x);
+    const glm::dvec2 center = 0.5 * (from + to) + left * ((1 - bulge * bulge) / (4 * bulge));
+    const double radius = glm::length(from - center);
+    const double begin = atan2_degrees(from.y - center.y, from.x - center.x);
     const double turn = 4 * atan_degrees(bulge);
-    add_arc(line, centre, {radius, 0}, {0, radius}, begin, begin + turn, circle_segments(radius, fineness));
+    add_arc(line, center, {radius, 0}, {0, radius}, begin, begin + turn, circle_segments(radius, fineness));
     line.back() = to;
 }
 
@@ -61,9 +61,10 @@ class Drawing {
 
     std::vector<Line> draw() {
         draw(file_.entities, glm::dmat4(1.0));
-        for (const auto& [kind, count] : unknown_)
+        for (const auto& [kind, count] : unknown_) {
             remarks_.warnings.push_back(
                 fmt::format("Unsupported DXF Entity '{:.40}' ({:x}) in {}", kind, count, place_name()));
+        }
         return std::move(lines_);
     }
 
@@ -72,30 +73,35 @@ class Drawing {
         std::vector<Corner> polyline;
         bool closed = false, wanted = true;
         for (const Entity& e : entities) {
-            if (lines_.size() > kMostLines)
+            if (lines_.size() > kMostLines) {
                 return fail_once(fmt::format("DXF file draws more than {} lines; the rest is left out", kMostLines));
+            }
             constexpr int kFrame = 16;  // Of a spline, which has its points beside it.
             if (e.kind == "VERTEX") {
-                if ((e.flags() & kFrame) != 0)
+                if ((e.flags() & kFrame) != 0) {
                     continue;
+                }
                 polyline.push_back({e.point(10), e.number(42)});
                 continue;
             }
             if (e.kind == "SEQEND") {
-                if (wanted)
+                if (wanted) {
                     add_polyline(polyline, closed, placed);
+                }
                 polyline.clear();
                 continue;
             }
             wanted = import_.layer.empty() || e.layer == import_.layer || !drawn_.empty();
-            if (!wanted)
+            if (!wanted) {
                 continue;
-            if (e.kind == "POLYLINE")
+            }
+            if (e.kind == "POLYLINE") {
                 closed = (e.flags() & 1) != 0;
-            else if (e.kind == "INSERT")
+            } else if (e.kind == "INSERT") {
                 insert(e, placed);
-            else
+            } else {
                 draw(e, placed);
+            }
         }
     }
 
@@ -113,9 +119,9 @@ class Drawing {
             const bool whole = e.kind == "CIRCLE";
             const double from = whole ? 0 : e.number(50);
             const double to = whole ? 360 : from + sweep(from, e.number(51));
-            const glm::dvec2 centre = e.point(10);
-            line.push_back(centre + r * glm::dvec2(cos_degrees(from), sin_degrees(from)));
-            add_arc(line, centre, {r, 0}, {0, r}, from, to, segments(r));
+            const glm::dvec2 center = e.point(10);
+            line.push_back(center + r * glm::dvec2(cos_degrees(from), sin_degrees(from)));
+            add_arc(line, center, {r, 0}, {0, r}, from, to, segments(r));
             add(line, whole, placed);
         } else if (e.kind == "ELLIPSE") {
             const glm::dvec2 axis = e.point(11), other = glm::dvec2(-axis.y, axis.x) * e.number(40, 1);
@@ -140,18 +146,19 @@ class Drawing {
         curve.degree = static_cast<int>(std::clamp(e.number(71, 3), -1.0, 99.0));
         Loop through;
         for (const auto& [code, number] : e.series) {
-            if (code == 40)
+            if (code == 40) {
                 curve.knots.push_back(number);
-            else if (code == 41)
+            } else if (code == 41) {
                 curve.weights.push_back(number);
-            else if (code == 10)
+            } else if (code == 10) {
                 curve.points.emplace_back(number, 0);
-            else if (code == 20 && !curve.points.empty())
+            } else if (code == 20 && !curve.points.empty()) {
                 curve.points.back().y = number;
-            else if (code == 11)
+            } else if (code == 11) {
                 through.emplace_back(number, 0);
-            else if (code == 21 && !through.empty())
+            } else if (code == 21 && !through.empty()) {
                 through.back().y = number;
+            }
         }
         const bool closed = (e.flags() & 1) != 0;
         if (curve.points.empty() && through.size() > 1) {
@@ -161,37 +168,42 @@ class Drawing {
         const double radius = glm::length(glm::dvec2(bounds_of(std::span(&curve.points, 1)).size())) / 2;
         constexpr int kSpansOfATurn = 4;
         auto points = points_along(curve, std::max(2, (segments(radius) + kSpansOfATurn - 1) / kSpansOfATurn));
-        if (points)
+        if (points) {
             add(std::move(*points), closed, placed);
-        else
+        } else {
             fail_once(fmt::format("DXF SPLINE in \"{}\" has knots, points or weights that do not fit together",
                                   import_.file.shown));
+        }
     }
 
     void light_polyline(const Entity& e, const glm::dmat4& placed) {
         std::vector<Corner> corners;
         for (const auto& [code, number] : e.series) {
-            if (code == 10)
+            if (code == 10) {
                 corners.push_back({{number, 0}, 0});
-            else if (!corners.empty() && (code == 20 || code == 42))
+            } else if (!corners.empty() && (code == 20 || code == 42)) {
                 (code == 20 ? corners.back().at.y : corners.back().bulge) = number;
+            }
         }
         add_polyline(corners, (e.flags() & 1) != 0, placed);
     }
 
     void add_polyline(const std::vector<Corner>& corners, bool closed, const glm::dmat4& placed) {
-        if (corners.empty())
+        if (corners.empty()) {
             return;
+        }
         Line line{corners[0].at};
-        for (std::size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i)
+        for (std::size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i) {
             add_bulge(line, corners[i].at, corners[(i + 1) % corners.size()].at, corners[i].bulge, import_.fineness);
+        }
         add(line, closed, placed);
     }
 
     void insert(const Entity& e, const glm::dmat4& placed) {
         const auto block = file_.blocks.find(e.block);
-        if (block == file_.blocks.end())
+        if (block == file_.blocks.end()) {
             return;
+        }
         if (std::find(drawn_.begin(), drawn_.end(), &*block) != drawn_.end()) {
             fail_once(fmt::format("DXF block '{:.40}' inserts itself", e.block));
             return;
@@ -228,21 +240,25 @@ class Drawing {
     }
 
     void fail_once(std::string failure) {
-        if (told_.insert(failure).second)
+        if (told_.insert(failure).second) {
             remarks_.failures.push_back(std::move(failure));
+        }
     }
 
     void add(Line line, bool closed, const glm::dmat4& placed) {
-        if (line.size() < 2)
+        if (line.size() < 2) {
             return;
-        for (glm::dvec2& p : line)
+        }
+        for (glm::dvec2& p : line) {
             p = glm::dvec2(placed * glm::dvec4(p, 0.0, 1.0));
+        }
         if (!std::all_of(line.begin(), line.end(), is_finite<2>)) {
             fail_once("DXF file has coordinates that are no finite numbers; what has them is left out");
             return;
         }
-        if (closed && line.front() != line.back())
+        if (closed && line.front() != line.back()) {
             line.push_back(line.front());
+        }
         lines_.push_back(std::move(line));
     }
 
@@ -265,8 +281,9 @@ class Joints {
         for (long long i = cell.first - 1; i <= cell.first + 1; ++i) {
             for (long long j = cell.second - 1; j <= cell.second + 1; ++j) {
                 const auto known = cells_.find({i, j});
-                if (known != cells_.end() && is_near(points_[known->second], p))
+                if (known != cells_.end() && is_near(points_[known->second], p)) {
                     return known->second;
+                }
             }
         }
         const auto joint = static_cast<std::uint32_t>(points_.size());
@@ -301,8 +318,9 @@ class Joining {
         meeting_.resize(joints.size());
         open_.resize(joints.size(), 0);
         for (std::size_t i = lines_.size(); i-- > 0;) {
-            if (ends_[i][0] == ends_[i][1])
+            if (ends_[i][0] == ends_[i][1]) {
                 continue;
+            }
             for (const std::uint32_t end : ends_[i]) {
                 meeting_[end].push_back(i);
                 ++open_[end];
@@ -316,8 +334,9 @@ class Joining {
         for (int round = 0; again && round < kMostRounds; ++round) {
             again = false;
             for (std::size_t i = 0; i < lines_.size(); ++i) {
-                if (used_[i] != 0 || ends_[i][0] == ends_[i][1])
+                if (used_[i] != 0 || ends_[i][0] == ends_[i][1]) {
                     continue;
+                }
                 if (open_[ends_[i][0]] == 1) {
                     follow(i);
                     again = true;
@@ -329,8 +348,9 @@ class Joining {
             }
         }
         for (std::size_t i = 0; i < lines_.size(); ++i) {
-            if (used_[i] == 0)
+            if (used_[i] == 0) {
                 follow(i, true);
+            }
         }
         return std::move(loops_);
     }
@@ -358,22 +378,26 @@ class Joining {
         std::uint32_t end = ends_[i][1];
         for (bool on = begin != end; on;) {
             std::vector<std::size_t>& next = meeting_[end];  // The first line last.
-            while (!next.empty() && used_[next.back()] != 0)
+            while (!next.empty() && used_[next.back()] != 0) {
                 next.pop_back();
+            }
             on = !next.empty();
             if (on) {
                 const std::size_t taken = next.back();
-                if (ends_[taken][0] != end)
+                if (ends_[taken][0] != end) {
                     reverse(taken);
+                }
                 use(taken);
                 loop.insert(loop.end(), lines_[taken].begin() + 1, lines_[taken].end());
                 end = ends_[taken][1];
             }
         }
-        if (closed || begin == end)
+        if (closed || begin == end) {
             loop.pop_back();
-        if (loop.size() > 2)
+        }
+        if (loop.size() > 2) {
             loops_.push_back(std::move(loop));
+        }
     }
 
     std::vector<Line> lines_;
@@ -386,19 +410,20 @@ class Joining {
 
 }  // namespace
 
-void add_arc(Loop& loop, const glm::dvec2& centre, const glm::dvec2& first_axis, const glm::dvec2& second_axis,
+void add_arc(Loop& loop, const glm::dvec2& center, const glm::dvec2& first_axis, const glm::dvec2& second_axis,
              double from, double to, int around) {
     const int steps = std::max(1, static_cast<int>(std::ceil(around * std::abs(to - from) / 360 - 1e-9)));
     for (int i = 1; i <= steps; ++i) {
         const double angle = from + (to - from) * i / steps;
-        loop.push_back(centre + first_axis * cos_degrees(angle) + second_axis * sin_degrees(angle));
+        loop.push_back(center + first_axis * cos_degrees(angle) + second_axis * sin_degrees(angle));
     }
 }
 
 static void place(std::vector<Loop>& loops, const Import& import) {
     for (Loop& loop : loops) {
-        for (glm::dvec2& p : loop)
+        for (glm::dvec2& p : loop) {
             p = (p - import.origin) * import.scale;
+        }
     }
 }
 

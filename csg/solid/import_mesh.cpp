@@ -35,29 +35,34 @@ void read_binary_stl(std::string_view text, FileMesh& mesh, std::vector<std::str
     std::uint32_t claimed = 0;
     std::memcpy(&claimed, text.data() + 80, sizeof claimed);
     const std::size_t held = (text.size() - kHead) / kRecord;
-    if (claimed > held)
+    if (claimed > held) {
         warnings.push_back(fmt::format("STL file claims {} triangles and holds {}", claimed, held));
+    }
     const std::size_t count = std::min(std::min(std::size_t{claimed}, held), kMostFaces);
     bool finite = true;
     for (std::size_t i = 0; i < count; ++i) {
         float numbers[9];
         std::memcpy(numbers, text.data() + kHead + i * kRecord + 12, sizeof numbers);
         glm::dvec3 corners[3];
-        for (int k = 0; k < 9; ++k)
+        for (int k = 0; k < 9; ++k) {
             corners[k / 3][k % 3] = static_cast<double>(numbers[k]);
+        }
         add_triangle(mesh, corners, finite);
     }
-    if (!finite)
+    if (!finite) {
         warnings.emplace_back(kNotFinite);
+    }
 }
 
 bool is_binary_stl(std::string_view text) {
-    if (text.size() < 84)
+    if (text.size() < 84) {
         return false;
+    }
     std::uint32_t claimed = 0;
     std::memcpy(&claimed, text.data() + 80, sizeof claimed);
-    if (text.size() == 84 + std::size_t{claimed} * 50)
+    if (text.size() == 84 + std::size_t{claimed} * 50) {
         return true;
+    }
     // A text begins with "solid" and names facets soon.
     return !text.starts_with("solid") || text.substr(0, 1024).find("facet") == std::string_view::npos;
 }
@@ -76,31 +81,37 @@ std::shared_ptr<Solid> to_solid(FileMesh mesh, std::vector<std::string> failures
             break;
         }
     }
-    if (!all)
+    if (!all) {
         failures.push_back(fmt::format("mesh has {} triangles or more; the rest is left out", kMostTriangles));
+    }
     finish(*solid);
-    if (!solid->triangles.empty() && !solid->closed)
+    if (!solid->triangles.empty() && !solid->closed) {
         solid->warnings.emplace_back("mesh is not closed, or its faces are not all oriented alike");
+    }
     solid->failures = std::move(failures);
     return solid;
 }
 
-void centre(FileMesh& mesh) {
+void center(FileMesh& mesh) {
     Box box;
-    for (const glm::dvec3& p : mesh.points)
+    for (const glm::dvec3& p : mesh.points) {
         box = enclose(box, p);
-    if (box.empty())
+    }
+    if (box.empty()) {
         return;
-    const glm::dvec3 middle = box.centre();
-    for (glm::dvec3& p : mesh.points)
+    }
+    const glm::dvec3 middle = box.center();
+    for (glm::dvec3& p : mesh.points) {
         p -= middle;
+    }
 }
 
 }  // namespace
 
 void read_stl(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
-    if (is_binary_stl(text))
+    if (is_binary_stl(text)) {
         return read_binary_stl(text, mesh, warnings);
+    }
     Words words(text);
     glm::dvec3 corners[3];
     int corner = 0;
@@ -111,19 +122,24 @@ void read_stl(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
             corner = 0;
         } else if (word == "vertex" || word == "VERTEX") {
             glm::dvec3 p;
-            for (int i = 0; i < 3; ++i)
+            for (int i = 0; i < 3; ++i) {
                 p[i] = words.number().value_or(std::nan(""));
-            if (corner < 3)
+            }
+            if (corner < 3) {
                 corners[corner] = p;
-            if (++corner == 3)
+            }
+            if (++corner == 3) {
                 add_triangle(mesh, corners, finite);
+            }
         }
     }
-    if (!finite)
+    if (!finite) {
         warnings.emplace_back(kNotFinite);
+    }
     if (mesh.faces.empty() && text.find_first_not_of(" \t\r\n") != std::string_view::npos &&
-        text.find("endsolid") == std::string_view::npos)
+        text.find("endsolid") == std::string_view::npos) {
         warnings.emplace_back("STL file holds no triangles");
+    }
 }
 
 void read_off(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
@@ -137,8 +153,9 @@ void read_off(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
     for (std::size_t i = 0; i < points && !words.at_end(); ++i) {
         Words line(words.line());
         glm::dvec3 p;
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k) {
             p[k] = line.number().value_or(0);
+        }
         mesh.points.push_back(p);
     }
     for (std::size_t i = 0; i < faces && !words.at_end() && mesh.faces.size() < kMostFaces; ++i) {
@@ -147,17 +164,20 @@ void read_off(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
         std::vector<std::uint32_t> face;
         for (std::size_t k = 0; k < corners && !line.at_end(); ++k) {
             const auto index = line.count();
-            if (index && *index < mesh.points.size())
+            if (index && *index < mesh.points.size()) {
                 face.push_back(static_cast<std::uint32_t>(*index));
-            else
+            } else {
                 warnings.emplace_back("OFF file has a face with an index that is out of bounds; it is ignored");
+            }
         }
         mesh.faces.push_back(std::move(face));
-        if (warnings.size() > 10)
+        if (warnings.size() > 10) {
             return;
+        }
     }
-    if (mesh.points.size() < points || mesh.faces.size() < faces)
+    if (mesh.points.size() < points || mesh.faces.size() < faces) {
         warnings.emplace_back("OFF file ends early");
+    }
 }
 
 void read_obj(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
@@ -168,8 +188,9 @@ void read_obj(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
         Words line(words.line(), true);
         if (kind == "v") {
             glm::dvec3 p;
-            for (int k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k) {
                 p[k] = line.number().value_or(0);
+            }
             mesh.points.push_back(p);
         } else if (kind == "f") {
             std::vector<std::uint32_t>& face = mesh.faces.emplace_back();
@@ -179,15 +200,17 @@ void read_obj(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
                 // Counted from 1, or back from the last one.
                 const double count = static_cast<double>(mesh.points.size());
                 const double index = !number ? -1 : *number < 0 ? count + *number : *number - 1;
-                if (index >= 0 && index < count)
+                if (index >= 0 && index < count) {
                     face.push_back(static_cast<std::uint32_t>(index));
-                else
+                } else {
                     bad = true;
+                }
             }
         }
     }
-    if (bad)
+    if (bad) {
         warnings.emplace_back("OBJ file has a face with an index that is out of bounds; it is ignored");
+    }
 }
 
 std::shared_ptr<Solid> import_solid(const Import& import) {
@@ -210,8 +233,9 @@ std::shared_ptr<Solid> import_solid(const Import& import) {
                 ? "import() without a file"
                 : fmt::format("Unsupported file format while trying to import file '{}'", import.file.path));
     }
-    if (import.center)
-        centre(mesh);
+    if (import.center) {
+        center(mesh);
+    }
     return to_solid(std::move(mesh), std::move(failures));
 }
 

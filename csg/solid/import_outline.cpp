@@ -8,11 +8,12 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
-void centre(Outline& outline) {
-    const glm::dvec2 middle(bounds_of(outline.loops).centre());
+void center(Outline& outline) {
+    const glm::dvec2 middle(bounds_of(outline.loops).center());
     for (Loop& loop : outline.loops) {
-        for (glm::dvec2& p : loop)
+        for (glm::dvec2& p : loop) {
             p -= middle;
+        }
     }
 }
 
@@ -20,13 +21,15 @@ void centre(Outline& outline) {
 
 Outline import_outline(const Import& import, Remarks& remarks) {
     const auto text = read_file(import.file.path, kMostBytes, remarks.failures);
-    if (!text)
+    if (!text) {
         return {};
+    }
     Outline outline = file_suffix(import.file.path) == "svg"
                           ? read_svg(*text, import, remarks)
                           : clean(read_dxf(*text, import, remarks), FillRule::EvenOdd);
-    if (import.center)
-        centre(outline);
+    if (import.center) {
+        center(outline);
+    }
     return outline;
 }
 

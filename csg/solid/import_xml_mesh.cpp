@@ -23,8 +23,9 @@ double number(std::string_view text) {
 
 std::optional<std::uint32_t> index(std::string_view text, std::size_t first, std::size_t count) {
     const auto number = to_number(text);
-    if (!number || *number < 0 || *number >= static_cast<double>(count))
+    if (!number || *number < 0 || *number >= static_cast<double>(count)) {
         return std::nullopt;
+    }
     return static_cast<std::uint32_t>(first + static_cast<std::size_t>(*number));
 }
 
@@ -32,11 +33,13 @@ std::optional<std::uint32_t> index(std::string_view text, std::size_t first, std
 bool add_face(FileMesh& mesh, const std::array<std::string_view, 3>& words, std::size_t first) {
     std::vector<std::uint32_t> face;
     for (const std::string_view word : words) {
-        if (const auto i = index(word, first, mesh.points.size() - first))
+        if (const auto i = index(word, first, mesh.points.size() - first)) {
             face.push_back(*i);
+        }
     }
-    if (face.size() != 3 || mesh.faces.size() >= kMostFaces)
+    if (face.size() != 3 || mesh.faces.size() >= kMostFaces) {
         return false;
+    }
     mesh.faces.push_back(std::move(face));
     return true;
 }
@@ -48,8 +51,9 @@ glm::dmat4 matrix(std::string_view text) {
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 3; ++column) {
             const auto n = words.number();
-            if (!n)
+            if (!n) {
                 return glm::dmat4(1.0);
+            }
             m[row][column] = *n;
         }
     }
@@ -86,21 +90,27 @@ class Model3mf {
         glm::dmat4 unit(1.0);
         unit[0][0] = unit[1][1] = unit[2][2] = scale_;
         Assembly assembly{mesh, {}, 0, false, false, false};
-        for (const Reference& item : items_)
+        for (const Reference& item : items_) {
             add({item.object, unit * item.placed}, assembly);
-        if (bad_)
+        }
+        if (bad_) {
             warnings.emplace_back("3MF file has triangles whose indices are out of bounds; they are ignored");
-        if (assembly.in_itself)
+        }
+        if (assembly.in_itself) {
             warnings.emplace_back("3MF file has an object that is a component of itself; it is left out there");
-        if (assembly.too_deep)
+        }
+        if (assembly.too_deep) {
             warnings.push_back(
                 fmt::format("3MF file has components nested deeper than {}; they are left out", kDeepest));
-        if (assembly.too_many)
+        }
+        if (assembly.too_many) {
             warnings.push_back(
                 fmt::format("3MF file has more than {} components, or more than {} triangles; the rest is left out",
                             kMostObjects, kMostFaces));
-        if (assembly.made > kMostObjects)
+        }
+        if (assembly.made > kMostObjects) {
             warnings.push_back(fmt::format("3MF file has more than {} components; the rest is left out", kMostObjects));
+        }
     }
 
   private:
@@ -127,8 +137,9 @@ class Model3mf {
 
     void add(const Reference& reference, Assembly& assembly) const {
         const auto found = objects_.find(reference.object);
-        if (found == objects_.end())
+        if (found == objects_.end()) {
             return;
+        }
         const Object& object = found->second;
         FileMesh& mesh = assembly.mesh;
         if (std::find(assembly.within.begin(), assembly.within.end(), &object) != assembly.within.end()) {
@@ -137,17 +148,21 @@ class Model3mf {
         }
         assembly.too_deep |= assembly.within.size() > kDeepest;
         assembly.too_many |= assembly.made == kMostObjects || mesh.faces.size() + object.mesh.faces.size() > kMostFaces;
-        if (assembly.within.size() > kDeepest || assembly.too_many)
+        if (assembly.within.size() > kDeepest || assembly.too_many) {
             return;
+        }
         ++assembly.made;
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
-        for (const glm::dvec3& p : object.mesh.points)
+        for (const glm::dvec3& p : object.mesh.points) {
             mesh.points.emplace_back(reference.placed * glm::dvec4(p, 1.0));
-        for (const auto& face : object.mesh.faces)
+        }
+        for (const auto& face : object.mesh.faces) {
             mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+        }
         assembly.within.push_back(&object);
-        for (const Reference& component : object.components)
+        for (const Reference& component : object.components) {
             add({component.object, reference.placed * component.placed}, assembly);
+        }
         assembly.within.pop_back();
     }
 
@@ -174,16 +189,18 @@ std::optional<std::string> model_of(const std::string& path, std::vector<std::st
     const zip_int64_t entries = zip_get_num_entries(archive.get(), 0);
     for (zip_int64_t i = 0; i < entries; ++i) {
         const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
-        if (name == nullptr || !std::string_view(name).ends_with(".model"))
+        if (name == nullptr || !std::string_view(name).ends_with(".model")) {
             continue;
+        }
         const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
             zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(i), 0), zip_fclose);
         std::string text;
         std::array<char, 65536> buffer{};
         while (file) {
             const zip_int64_t got = zip_fread(file.get(), buffer.data(), buffer.size());
-            if (got <= 0)
+            if (got <= 0) {
                 return text;
+            }
             text.append(buffer.data(), static_cast<std::size_t>(got));
             if (text.size() > kMostUnpacked) {
                 warnings.push_back(
@@ -220,18 +237,20 @@ void read_amf(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
         }
     };
     events.close = [&](const std::string& name, const std::string& content) {
-        if (name == "x" || name == "y" || name == "z")
+        if (name == "x" || name == "y" || name == "z") {
             point[name[0] - 'x'] = Words(content).number().value_or(0) * scale;
-        else if (name == "vertex")
+        } else if (name == "vertex") {
             mesh.points.push_back(point);
-        else if (name == "v1" || name == "v2" || name == "v3")
+        } else if (name == "v1" || name == "v2" || name == "v3") {
             corners[static_cast<std::size_t>(name[1] - '1')] = std::string(Words(content).next());
-        else if (name == "triangle")
+        } else if (name == "triangle") {
             bad |= !add_face(mesh, {corners[0], corners[1], corners[2]}, first);
+        }
     };
     read_xml(text, events, warnings);
-    if (bad)
+    if (bad) {
         warnings.emplace_back("AMF file has triangles whose indices are out of bounds; they are ignored");
+    }
 }
 
 void read_3mf_model(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
@@ -243,8 +262,9 @@ void read_3mf_model(std::string_view text, FileMesh& mesh, std::vector<std::stri
 }
 
 void read_3mf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings) {
-    if (const auto text = model_of(path, warnings))
+    if (const auto text = model_of(path, warnings)) {
         read_3mf_model(*text, mesh, warnings);
+    }
 }
 
 }  // namespace csg::solid

@@ -10,16 +10,18 @@ namespace csg::solid {
 
 IndexedOutline index_corners(const Outline& outline) {
     std::vector<glm::dvec2> corners;
-    for (const Loop& loop : outline.loops)
+    for (const Loop& loop : outline.loops) {
         corners.insert(corners.end(), loop.begin(), loop.end());
+    }
     std::vector<std::uint32_t> order(corners.size()), point(corners.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return std::tuple(corners[a].x, corners[a].y, a) < std::tuple(corners[b].x, corners[b].y, b);
     });
     // The first corner of each place, then its number among these.
-    for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t i = 0; i < order.size(); ++i) {
         point[order[i]] = i > 0 && corners[order[i]] == corners[order[i - 1]] ? point[order[i - 1]] : order[i];
+    }
     IndexedOutline result;
     for (std::uint32_t i = 0; i < corners.size(); ++i) {
         if (point[i] == i) {
@@ -41,13 +43,15 @@ IndexedOutline index_corners(const Outline& outline) {
 std::vector<GridPoint> exact_points(std::span<const glm::dvec2> points) {
     constexpr int kBits = 58;
     double largest = 0;
-    for (const glm::dvec2& p : points)
+    for (const glm::dvec2& p : points) {
         largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    }
     const int exponent = largest > 0 ? kBits - 1 - std::ilogb(largest) : 0;
     std::vector<GridPoint> result;
     result.reserve(points.size());
-    for (const glm::dvec2& p : points)
+    for (const glm::dvec2& p : points) {
         result.push_back({std::llround(std::ldexp(p.x, exponent)), std::llround(std::ldexp(p.y, exponent))});
+    }
     return result;
 }
 
@@ -60,8 +64,9 @@ LoopEdges edges_of(std::span<const GridPoint> points, std::span<const std::vecto
     for (const auto& loop : loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const std::uint32_t p = loop[i], q = loop[i + 1 < loop.size() ? i + 1 : 0];
-            if (points[p] == points[q])
+            if (points[p] == points[q]) {
                 return {};
+            }
             const bool ascends = points[p] < points[q];
             items.push_back({directed_edge(points[p], points[q]), ascends ? p : q, ascends ? q : p});
         }
@@ -70,8 +75,9 @@ LoopEdges edges_of(std::span<const GridPoint> points, std::span<const std::vecto
     std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return key(a) < key(b); });
     LoopEdges result;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        if (i > 0 && key(items[i]) == key(items[i - 1]))
+        if (i > 0 && key(items[i]) == key(items[i - 1])) {
             return {};
+        }
         result.edges.push_back(items[i].edge);
         result.from.push_back(items[i].from);
         result.to.push_back(items[i].to);
@@ -80,15 +86,17 @@ LoopEdges edges_of(std::span<const GridPoint> points, std::span<const std::vecto
 }
 
 bool is_region(const Outline& outline) {
-    if (outline.empty())
+    if (outline.empty()) {
         return true;
+    }
     const IndexedOutline indexed = index_corners(outline);
     std::vector<std::uint32_t> seen;
     for (const auto& loop : indexed.loops) {
         seen = loop;
         std::sort(seen.begin(), seen.end());
-        if (seen.size() < 3 || std::adjacent_find(seen.begin(), seen.end()) != seen.end())
+        if (seen.size() < 3 || std::adjacent_find(seen.begin(), seen.end()) != seen.end()) {
             return false;
+        }
     }
     const std::vector<GridPoint> points = exact_points(indexed.points);
     const LoopEdges all = edges_of(points, indexed.loops);
@@ -96,8 +104,9 @@ bool is_region(const Outline& outline) {
     return !all.edges.empty() && sweep(all.edges, [&](const SweepVertex& vertex) {
         bool inside = is_inside(vertex.below);
         for (const std::uint32_t e : vertex.right) {
-            if ((all.edges[e].weight > 0) == inside)
+            if ((all.edges[e].weight > 0) == inside) {
                 return false;
+            }
             inside = !inside;
         }
         return vertex.above == kNoEdge ? !inside : inside == (all.edges[vertex.above].weight < 0);

@@ -9,8 +9,9 @@ namespace csg::solid {
 
 /// "file:line: text"; the bare text where there is no place.
 [[nodiscard]] inline std::string located(const Tree& tree, const SourceLocation& where, const std::string& text) {
-    if (where.file >= tree.files().size())
+    if (where.file >= tree.files().size()) {
         return text;
+    }
     return tree.files()[where.file] + ":" + std::to_string(where.line) + ": " + text;
 }
 

@@ -16,7 +16,7 @@ namespace csg::solid {
 /// The same for points no farther apart than `distance` along each axis, chains of such points counting as one.
 [[nodiscard]] std::vector<std::uint32_t> first_of_near(std::span<const glm::dvec3> points, double distance);
 
-/// Puts the first of equals for each index of the loop `face`; of neighbours that become one, one is left.
+/// Puts the first of equals for each index of the loop `face`; of neighbors that become one, one is left.
 void weld(std::vector<std::uint32_t>& face, std::span<const std::uint32_t> first);
 
 /// Sets `closed`, `convex` and `simple`. A mesh too big to be tested for convexity counts as not convex.

@@ -19,18 +19,20 @@ std::shared_ptr<const Outline> share(Outline outline) {
 
 /// Throws GeometryError where a circle would have fewer segments than it is to have.
 void check_fineness(const Fineness& fineness) {
-    if (const std::string problem = too_fine(fineness); !problem.empty())
+    if (const std::string problem = too_fine(fineness); !problem.empty()) {
         throw GeometryError(problem);
+    }
 }
 
 /// The children that are outlines; warns of others.
 Outlines outlines_of(Children children, NodeGeometry& result, const char* problem) {
     Outlines outlines;
     for (const NodeGeometry* child : children) {
-        if (child->outline)
+        if (child->outline) {
             outlines.push_back(child->outline);
-        else if (!child->pieces.empty())
+        } else if (!child->pieces.empty()) {
             result.warnings.emplace_back(problem);
+        }
     }
     return outlines;
 }
@@ -44,8 +46,9 @@ constexpr const char* kMeshes = "exact meshes";
 std::vector<Piece> pieces_of(Children children, NodeGeometry& result, const char* problem) {
     std::vector<Piece> pieces;
     for (const NodeGeometry* child : children) {
-        if (child->outline && !child->outline->empty())
+        if (child->outline && !child->outline->empty()) {
             result.warnings.emplace_back(problem);
+        }
         pieces.insert(pieces.end(), child->pieces.begin(), child->pieces.end());
     }
     return pieces;
@@ -54,8 +57,9 @@ std::vector<Piece> pieces_of(Children children, NodeGeometry& result, const char
 unsigned depth_of(std::span<const Piece> pieces) {
     unsigned depth = 0;
     for (const Piece& piece : pieces) {
-        if (piece.boolean)
+        if (piece.boolean) {
             depth = std::max(depth, piece.boolean->depth);
+        }
     }
     return depth;
 }
@@ -63,8 +67,9 @@ unsigned depth_of(std::span<const Piece> pieces) {
 void add(NodeGeometry& result, std::shared_ptr<const Solid> solid) {
     result.warnings.insert(result.warnings.end(), solid->warnings.begin(), solid->warnings.end());
     result.failures.insert(result.failures.end(), solid->failures.begin(), solid->failures.end());
-    if (!solid->triangles.empty())
+    if (!solid->triangles.empty()) {
         result.pieces.push_back({std::move(solid), nullptr, glm::dmat4(1.0)});
+    }
 }
 
 /// A node that unites its children, under a matrix.
@@ -73,25 +78,29 @@ void unite(Children children, Dimension dimension, const glm::dmat4* matrix, Nod
         Outline all = combine(BooleanKind::Union, outlines_of(children, result, kMixed));
         if (matrix != nullptr && !all.empty()) {
             Outline moved = transform(all, *matrix);
-            if (moved.empty() && (*matrix)[0][0] * (*matrix)[1][1] != (*matrix)[1][0] * (*matrix)[0][1])
+            if (moved.empty() && (*matrix)[0][0] * (*matrix)[1][1] != (*matrix)[1][0] * (*matrix)[0][1]) {
                 throw GeometryError("its transformation is not finite, or takes it beyond all numbers");
+            }
             all = std::move(moved);
         }
         result.outline = share(std::move(all));
         return;
     }
     result.pieces = pieces_of(children, result, kMixed);
-    if (matrix == nullptr)
+    if (matrix == nullptr) {
         return;
+    }
     const double determinant = glm::determinant(glm::dmat3(*matrix));
-    if (!std::isfinite(determinant) && !result.pieces.empty())
+    if (!std::isfinite(determinant) && !result.pieces.empty()) {
         throw GeometryError("its transformation is not finite");
+    }
     if (determinant == 0) {
         result.pieces.clear();
         return;
     }
-    for (Piece& piece : result.pieces)
+    for (Piece& piece : result.pieces) {
         piece.placed = *matrix * piece.placed;
+    }
 }
 
 void combine_children(Children children, BooleanKind kind, Dimension dimension, NodeGeometry& result) {
@@ -99,10 +108,11 @@ void combine_children(Children children, BooleanKind kind, Dimension dimension, 
         // A child that makes nothing is an operand all the same: an empty one.
         Outlines operands;
         for (const NodeGeometry* child : children) {
-            if (!child->outline && !child->pieces.empty())
+            if (!child->outline && !child->pieces.empty()) {
                 result.warnings.emplace_back(kMixed);
-            else
+            } else {
                 operands.push_back(child->outline ? child->outline : share({}));
+            }
         }
         result.outline = share(combine(kind, operands));
         return;
@@ -110,21 +120,24 @@ void combine_children(Children children, BooleanKind kind, Dimension dimension, 
     auto node = std::make_shared<BooleanNode>();
     node->kind = kind;
     for (const NodeGeometry* child : children) {
-        if (child->outline && !child->outline->empty())
+        if (child->outline && !child->outline->empty()) {
             result.warnings.emplace_back(kMixed);
+        }
         if (kind == BooleanKind::Difference && child->pieces.empty()) {
-            if (node->operands.empty())
+            if (node->operands.empty()) {
                 return;  // Nothing minus anything.
+            }
             continue;
         }
         node->operands.push_back(child->pieces);
         node->depth = std::max(node->depth, depth_of(child->pieces) + 1);
     }
-    if (node->operands.size() == 1)
+    if (node->operands.size() == 1) {
         result.pieces = node->operands[0];
-    else if (!node->operands.empty() && std::none_of(node->operands.begin(), node->operands.end(),
-                                                     [](const auto& operand) { return operand.empty(); }))
+    } else if (!node->operands.empty() && std::none_of(node->operands.begin(), node->operands.end(),
+                                                       [](const auto& operand) { return operand.empty(); })) {
         result.pieces.push_back({nullptr, std::move(node), glm::dmat4(1.0)});
+    }
 }
 
 /// The factors of resize().
@@ -142,16 +155,18 @@ glm::dvec3 factors(const Resize& how, const glm::dvec3& size) {
         }
     }
     for (int i = 0; i < 3; ++i) {
-        if (how.automatic[static_cast<std::size_t>(i)] && how.size[i] == 0)
+        if (how.automatic[static_cast<std::size_t>(i)] && how.size[i] == 0) {
             factor[i] = largest;
+        }
     }
     return factor;
 }
 
 glm::dmat4 scaling(const glm::dvec3& factor) {
     glm::dmat4 matrix(1.0);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         matrix[i][i] = factor[i];
+    }
     return matrix;
 }
 
@@ -166,8 +181,9 @@ class MeshMaker {
         add(result_, rotate_extrude(flat_children(), how));
     }
     void operator()(const Offset& how) const {
-        if (how.corner == Offset::Corner::Round)
+        if (how.corner == Offset::Corner::Round) {
             check_fineness(how.fineness);
+        }
         result_.outline = share(offset(flat_children(), how));
     }
     void operator()(const Fill&) const { result_.outline = share(fill(flat_children())); }
@@ -185,40 +201,46 @@ class MeshMaker {
         if (dimension_ == Dimension::Flat) {
             std::vector<glm::dvec2> points;
             for (const auto& outline : outlines_of(children_, result_, kMixed)) {
-                for (const Loop& loop : outline->loops)
+                for (const Loop& loop : outline->loops) {
                     points.insert(points.end(), loop.begin(), loop.end());
+                }
             }
             result_.outline = share(hull(points));
             return;
         }
         std::vector<glm::dvec3> points;
-        for (const Mesh& mesh : meshes_of(pieces_of(children_, result_, kMixed), tools_))
+        for (const Mesh& mesh : meshes_of(pieces_of(children_, result_, kMixed), tools_)) {
             points.insert(points.end(), mesh.points.begin(), mesh.points.end());
-        if (!points.empty())
+        }
+        if (!points.empty()) {
             add(result_, to_solid(ask(need(tools_, kMeshes).hull(points, tools_.stop)), true));
+        }
     }
 
     void operator()(const Minkowski&) const {
         if (dimension_ == Dimension::Flat) {
             const Outlines operands = outlines_of(children_, result_, kMixed);
             std::shared_ptr<const Outline> sum = operands.empty() ? share({}) : operands[0];
-            for (std::size_t i = 1; i < operands.size(); ++i)
+            for (std::size_t i = 1; i < operands.size(); ++i) {
                 sum = share(minkowski(*sum, *operands[i]));
+            }
             result_.outline = sum;
             return;
         }
         // The sum of a union is the union of sums, so that pieces need not be united first.
         std::vector<std::vector<Mesh>> operands;
         for (const NodeGeometry* child : children_) {
-            if (child->outline && !child->outline->empty())
+            if (child->outline && !child->outline->empty()) {
                 result_.warnings.emplace_back(kMixed);
-            else if (auto meshes = meshes_of(child->pieces, tools_); !meshes.empty())
+            } else if (auto meshes = meshes_of(child->pieces, tools_); !meshes.empty()) {
                 operands.push_back(std::move(meshes));  // An empty operand does not count, as in OpenSCAD.
+            }
         }
-        if (operands.size() == 1)
+        if (operands.size() == 1) {
             add(result_, to_solid(united(std::move(operands[0]), tools_), false));
-        else if (!operands.empty())
+        } else if (!operands.empty()) {
             add(result_, to_solid(ask(need(tools_, kMeshes).minkowski(operands, tools_.stop)), true));
+        }
     }
 
     void operator()(const Resize& how) const {
@@ -230,8 +252,9 @@ class MeshMaker {
         }
         const Box box = bounds_of(meshes_of(result_.pieces, tools_));
         const glm::dmat4 matrix = scaling(factors(how, box.size()));
-        for (Piece& piece : result_.pieces)
+        for (Piece& piece : result_.pieces) {
             piece.placed = matrix * piece.placed;
+        }
     }
 
   private:
@@ -263,10 +286,11 @@ void make_leaf(const LeafShape& shape, const Tools& tools, NodeGeometry& result)
     } else if (const auto* text = std::get_if<std::shared_ptr<const Text>>(&shape)) {
         result.outline = share(text_outline(**text, tools.fonts));
     } else if (const auto* import = std::get_if<std::shared_ptr<const Import>>(&shape)) {
-        if (is_flat(shape))
+        if (is_flat(shape)) {
             read_outline(**import, result);
-        else
+        } else {
             add(result, import_solid(**import));
+        }
     } else if (const auto* surface = std::get_if<std::shared_ptr<const Surface>>(&shape)) {
         add(result, surface_solid(**surface));
     } else {
@@ -309,17 +333,20 @@ NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension, Chi
         result.pieces.clear();
         result.outline = nullptr;
     }
-    if (dimension == Dimension::Flat && !result.outline)
+    if (dimension == Dimension::Flat && !result.outline) {
         result.outline = std::make_shared<Outline>();
+    }
     return result;
 }
 
 std::shared_ptr<const Solid> as_solid(const NodeGeometry& geometry, const Tools& tools) {
-    if (geometry.pieces.size() == 1 && geometry.pieces[0].solid && geometry.pieces[0].placed == glm::dmat4(1.0))
+    if (geometry.pieces.size() == 1 && geometry.pieces[0].solid && geometry.pieces[0].placed == glm::dmat4(1.0)) {
         return geometry.pieces[0].solid;
+    }
     try {
-        if (geometry.outline)
+        if (geometry.outline) {
             return slab(*geometry.outline);
+        }
         const bool simple = std::all_of(geometry.pieces.begin(), geometry.pieces.end(),
                                         [](const Piece& piece) { return !piece.solid || piece.solid->simple; });
         return to_solid(united(meshes_of(geometry.pieces, tools), tools), simple);

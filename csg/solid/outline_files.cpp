@@ -29,8 +29,9 @@ std::string encode_svg(const Outline& outline, const Paint& paint) {
         size.x, size.y, box.lo.x + 0.0, 0.0 - box.hi.y, size.x, size.y, paint.fill ? css(paint.fill_color) : "none",
         paint.stroke ? css(paint.stroke_color) : "none", paint.stroke_width);
     for (const Loop& loop : outline.loops) {
-        for (std::size_t i = 0; i < loop.size(); ++i)
+        for (std::size_t i = 0; i < loop.size(); ++i) {
             put(out, "\n{} {} {}", i == 0 ? 'M' : 'L', loop[i].x + 0.0, 0.0 - loop[i].y);
+        }
         put(out, " z");
     }
     put(out, "\"/>\n</svg>\n");

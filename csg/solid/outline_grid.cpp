@@ -19,16 +19,19 @@ std::size_t OutlineGrid::Hash::operator()(const GridPoint& p) const {
 
 void OutlineGrid::measure(std::span<const Loop> loops) {
     for (const Loop& loop : loops) {
-        if (!std::all_of(loop.begin(), loop.end(), is_finite<2>))
+        if (!std::all_of(loop.begin(), loop.end(), is_finite<2>)) {
             continue;
-        for (const glm::dvec2& p : loop)
+        }
+        for (const glm::dvec2& p : loop) {
             largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y)});
+        }
     }
 }
 
 void OutlineGrid::measure(double length) {
-    if (std::isfinite(length))
+    if (std::isfinite(length)) {
         largest_ = std::max(largest_, std::abs(length));
+    }
 }
 
 double OutlineGrid::scale() {
@@ -42,8 +45,9 @@ double OutlineGrid::scale() {
 
 GridLoop OutlineGrid::loop(const Loop& loop) {
     GridLoop result;
-    if (!std::all_of(loop.begin(), loop.end(), is_finite<2>))
+    if (!std::all_of(loop.begin(), loop.end(), is_finite<2>)) {
         return result;
+    }
     result.reserve(loop.size());
     const double factor = scale();
     for (const glm::dvec2& p : loop) {
@@ -58,8 +62,9 @@ void OutlineGrid::add(std::span<const Loop> loops, std::vector<GridEdge>& edges,
         const GridLoop points = loop(given);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const GridPoint &p = points[i], &q = points[i + 1 < points.size() ? i + 1 : 0];
-            if (p != q)
+            if (p != q) {
                 edges.push_back(directed_edge(p, q, other));
+            }
         }
     }
 }
@@ -74,15 +79,18 @@ Outline OutlineGrid::read(const std::vector<GridLoop>& loops) {
     Outline outline;
     for (const GridLoop& points : loops) {
         Loop& loop = outline.loops.emplace_back();
-        for (const GridPoint& p : points)
+        for (const GridPoint& p : points) {
             loop.push_back(point(p));
+        }
     }
-    if (is_region(outline))
+    if (is_region(outline)) {
         return outline;
+    }
     for (std::size_t i = 0; i < loops.size(); ++i) {
-        for (std::size_t k = 0; k < loops[i].size(); ++k)
+        for (std::size_t k = 0; k < loops[i].size(); ++k) {
             outline.loops[i][k] =
                 glm::dvec2(static_cast<double>(loops[i][k].x) / scale(), static_cast<double>(loops[i][k].y) / scale());
+        }
     }
     return outline;
 }

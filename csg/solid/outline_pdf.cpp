@@ -10,16 +10,16 @@
 namespace csg::solid {
 namespace {
 
-constexpr double kPointsPerMillimetre = 72 / 25.4;
-constexpr double kMargin = 15;      // millimetres: rulers and texts stand in it
+constexpr double kPointsPerMillimeter = 72 / 25.4;
+constexpr double kMargin = 15;      // millimeters: rulers and texts stand in it
 constexpr double kInset = 5;        // of the rulers from the edge of the paper, which printers may not reach
 constexpr double kLetters = 2.8;    // size of the type
 constexpr double kHairline = 0.12;  // of rulers
 
-/// The content of the page, in millimetres from its lower left corner.
+/// The content of the page, in millimeters from its lower left corner.
 class Canvas {
   public:
-    Canvas() { raw(fmt::format("{} 0 0 {} 0 0 cm\n", number(kPointsPerMillimetre), number(kPointsPerMillimetre))); }
+    Canvas() { raw(fmt::format("{} 0 0 {} 0 0 cm\n", number(kPointsPerMillimeter), number(kPointsPerMillimeter))); }
 
     void line(const glm::dvec2& from, const glm::dvec2& to) {
         raw(fmt::format("{} m {} l S\n", point(from), point(to)));
@@ -31,16 +31,20 @@ class Canvas {
                         point(at), escaped(text)));
     }
     void region(const Outline& outline, const glm::dvec2& shift, const Paint& paint) {
-        if (!paint.fill && !paint.stroke)
+        if (!paint.fill && !paint.stroke) {
             return;
+        }
         raw("q\n");
-        if (paint.fill)
+        if (paint.fill) {
             raw(fmt::format("{} rg\n", components(paint.fill_color)));
-        if (paint.stroke)
+        }
+        if (paint.stroke) {
             raw(fmt::format("{} RG {} w 1 j\n", components(paint.stroke_color), number(paint.stroke_width)));
+        }
         for (const Loop& loop : outline.loops) {
-            for (std::size_t i = 0; i < loop.size(); ++i)
+            for (std::size_t i = 0; i < loop.size(); ++i) {
                 raw(fmt::format("{} {}\n", point(loop[i] + shift), i == 0 ? 'm' : 'l'));
+            }
             raw("h\n");
         }
         raw(paint.fill && paint.stroke ? "B*\nQ\n" : paint.fill ? "f*\nQ\n" : "S\nQ\n");
@@ -52,8 +56,9 @@ class Canvas {
     static std::string number(double value) {
         std::string text = fmt::format("{:.5f}", value);  // PDF knows no exponents.
         text.erase(text.find_last_not_of('0') + 1);
-        if (text.back() == '.')
+        if (text.back() == '.') {
             text.pop_back();
+        }
         return text == "-0" ? "0" : text;
     }
     static std::string point(const glm::dvec2& p) { return number(p.x) + ' ' + number(p.y); }
@@ -65,10 +70,12 @@ class Canvas {
         std::string out;
         for (const char c : text) {
             const auto byte = static_cast<unsigned char>(c);
-            if (byte >= 0x80 && byte < 0xC0)
+            if (byte >= 0x80 && byte < 0xC0) {
                 continue;
-            if (c == '(' || c == ')' || c == '\\')
+            }
+            if (c == '(' || c == ')' || c == '\\') {
                 out += '\\';
+            }
             out += byte < 32 || byte > 126 ? '?' : c;
         }
         return out;
@@ -85,13 +92,15 @@ std::string text_string(const std::string& text) {
         const auto lead = static_cast<unsigned char>(text[i]);
         const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
         std::uint32_t code = length == 1 ? lead : lead & (0x7Fu >> length);
-        for (std::size_t k = 1; k < length && i + k < text.size(); ++k)
+        for (std::size_t k = 1; k < length && i + k < text.size(); ++k) {
             code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
+        }
         i += length;
-        if (code < 0x10000)
+        if (code < 0x10000) {
             out += fmt::format("{:04X}", code);
-        else
+        } else {
             out += fmt::format("{:04X}{:04X}", 0xD800 + ((code - 0x10000) >> 10), 0xDC00 + ((code - 0x10000) & 0x3FF));
+        }
     }
     return out + ">";
 }
@@ -106,8 +115,9 @@ std::string document(const std::vector<std::string>& objects, const std::string&
     }
     const std::size_t table = out.size();
     out += fmt::format("xref\n0 {}\n0000000000 65535 f \n", objects.size() + 1);
-    for (const std::size_t offset : offsets)
+    for (const std::size_t offset : offsets) {
         out += fmt::format("{:010} 00000 n \n", offset);
+    }
     return out + fmt::format("trailer\n<< /Size {} {} >>\nstartxref\n{}\n%%EOF\n", objects.size() + 1, trailer, table);
 }
 
@@ -128,7 +138,7 @@ void draw_grid(Canvas& canvas, const glm::dvec2& paper, const glm::dvec2& shift,
     }
 }
 
-/// A mark every millimetre, longer ones every 5 and 10, numbers every 20: the model's coordinates.
+/// A mark every millimeter, longer ones every 5 and 10, numbers every 20: the model's coordinates.
 void draw_ruler(Canvas& canvas, const glm::dvec2& paper, const glm::dvec2& shift, int axis) {
     const int across = 1 - axis;
     glm::dvec2 from(0.0), to(0.0);
@@ -162,27 +172,31 @@ std::string encode_pdf(const Outline& outline, const PdfPage& page) {
     const Box box = bounds_of(outline.loops);
     const glm::dvec2 paper = paper_of(page, glm::dvec2(box.size()));
     // The model's origin on the paper.
-    const glm::dvec2 shift = 0.5 * paper - glm::dvec2(box.centre());
+    const glm::dvec2 shift = 0.5 * paper - glm::dvec2(box.center());
     Canvas canvas;
-    if (page.grid)
+    if (page.grid) {
         draw_grid(canvas, paper, shift, page.grid_size);
+    }
     canvas.region(outline, shift, page.paint);
     canvas.stroke({0, 0, 0}, kHairline);
     if (page.scale) {
         draw_ruler(canvas, paper, shift, 0);
         draw_ruler(canvas, paper, shift, 1);
     }
-    if (page.scale && page.scale_message)
-        canvas.text({kMargin, paper.y - 8}, "True size: the rulers are in millimetres. Measure both on the print.");
-    if (!page.file_name.empty())
+    if (page.scale && page.scale_message) {
+        canvas.text({kMargin, paper.y - 8}, "True size: the rulers are in millimeters. Measure both on the print.");
+    }
+    if (!page.file_name.empty()) {
         canvas.text({kMargin, paper.y - 12}, page.file_name);
+    }
 
-    const glm::dvec2 points = paper * kPointsPerMillimetre;
+    const glm::dvec2 points = paper * kPointsPerMillimeter;
     std::string properties = "/Producer (csgscope)";
     for (const auto& [key, value] : {std::pair("Title", page.title), std::pair("Author", page.author),
                                      std::pair("Subject", page.subject), std::pair("Keywords", page.keywords)}) {
-        if (!value.empty())
+        if (!value.empty()) {
             properties += fmt::format(" /{} {}", key, text_string(value));
+        }
     }
     return document({"<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
                      fmt::format("<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {:.3f} {:.3f}] /Contents 4 0 R "

@@ -17,8 +17,9 @@ constexpr double kLargestCoordinate = 1e30;
 bool affine(const glm::dmat4& m) {
     for (int c = 0; c < 4; ++c) {
         for (int r = 0; r < 4; ++r) {
-            if (!std::isfinite(m[c][r]))
+            if (!std::isfinite(m[c][r])) {
                 return false;
+            }
         }
     }
     return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] != 0;
@@ -40,8 +41,9 @@ bool has_volume(const Box& box) {
 
 double largest_coordinate(const Box& box) {
     double largest = 0;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+    }
     return largest;
 }
 
@@ -53,14 +55,17 @@ void leave_out(PlacedLeaf& leaf) {
 }
 
 std::string place_leaf(const LeafInstance& instance, double flat, PlacedLeaf& leaf) {
-    if (!affine(instance.to_world))
+    if (!affine(instance.to_world)) {
         return "transformation is not finite or not affine; the object is left out";
+    }
     glm::dmat4 m = instance.to_world * (1.0 / instance.to_world[3][3]);
-    if (leaf.solid->flat)
+    if (leaf.solid->flat) {
         stand_upright(m, flat);
+    }
     const double determinant = glm::determinant(glm::dmat3(m));
-    if (leaf.solid->triangles.empty() || determinant == 0)
+    if (leaf.solid->triangles.empty() || determinant == 0) {
         return {};
+    }
     leaf.points.reserve(leaf.solid->points.size());
     bool finite = std::isfinite(determinant);
     for (const glm::dvec3& p : leaf.solid->points) {
@@ -74,20 +79,23 @@ std::string place_leaf(const LeafInstance& instance, double flat, PlacedLeaf& le
     }
     leaf.triangles = leaf.solid->triangles;
     if (determinant < 0) {
-        for (glm::uvec3& t : leaf.triangles)
+        for (glm::uvec3& t : leaf.triangles) {
             std::swap(t.y, t.z);
+        }
     }
     return {};
 }
 
 std::string fault_of_size(const PlacedLeaf& leaf, double largest) {
-    if (leaf.solid->closed && !has_volume(leaf.box) && has_volume(leaf.solid->box))
+    if (leaf.solid->closed && !has_volume(leaf.box) && has_volume(leaf.solid->box)) {
         return fmt::format(
             "this object is left out: beside coordinates as large as {:.3g} it is too thin for double precision",
             largest);
-    if (largest > kLargestCoordinate)
+    }
+    if (largest > kLargestCoordinate) {
         return fmt::format("this object is left out: its coordinates reach {:.3g}, and {:.3g} is the most", largest,
                            kLargestCoordinate);
+    }
     return {};
 }
 

@@ -25,25 +25,29 @@ constexpr std::size_t kMostOfAll = std::size_t{1} << 26;  // Triangles: some gig
 double judge_sizes(const Tree& tree, const Scene& scene, std::span<PlacedLeaf> leaves, Remarks& remarks) {
     double largest = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        if (leaves[i].box.empty())
+        if (leaves[i].box.empty()) {
             continue;
+        }
         const double own = largest_coordinate(leaves[i].box);
         const std::string fault = fault_of_size(leaves[i], own);
-        if (!fault.empty())
+        if (!fault.empty()) {
             remarks.failures.push_back(located(tree, scene.leaves[i].where, fault));
-        if (!fault.empty() || (leaves[i].solid->closed && !has_volume(leaves[i].box)))
+        }
+        if (!fault.empty() || (leaves[i].solid->closed && !has_volume(leaves[i].box))) {
             leave_out(leaves[i]);
-        else
+        } else {
             largest = std::max(largest, own);
+        }
     }
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const glm::dvec3 size = leaves[i].box.size();
         if (!leaves[i].box.empty() && leaves[i].solid->closed && !leaves[i].solid->flat &&
-            std::min({size.x, size.y, size.z}) <= coincidence_tolerance(largest))
+            std::min({size.x, size.y, size.z}) <= coincidence_tolerance(largest)) {
             remarks.warnings.push_back(located(
                 tree, scene.leaves[i].where,
                 fmt::format("no picture shows this object: it is too thin beside coordinates as large as {:.3g}",
                             largest)));
+        }
     }
     return largest;
 }
@@ -58,19 +62,22 @@ std::vector<std::string> once(std::vector<std::string> texts) {
 }  // namespace
 
 double Room::reach_for(double largest) const {
-    if (reach == 0)
+    if (reach == 0) {
         return largest;
+    }
     return largest <= reach ? reach : std::exp2(std::ceil(std::log2(largest)));
 }
 
-std::optional<glm::dvec3> Room::centre_for(const Box& scene) const {
-    if (box.empty() || scene.empty())
+std::optional<glm::dvec3> Room::center_for(const Box& scene) const {
+    if (box.empty() || scene.empty()) {
         return {};
+    }
     const double margin = box.diagonal();
-    if (enclose(scene, {box.lo - margin, box.hi + margin}) == Box{box.lo - margin, box.hi + margin})
-        return box.centre();
+    if (enclose(scene, {box.lo - margin, box.hi + margin}) == Box{box.lo - margin, box.hi + margin}) {
+        return box.center();
+    }
     const double cell = std::exp2(std::ceil(std::log2(scene.diagonal())));
-    return glm::round(scene.centre() / cell) * cell;
+    return glm::round(scene.center() / cell) * cell;
 }
 
 Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat, const std::stop_token& stop,
@@ -86,24 +93,27 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
         base::end_if_asked(stop);
         PlacedLeaf& leaf = geometry.leaves[i];
         leaf.solid = cache.get(tree, scene.leaves[i].node, by_node, remarks, stop);
-        if ((triangles += leaf.solid->triangles.size()) > kMostOfAll)
+        if ((triangles += leaf.solid->triangles.size()) > kMostOfAll) {
             throw GeometryError(fmt::format("the model has more than {} triangles", kMostOfAll));
+        }
     }
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
         base::end_if_asked(stop);
         const LeafInstance& instance = scene.leaves[i];
-        if (const std::string failure = place_leaf(instance, flat, geometry.leaves[i]); !failure.empty())
+        if (const std::string failure = place_leaf(instance, flat, geometry.leaves[i]); !failure.empty()) {
             remarks.failures.push_back(located(tree, instance.where, failure));
+        }
     }
     trim_leaves(scene, geometry.leaves);
     const double largest = judge_sizes(tree, scene, geometry.leaves, remarks);
     for (const PlacedLeaf& leaf : geometry.leaves) {
-        if (!leaf.box.empty())
+        if (!leaf.box.empty()) {
             geometry.box = enclose(geometry.box, leaf.box);
+        }
     }
     geometry.warnings = once(std::move(remarks.warnings));
     geometry.failures = once(std::move(remarks.failures));
-    geometry.centre = room.centre_for(geometry.box);
+    geometry.center = room.center_for(geometry.box);
     geometry.planes = PlaneTable(coincidence_tolerance(room.reach_for(largest)));
     assign_planes(geometry, stop);
     return geometry;

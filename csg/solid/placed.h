@@ -33,7 +33,7 @@ struct Geometry {
     std::vector<PlacedLeaf> leaves;
     PlaneTable planes;
     Box box;                            ///< Of all leaves together.
-    std::optional<glm::dvec3> centre;   ///< Of what becomes floats; none: that of the box.
+    std::optional<glm::dvec3> center;   ///< Of what becomes floats; none: that of the box.
     double flat = 1;                    ///< Thickness of outlines.
     std::vector<std::string> warnings;  ///< With file:line where known.
     std::vector<std::string> failures;  ///< Objects that are left out, or less than was asked for; as above.
@@ -50,7 +50,7 @@ struct Room {
     [[nodiscard]] double reach_for(double largest) const;
     /// Of what becomes floats, for a scene with that box: the middle of the room, unless the scene lies far outside;
     /// then its own, on a coarse grid. None: the box's.
-    [[nodiscard]] std::optional<glm::dvec3> centre_for(const Box& box) const;
+    [[nodiscard]] std::optional<glm::dvec3> center_for(const Box& box) const;
 };
 
 struct NodeGeometry;

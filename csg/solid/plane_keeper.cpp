@@ -24,7 +24,7 @@ constexpr std::size_t kHoles = 1024;
 bool apart_in(const Box& box, const Plane& a, const Plane& b, double tolerance) {
     const double side = glm::dot(a.normal, b.normal) < 0 ? -1 : 1;
     const glm::dvec3 slope = a.normal - side * b.normal;
-    const double middle = glm::dot(slope, box.centre()) - (a.offset - side * b.offset);
+    const double middle = glm::dot(slope, box.center()) - (a.offset - side * b.offset);
     const double most = glm::dot(glm::abs(slope), 0.5 * box.size());
     return std::abs(middle) - most > 4 * tolerance;
 }
@@ -89,11 +89,13 @@ void PlaneKeeper::assign_all(double tolerance, SceneChange& change) {
 
 void PlaneKeeper::update(std::span<const Changed> leaves, SceneChange& change) {
     std::size_t changed = 0;
-    for (const Changed& leaf : leaves)
+    for (const Changed& leaf : leaves) {
         changed += geometry_.leaves[leaf.leaf].triangles.size();
+    }
     std::size_t all = 0;
-    for (const PlacedLeaf& leaf : geometry_.leaves)
+    for (const PlacedLeaf& leaf : geometry_.leaves) {
         all += leaf.triangles.size();
+    }
     if (changed * kFewIn > all) {
         assign_all(geometry_.planes.tolerance(), change);
         return;
@@ -106,10 +108,11 @@ void PlaneKeeper::update(std::span<const Changed> leaves, SceneChange& change) {
         assign_all(geometry_.planes.tolerance(), change);
         return;
     }
-    if (find_holes(update))
+    if (find_holes(update)) {
         fill_holes(update, change);
-    else
+    } else {
         make_holes(update, change);
+    }
 }
 
 void PlaneKeeper::take_back(Update& update) {
@@ -117,21 +120,24 @@ void PlaneKeeper::take_back(Update& update) {
         for (std::uint32_t t = 0; t < leaf.before.size(); ++t) {
             const std::uint32_t entry = leaf.before[t].index;
             --users_[entry];
-            if (leaf_of(keys_[entry]) == leaf.leaf && (keys_[entry] & kTriangles) == t)
+            if (leaf_of(keys_[entry]) == leaf.leaf && (keys_[entry] & kTriangles) == t) {
                 update.given_up.push_back(entry);
+            }
         }
     }
     std::sort(update.given_up.begin(), update.given_up.end());
-    for (const std::uint32_t entry : update.given_up)
+    for (const std::uint32_t entry : update.given_up) {
         geometry_.planes.make_hole(entry);
+    }
 }
 
 void PlaneKeeper::find_entries(Update& update) {
     for (const Changed& changed : update.leaves) {
         PlacedLeaf& leaf = geometry_.leaves[changed.leaf];
         leaf.planes.resize(leaf.triangles.size());
-        for (std::uint32_t t = 0; t < leaf.triangles.size(); ++t)
+        for (std::uint32_t t = 0; t < leaf.triangles.size(); ++t) {
             update.items.push_back(key_of(leaf, changed.leaf, t));
+        }
     }
     std::sort(update.items.begin(), update.items.end());
     std::vector<std::uint32_t> found;
@@ -144,8 +150,9 @@ void PlaneKeeper::find_entries(Update& update) {
         geometry_.planes.find_all(own, leaf.points[t.x], leaf.points[t.y], leaf.points[t.z], found);
         std::uint32_t entry = kNone;
         for (const std::uint32_t other : found) {
-            if (key(update, other) < item && (entry == kNone || key(update, other) < key(update, entry)))
+            if (key(update, other) < item && (entry == kNone || key(update, other) < key(update, entry))) {
                 entry = other;
+            }
         }
         if (entry == kNone) {
             entry = update.first_made + static_cast<std::uint32_t>(update.made.size());
@@ -172,32 +179,37 @@ void PlaneKeeper::revive(Update& update) const {
 bool PlaneKeeper::concerns_others(const Update& update) const {
     std::vector<std::uint32_t> lost = update.given_up;
     for (const Made& made : update.made) {
-        if (made.revived)
+        if (made.revived) {
             std::erase(lost, made.entry);
+        }
     }
-    if (std::any_of(lost.begin(), lost.end(), [&](std::uint32_t entry) { return users_[entry] > 0; }))
+    if (std::any_of(lost.begin(), lost.end(), [&](std::uint32_t entry) { return users_[entry] > 0; })) {
         return true;
+    }
     // Triangles that come later, and may lie in an entry that is made now.
     std::vector<const Made*> near_others;
     std::vector<std::uint32_t> near;
     for (const Made& made : update.made) {
         near.clear();
-        if (!made.revived)
+        if (!made.revived) {
             geometry_.planes.find_near(made.plane, near);
+        }
         const bool concerns = std::any_of(near.begin(), near.end(), [&](std::uint32_t entry) {
             return entry < update.first_made && users_[entry] > 0 && keys_[entry] > made.key &&
                    !apart_in(geometry_.box, made.plane, geometry_.planes.planes()[entry], geometry_.planes.tolerance());
         });
-        if (concerns)
+        if (concerns) {
             near_others.push_back(&made);
+        }
     }
     return !near_others.empty() && any_would_share(update, near_others);
 }
 
 bool PlaneKeeper::any_would_share(const Update& update, std::span<const Made* const> made) const {
     for (LeafId id = 0; id < geometry_.leaves.size(); ++id) {
-        if (std::any_of(update.leaves.begin(), update.leaves.end(), [&](const Changed& c) { return c.leaf == id; }))
+        if (std::any_of(update.leaves.begin(), update.leaves.end(), [&](const Changed& c) { return c.leaf == id; })) {
             continue;
+        }
         const PlacedLeaf& leaf = geometry_.leaves[id];
         for (std::uint32_t t = 0; t < leaf.planes.size(); ++t) {
             const Key taken = keys_[leaf.planes[t].index];
@@ -206,8 +218,9 @@ bool PlaneKeeper::any_would_share(const Update& update, std::span<const Made* co
             for (const Made* m : made) {
                 if (m->key < taken &&
                     std::abs(glm::dot(m->plane.normal, a) - m->plane.offset) <= geometry_.planes.tolerance() &&
-                    geometry_.planes.shares(m->plane, plane_of(leaf, t), a, b, c))
+                    geometry_.planes.shares(m->plane, plane_of(leaf, t), a, b, c)) {
                     return true;
+                }
             }
         }
     }
@@ -218,8 +231,9 @@ bool PlaneKeeper::any_would_share(const Update& update, std::span<const Made* co
 bool PlaneKeeper::find_holes(Update& update) {
     std::vector<std::uint32_t> occupied;  // Holes that are to be filled.
     for (const Made& made : update.made) {
-        if (made.revived)
+        if (made.revived) {
             occupied.push_back(made.entry);
+        }
     }
     const auto is_free = [&](std::size_t entry) {
         return entry < users_.size() && users_[entry] == 0 &&
@@ -227,8 +241,9 @@ bool PlaneKeeper::find_holes(Update& update) {
     };
     for (std::size_t m = 0; m < update.made.size(); ++m) {
         Made& made = update.made[m];
-        if (made.revived)
+        if (made.revived) {
             continue;
+        }
         auto at = static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), made.key) - keys_.begin());
         if (!is_free(at)) {
             // The nearest one before it, with those between, which are new as well, moved up.
@@ -238,8 +253,9 @@ bool PlaneKeeper::find_holes(Update& update) {
                 --at;
                 --last_new;
             }
-            if (at == 0 || !is_free(at - 1))
+            if (at == 0 || !is_free(at - 1)) {
                 return false;
+            }
             occupied.push_back(static_cast<std::uint32_t>(at - 1));
             for (std::size_t i = last_new; i <= m; ++i) {
                 update.made[i].entry = static_cast<std::uint32_t>(at - 1 + (i - last_new));
@@ -261,8 +277,9 @@ void PlaneKeeper::fill_holes(Update& update, SceneChange& change) {
     }
     for (const Made& made : update.made) {
         geometry_.planes.fill_hole(made.entry, made.plane);
-        if (!made.revived)
+        if (!made.revived) {
             change.planes.push_back(made.entry);
+        }
     }
     for (std::size_t i = 0; i < update.items.size(); ++i) {
         const std::uint32_t entry = update.entries[i];
@@ -285,27 +302,32 @@ void PlaneKeeper::make_holes(Update& update, SceneChange& change) {
         keys.push_back(key);
     };
     const auto put_made_before = [&](Key key) {
-        for (; next < update.made.size() && update.made[next].key <= key; ++next)
+        for (; next < update.made.size() && update.made[next].key <= key; ++next) {
             put(update.first_made + static_cast<std::uint32_t>(next), update.made[next].key);
+        }
     };
     for (std::uint32_t entry = 0; entry < update.first_made; ++entry) {
         put_made_before(keys_[entry]);
         const bool revived =
             users_[entry] > 0 && std::binary_search(update.given_up.begin(), update.given_up.end(), entry);
-        if (!revived && (users_[entry] > 0 || keep))
+        if (!revived && (users_[entry] > 0 || keep)) {
             put(entry, keys_[entry]);
+        }
     }
     put_made_before(std::numeric_limits<Key>::max());
 
     std::vector<std::uint32_t> place(update.first_made + update.made.size(), kNone), users(from.size(), 0);
-    for (std::uint32_t i = 0; i < from.size(); ++i)
+    for (std::uint32_t i = 0; i < from.size(); ++i) {
         place[from[i]] = i;
-    for (std::size_t i = 0; i < update.items.size(); ++i)
+    }
+    for (std::size_t i = 0; i < update.items.size(); ++i) {
         geometry_.leaves[leaf_of(update.items[i])].planes[update.items[i] & kTriangles].index = update.entries[i];
+    }
     // Others may use what has been made again as it was.
     for (const Made& made : update.made) {
-        if (made.revived)
+        if (made.revived) {
             place[made.entry] = place[update.first_made + static_cast<std::uint32_t>(&made - update.made.data())];
+        }
     }
     geometry_.planes.rearrange(from);
     for (PlacedLeaf& leaf : geometry_.leaves) {
@@ -320,16 +342,18 @@ void PlaneKeeper::make_holes(Update& update, SceneChange& change) {
 }
 
 void PlaneKeeper::leaf_inserted(LeafId at) {
-    for (Key& key : keys_)
+    for (Key& key : keys_) {
         key += leaf_of(key) >= at ? kLeaf : 0;
+    }
 }
 
 void PlaneKeeper::leaf_erased(LeafId at) {
     for (Key& key : keys_) {
-        if (leaf_of(key) > at)
+        if (leaf_of(key) > at) {
             key -= kLeaf;
-        else if (leaf_of(key) == at)  // A hole: not behind what follows.
+        } else if (leaf_of(key) == at) {  // A hole: not behind what follows.
             key &= ~kTriangles;
+        }
     }
 }
 

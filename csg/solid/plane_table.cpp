@@ -44,8 +44,9 @@ Plane plane_through(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
     }
     glm::dvec3 edge = b - a;
     for (const glm::dvec3& e : {c - b, a - c}) {
-        if (glm::dot(e, e) > glm::dot(edge, edge))
+        if (glm::dot(e, e) > glm::dot(edge, edge)) {
             edge = e;
+        }
     }
     const glm::dvec3 across =
         std::abs(edge.x) < std::abs(edge.z) ? glm::cross(edge, {1, 0, 0}) : glm::cross(edge, {0, 0, 1});
@@ -84,24 +85,30 @@ bool PlaneTable::close(const Plane& known, const Plane& own, const glm::dvec3& a
 template <typename Visit>
 void PlaneTable::for_each_in_cell(std::uint64_t hash, const Visit& visit) const {
     for (std::uint32_t entry = buckets_[hash & (buckets_.size() - 1)]; entry != kNone; entry = next_[entry]) {
-        if (hashes_[entry] == hash)
+        if (hashes_[entry] == hash) {
             visit(entry);
+        }
     }
 }
 
 template <typename Visit>
 void PlaneTable::for_each_in_cells(const Plane& plane, const Visit& visit) const {
-    if (buckets_.empty())
+    if (buckets_.empty()) {
         return;
+    }
     const Cells x = cells(plane.normal.x, kNormalCell, kNormalMargin);
     const Cells y = cells(plane.normal.y, kNormalCell, kNormalMargin);
     const Cells z = cells(plane.normal.z, kNormalCell, kNormalMargin);
     const Cells d = cells(plane.offset, kOffsetCell * length(), kOffsetMargin * length());
-    for (std::int64_t i = x.first; i <= x.last; ++i)
-        for (std::int64_t j = y.first; j <= y.last; ++j)
-            for (std::int64_t k = z.first; k <= z.last; ++k)
-                for (std::int64_t l = d.first; l <= d.last; ++l)
+    for (std::int64_t i = x.first; i <= x.last; ++i) {
+        for (std::int64_t j = y.first; j <= y.last; ++j) {
+            for (std::int64_t k = z.first; k <= z.last; ++k) {
+                for (std::int64_t l = d.first; l <= d.last; ++l) {
                     for_each_in_cell(Cell{i, j, k, l}.hash(), visit);
+                }
+            }
+        }
+    }
 }
 
 void PlaneTable::link(std::uint32_t entry) {
@@ -113,16 +120,18 @@ void PlaneTable::link(std::uint32_t entry) {
 void PlaneTable::rehash(std::size_t buckets) {
     buckets_.assign(buckets, kNone);
     for (std::uint32_t i = 0; i < planes_.size(); ++i) {
-        if (next_[i] != i)
+        if (next_[i] != i) {
             link(i);
+        }
     }
 }
 
 PlaneRef PlaneTable::add(const Plane& plane, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     std::uint32_t entry = kNone;
     const auto take = [&](std::uint32_t known) {
-        if (known < entry && close(planes_[known], plane, a, b, c))
+        if (known < entry && close(planes_[known], plane, a, b, c)) {
             entry = known;
+        }
     };
     for_each_in_cells(plane, take);
     for_each_in_cells(opposite(plane), take);
@@ -136,8 +145,9 @@ PlaneRef PlaneTable::add(const Plane& plane, const glm::dvec3& a, const glm::dve
 void PlaneTable::find_all(const Plane& plane, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                           std::vector<std::uint32_t>& found) const {
     const auto take = [&](std::uint32_t known) {
-        if (close(planes_[known], plane, a, b, c))
+        if (close(planes_[known], plane, a, b, c)) {
             found.push_back(known);
+        }
     };
     for_each_in_cells(plane, take);
     for_each_in_cells(opposite(plane), take);
@@ -146,8 +156,9 @@ void PlaneTable::find_all(const Plane& plane, const glm::dvec3& a, const glm::dv
 /// What a triangle looks at is one cell or two along each axis: the entries that it can share lie in cells next to each
 /// other, or in such as mirror these.
 void PlaneTable::find_near(const Plane& plane, std::vector<std::uint32_t>& found) const {
-    if (buckets_.empty())
+    if (buckets_.empty()) {
         return;
+    }
     const auto take = [&](std::uint32_t entry) { found.push_back(entry); };
     const Cell at = cell(plane);
     for (const Cell& middle : {at, Cell{-1 - at.x, -1 - at.y, -1 - at.z, -1 - at.d}}) {
@@ -175,8 +186,9 @@ bool PlaneTable::shares(const Plane& entry, const Plane& own, const glm::dvec3& 
 
 void PlaneTable::make_hole(std::uint32_t entry) {
     std::uint32_t* at = &buckets_[hashes_[entry] & (buckets_.size() - 1)];
-    while (*at != entry)
+    while (*at != entry) {
         at = &next_[*at];
+    }
     *at = next_[entry];
     next_[entry] = entry;
 }

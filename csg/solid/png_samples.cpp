@@ -31,8 +31,9 @@ void fail(png_structp png, png_const_charp message) {
 
 void read_bytes(png_structp png, png_bytep data, std::size_t size) {
     auto* reading = static_cast<Reading*>(png_get_io_ptr(png));
-    if (size > reading->left.size())
+    if (size > reading->left.size()) {
         png_error(png, "the file ends too early");
+    }
     std::memcpy(data, reading->left.data(), size);
     reading->left.remove_prefix(size);
 }
@@ -40,17 +41,19 @@ void read_bytes(png_structp png, png_bytep data, std::size_t size) {
 bool read_rows(Reading& reading) {
     png_structp png = reading.png;
     png_infop info = reading.info;
-    if (setjmp(png_jmpbuf(png)) != 0)
+    if (setjmp(png_jmpbuf(png)) != 0) {
         return false;
+    }
     png_set_read_fn(png, &reading, read_bytes);
     // What is beside the picture is passed over: a text may claim 2 GB, which libpng takes before it reads.
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png, info);
     reading.columns = png_get_image_width(png, info);
     reading.rows = png_get_image_height(png, info);
-    if (reading.rows > 0 && reading.columns > reading.most / reading.rows)
+    if (reading.rows > 0 && reading.columns > reading.most / reading.rows) {
         return false;
-    png_set_expand(png);  // Palettes to colours, 1, 2 and 4 bits to 8.
+    }
+    png_set_expand(png);  // Palettes to colors, 1, 2 and 4 bits to 8.
     png_set_strip_alpha(png);
     png_set_gray_to_rgb(png);
     png_set_interlace_handling(png);
@@ -59,8 +62,9 @@ bool read_rows(Reading& reading) {
     reading.bits = png_get_bit_depth(png, info);
     const std::size_t width = png_get_rowbytes(png, info);
     reading.bytes.resize(width * reading.rows);
-    for (std::size_t y = 0; y < reading.rows; ++y)
+    for (std::size_t y = 0; y < reading.rows; ++y) {
         reading.lines.push_back(reading.bytes.data() + y * width);
+    }
     png_read_image(png, reading.lines.data());
     return true;
 }
@@ -73,8 +77,9 @@ PngSamples read_png(std::string_view bytes, std::size_t most) {
     reading.left = bytes;
     reading.most = most;
     reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, fail, [](png_structp, png_const_charp) {});
-    if (reading.png != nullptr)
+    if (reading.png != nullptr) {
         reading.info = png_create_info_struct(reading.png);
+    }
     const bool good = reading.info != nullptr && read_rows(reading);
     png_destroy_read_struct(&reading.png, &reading.info, nullptr);
     if (!good) {

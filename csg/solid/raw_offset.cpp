@@ -76,8 +76,9 @@ Loop RawOffset::around(const Loop& line) {
     const Loop& corners = kept.given;
     const std::vector<GridPoint>& exact = kept.exact;
     // What remains of a region or a hole that is narrower still is as good as a line.
-    if (corners.empty() || (closed && corners.size() < 3 && area2(line) * how_.distance <= 0))
+    if (corners.empty() || (closed && corners.size() < 3 && area2(line) * how_.distance <= 0)) {
         return {};
+    }
     if (corners.size() == 1) {
         add_dot(corners[0]);
         return std::move(loop_);
@@ -92,10 +93,11 @@ Loop RawOffset::around(const Loop& line) {
     for (std::size_t edge = 0; edge < edges; ++edge) {
         const GridPoint after = way(edge);
         const glm::dvec2& at = corners[corner(edge)];
-        if (!closed && (edge == 0 || edge == last))
+        if (!closed && (edge == 0 || edge == last)) {
             add_end(at, normal_of(before));
-        else
+        } else {
             add_corner(at, Bend(normal_of(before), normal_of(after), sign(cross(before, after))));
+        }
         before = after;
     }
     return std::move(loop_);
@@ -106,10 +108,12 @@ Loop RawOffset::beside(const Loop& line) {
     const auto [corners, exact] = distinct(line, false, how_.join == Join::Round ? 0 : unit_);
     const std::size_t edges = corners.size() - 1;
     std::vector<glm::dvec2> normals;
-    for (std::size_t i = 0; i < edges; ++i)
+    for (std::size_t i = 0; i < edges; ++i) {
         normals.push_back(normal_of(exact[i + 1] - exact[i]));
-    if (normals.empty())
+    }
+    if (normals.empty()) {
         return {};
+    }
     add(corners[0], normals[0]);
     for (std::size_t i = 1; i < edges; ++i) {
         const int side = turn_sign(exact[i - 1], exact[i], exact[i + 1]);
@@ -119,8 +123,9 @@ Loop RawOffset::beside(const Loop& line) {
     for (std::size_t i = edges; i-- > 0;) {
         add(corners[i + 1], -0.25 * normals[i]);
         add(corners[i], -0.25 * normals[i]);
-        if (i > 0)
+        if (i > 0) {
             loop_.push_back(corners[i]);
+        }
     }
     return std::move(loop_);
 }
@@ -176,16 +181,19 @@ void RawOffset::add_end(const glm::dvec2& corner, const glm::dvec2& normal) {
     }
 }
 
-void RawOffset::add_dot(const glm::dvec2& centre) {
+void RawOffset::add_dot(const glm::dvec2& center) {
     if (how_.join == Join::Round) {
-        for (int i = 0; i < std::floor(steps_); ++i)
-            add(centre, {std::cos(kTurn / steps_ * i), std::sin(kTurn / steps_ * i)});
+        for (int i = 0; i < std::floor(steps_); ++i) {
+            add(center, {std::cos(kTurn / steps_ * i), std::sin(kTurn / steps_ * i)});
+        }
     } else {
-        for (const glm::dvec2& way : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
-            add(centre, way);
+        for (const glm::dvec2& way : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
+            add(center, way);
+        }
     }
-    if (how_.distance < 0)
+    if (how_.distance < 0) {
         std::reverse(loop_.begin(), loop_.end());
+    }
 }
 
 }  // namespace csg::solid

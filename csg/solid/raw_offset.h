@@ -30,7 +30,7 @@ class RawOffset {
     void add_arc(const glm::dvec2& corner, const Bend& bend);
     void add_square(const glm::dvec2& corner, const Bend& bend);
     void add_end(const glm::dvec2& corner, const glm::dvec2& normal);
-    void add_dot(const glm::dvec2& centre);
+    void add_dot(const glm::dvec2& center);
 
     Widening how_;
     double unit_, steps_, least_miter_;

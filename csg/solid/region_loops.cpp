@@ -29,13 +29,15 @@ std::vector<Side> sides(std::span<const GridEdge> edges, const Inside& inside) {
             winding.second += edges[e].other;
             above[e] = winding;
             const bool after = inside(winding.first, winding.second);
-            if (before != after)
+            if (before != after) {
                 result.push_back(after ? Side{edges[e].a, edges[e].b} : Side{edges[e].b, edges[e].a});
+            }
         }
         return true;
     });
-    if (!planar)
+    if (!planar) {
         throw OutlineError("outlines that cross each other in a way that cannot be resolved");
+    }
     std::sort(result.begin(), result.end());
     return result;
 }
@@ -55,8 +57,9 @@ class Walk {
   public:
     explicit Walk(std::vector<Side> sides) : sides_(std::move(sides)), used_(sides_.size(), 0) {
         for (std::size_t i = 0; i < sides_.size(); ++i) {
-            if (i == 0 || sides_[i].from != sides_[i - 1].from)
+            if (i == 0 || sides_[i].from != sides_[i - 1].from) {
                 begin_.push_back(i);
+            }
             vertex_.push_back(begin_.size() - 1);
         }
         begin_.push_back(sides_.size());
@@ -69,8 +72,9 @@ class Walk {
                 used_[at] = 1;
                 on_way_[vertex_[at]] = way_.size();
                 way_.push_back(at);
-                if (const std::size_t back = on_way_[vertex_of(sides_[at].to)]; back != kNone)
+                if (const std::size_t back = on_way_[vertex_of(sides_[at].to)]; back != kNone) {
                     leave(back);
+                }
             }
         }
         std::sort(result_.begin(), result_.end());
@@ -90,8 +94,9 @@ class Walk {
         std::size_t best = begin_[vertex];
         const GridPoint &here = sides_[at].to, back = sides_[at].from - here;
         for (std::size_t i = best + 1; i < begin_[vertex + 1]; ++i) {
-            if (comes_first(back, sides_[i].to - here, sides_[best].to - here))
+            if (comes_first(back, sides_[i].to - here, sides_[best].to - here)) {
                 best = i;
+            }
         }
         return best;
     }
@@ -102,8 +107,9 @@ class Walk {
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t before = way_[back + (i + n - 1) % n], at = way_[back + i];
             const bool alone = begin_[vertex_[at] + 1] - begin_[vertex_[at]] == 1;
-            if (!alone || turn_sign(sides_[before].from, sides_[at].from, sides_[at].to) != 0)
+            if (!alone || turn_sign(sides_[before].from, sides_[at].from, sides_[at].to) != 0) {
                 loop.push_back(sides_[at].from);
+            }
             on_way_[vertex_[at]] = kNone;
         }
         way_.resize(back);

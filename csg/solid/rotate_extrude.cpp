@@ -41,11 +41,13 @@ std::vector<std::vector<std::uint32_t>> add_rings(Solid& solid, const std::vecto
 /// Corners that rounding has moved off the axis, by no more than the grid of outlines, are on it.
 void put_on_axis(std::vector<glm::dvec2>& corners) {
     double reach = 0;
-    for (const glm::dvec2& p : corners)
+    for (const glm::dvec2& p : corners) {
         reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+    }
     for (glm::dvec2& p : corners) {
-        if (std::abs(p.x) <= reach * 0x1p-40)
+        if (std::abs(p.x) <= reach * 0x1p-40) {
             p.x = 0;
+        }
     }
 }
 
@@ -56,8 +58,9 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& given, const RotateExtrude&
     // Loops that meet in a point share it.
     IndexedOutline outline = index_corners(given);
     std::vector<glm::dvec2>& corners = outline.points;
-    if (corners.empty() || how.angle == 0 || !std::isfinite(how.angle) || !std::isfinite(how.start))
+    if (corners.empty() || how.angle == 0 || !std::isfinite(how.angle) || !std::isfinite(how.start)) {
         return solid;
+    }
     put_on_axis(corners);
     double lo = 0, hi = 0;
     for (const glm::dvec2& p : corners) {
@@ -75,14 +78,16 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& given, const RotateExtrude&
     Sweep sweep{how.start, angle,
                 static_cast<std::uint32_t>(std::max(1.0, std::ceil(segments * std::abs(angle) / 360))),
                 std::abs(angle) == 360};
-    if (sweep.steps > kMostTriangles / corners.size() / 2)
+    if (sweep.steps > kMostTriangles / corners.size() / 2) {
         throw GeometryError(
             fmt::format("rotate_extrude() has too many fragments: {} of {} corners each", sweep.steps, corners.size()));
+    }
     const auto rings = add_rings(*solid, corners, sweep);
     const bool flip = (angle < 0) != (lo < 0);
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (a != b && b != c && c != a)
+        if (a != b && b != c && c != a) {
             solid->triangles.push_back(flip ? glm::uvec3(a, c, b) : glm::uvec3(a, b, c));
+        }
     };
     for (std::uint32_t k = 0; k < sweep.steps; ++k) {
         const auto &here = rings[k], &there = rings[(k + 1) % rings.size()];

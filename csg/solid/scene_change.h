@@ -14,8 +14,8 @@ struct SceneChange {
     /// Leaves or expressions have come or gone: leaves have other numbers. What was made of the scene is to be made
     /// anew; nothing else of what is here counts then, but the failures.
     bool structure = false;
-    /// Geometry::centre has moved: all that floats were made of has.
-    bool centre = false;
+    /// Geometry::center has moved: all that floats were made of has.
+    bool center = false;
     /// All planes have other numbers, and triangles of any leaf may have others.
     bool all_planes = false;
     std::vector<std::uint32_t> planes;  ///< Entries of the plane table that are others.
@@ -24,7 +24,7 @@ struct SceneChange {
     std::vector<std::string> failures;  ///< Leaves that could not be placed so, and are left out.
 
     [[nodiscard]] bool empty() const {
-        return !structure && !centre && !all_planes && planes.empty() && leaves.empty() && parts.empty();
+        return !structure && !center && !all_planes && planes.empty() && leaves.empty() && parts.empty();
     }
 };
 

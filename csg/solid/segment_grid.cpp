@@ -24,10 +24,12 @@ void SegmentGrid::along(const GridEdge& edge, F&& f) const {
             low = ay + (by - ay) * (left - ax) / (bx - ax);
             high = ay + (by - ay) * (right - ax) / (bx - ax);
         }
-        if (low > high)
+        if (low > high) {
             std::swap(low, high);
-        for (std::size_t row = column(low - kMargin); row <= column(high + kMargin); ++row)
+        }
+        for (std::size_t row = column(low - kMargin); row <= column(high + kMargin); ++row) {
             f(row * side_ + c);
+        }
     }
 }
 
@@ -42,12 +44,14 @@ SegmentGrid::SegmentGrid(std::span<const GridEdge> edges) {
         y_ = static_cast<double>(lo.y);
         const double width = static_cast<double>(hi.x - lo.x) + 1, height = static_cast<double>(hi.y - lo.y) + 1;
         double length = 0;
-        for (const GridEdge& e : edges)
+        for (const GridEdge& e : edges) {
             length +=
                 static_cast<double>(e.b.x - e.a.x) / width + static_cast<double>(std::abs(e.b.y - e.a.y)) / height;
+        }
         double side = std::min(std::sqrt(static_cast<double>(edges.size())), 1024.0);
-        if (length > 0)
+        if (length > 0) {
             side = std::min(side, kMostEntries / length);
+        }
         // Cells are wider than the unit squares that are looked up.
         side = std::max(1.0, std::floor(std::min({side, width / 4, height / 4})));
         side_ = static_cast<std::size_t>(side);
@@ -55,14 +59,17 @@ SegmentGrid::SegmentGrid(std::span<const GridEdge> edges) {
         per_y_ = side / height;
     }
     begin_.assign(side_ * side_ + 1, 0);
-    for (const GridEdge& e : edges)
+    for (const GridEdge& e : edges) {
         along(e, [&](std::size_t cell) { ++begin_[cell + 1]; });
-    for (std::size_t i = 1; i < begin_.size(); ++i)
+    }
+    for (std::size_t i = 1; i < begin_.size(); ++i) {
         begin_[i] += begin_[i - 1];
+    }
     entries_.resize(begin_.back());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < edges.size(); ++i)
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
         along(edges[i], [&](std::size_t cell) { entries_[next[cell]++] = i; });
+    }
 }
 
 }  // namespace csg::solid

@@ -24,9 +24,11 @@ class SegmentGrid {
         const double x = static_cast<double>(p.x), y = static_cast<double>(p.y);
         const std::size_t left = column((x - 1 - x_) * per_x_), right = column((x + 1 - x_) * per_x_);
         const std::size_t low = column((y - 1 - y_) * per_y_), high = column((y + 1 - y_) * per_y_);
-        for (std::size_t row = low; row <= high; ++row)
-            for (std::size_t at = left; at <= right; ++at)
+        for (std::size_t row = low; row <= high; ++row) {
+            for (std::size_t at = left; at <= right; ++at) {
                 f(row * side_ + at);
+            }
+        }
     }
 
   private:

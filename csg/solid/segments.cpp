@@ -32,18 +32,22 @@ class Divider {
     [[nodiscard]] Loop up_to(const Loop& loop, std::size_t corners) const {
         std::vector<std::size_t> pieces(loop.size(), 1);
         std::priority_queue<Edge> edges;
-        for (std::size_t i = 0; i < loop.size(); ++i)
+        for (std::size_t i = 0; i < loop.size(); ++i) {
             edges.push({i, longest(loop, i)});
+        }
         std::vector<Edge> alike;  // Edges of nearly the same length are divided together, or not at all.
         for (std::size_t count = loop.size(); count < corners;) {
             constexpr double kAlike = 0.999;
             const double first = edges.top().priority();
-            if (!(first > 0))
+            if (!(first > 0)) {
                 break;
-            for (alike.clear(); !edges.empty() && edges.top().priority() >= kAlike * first; edges.pop())
+            }
+            for (alike.clear(); !edges.empty() && edges.top().priority() >= kAlike * first; edges.pop()) {
                 alike.push_back(edges.top());
-            if (count + alike.size() > corners)
+            }
+            if (count + alike.size() > corners) {
                 break;
+            }
             count += alike.size();
             for (Edge& edge : alike) {
                 pieces[edge.index] = ++edge.pieces;
@@ -60,8 +64,9 @@ class Divider {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const double count = std::max(1.0, std::ceil(longest(loop, i) / most));
             sum += count;
-            if (!(sum < static_cast<double>(corners)))
+            if (!(sum < static_cast<double>(corners))) {
                 return {};
+            }
             pieces.push_back(static_cast<std::size_t>(count));
         }
         return divided(loop, pieces);
@@ -70,8 +75,9 @@ class Divider {
   private:
     [[nodiscard]] double longest(const Loop& loop, std::size_t i) const {
         const glm::dvec2 edge = loop[(i + 1) % loop.size()] - loop[i];
-        if (how_.scale.x == how_.scale.y)
+        if (how_.scale.x == how_.scale.y) {
             return glm::length(edge) * std::max(how_.scale.x, 1.0);
+        }
         double length = 0;
         for (std::size_t step = 0; step <= steps_; ++step) {
             const double t = static_cast<double>(step) / static_cast<double>(steps_);
@@ -110,8 +116,9 @@ Outline divide_edges(const Outline& outline, const LinearExtrude& how, std::size
     const bool bent = how.twist.value_or(0) != 0 || how.scale.x != how.scale.y;
     const Fineness& f = how.fineness;
     const bool by_count = how.segments.has_value() || f.fn > 0;
-    if (!(how.segments ? *how.segments > 0 : bent) || !std::isfinite(f.fn))
+    if (!(how.segments ? *how.segments > 0 : bent) || !std::isfinite(f.fn)) {
         return outline;
+    }
     const std::size_t most = how.segments ? count_of(*how.segments)
                              : f.fn > 0   ? count_of(f.fn)
                                           : count_of(std::ceil(360 / f.fa));
@@ -120,8 +127,9 @@ Outline divide_edges(const Outline& outline, const LinearExtrude& how, std::size
         Loop divided = loop;
         if (loop.size() < most) {
             divided = by_count ? Loop() : divider.by_length(loop, f.fs, most);
-            if (divided.empty())
+            if (divided.empty()) {
                 divided = divider.up_to(loop, most);
+            }
         }
         result.loops.push_back(std::move(divided));
     }

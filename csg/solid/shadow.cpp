@@ -25,8 +25,9 @@ std::vector<Seen> seen_from_above(const Mesh& mesh) {
             const glm::dvec3 most = glm::abs(mesh.points[t[k]]);
             largest = std::max({largest, most.x, most.y, most.z});
         }
-        if (const double area = area2(loop); area != 0)
+        if (const double area = area2(loop); area != 0) {
             all.push_back({{std::move(loop), area}, t});
+        }
     }
     // The widest first, whose planes are known best.
     std::stable_sort(all.begin(), all.end(),
@@ -51,13 +52,16 @@ Outline shadow_of(const Mesh& mesh) {
         last = std::find_if(first, triangles.end(), [&](const Seen& s) { return s.plane != first->plane; });
         const auto looks_up = [](const Seen& s) { return s.area > 0; };
         const auto ups = std::count_if(first, last, looks_up);
-        if (ups == 0)
+        if (ups == 0) {
             continue;
+        }
         std::vector<Loop> both;
-        for (auto t = first; t != last; ++t)
+        for (auto t = first; t != last; ++t) {
             (ups == last - first ? up : both).push_back(std::move(t->loop));
-        if (!both.empty())
+        }
+        if (!both.empty()) {
             outlines.push_back(std::make_shared<Outline>(clean(both, FillRule::NonZero)));
+        }
     }
     outlines.push_back(std::make_shared<Outline>(clean(up, FillRule::NonZero)));
     return combine(BooleanKind::Union, outlines);
@@ -67,8 +71,9 @@ Outline shadow_of(const Mesh& mesh) {
 
 Outline shadow(std::span<const Mesh> meshes) {
     std::vector<std::shared_ptr<const Outline>> outlines;
-    for (const Mesh& mesh : meshes)
+    for (const Mesh& mesh : meshes) {
         outlines.push_back(std::make_shared<Outline>(shadow_of(mesh)));
+    }
     return combine(BooleanKind::Union, outlines);
 }
 

@@ -36,10 +36,12 @@ std::uint32_t add_ring(Solid& solid, double radius, double z, int segments) {
 
 void add_cap(Solid& solid, std::uint32_t first, int segments, bool up) {
     std::vector<std::uint32_t> face(static_cast<std::size_t>(segments));
-    for (std::uint32_t i = 0; i < face.size(); ++i)
+    for (std::uint32_t i = 0; i < face.size(); ++i) {
         face[i] = first + i;
-    if (!up)
+    }
+    if (!up) {
         std::reverse(face.begin(), face.end());
+    }
     triangulate_convex(face, solid.triangles);
 }
 
@@ -54,21 +56,25 @@ void add_band(Solid& solid, std::uint32_t below, std::uint32_t above, int segmen
 }
 
 void build(const Cube& cube, Solid& solid) {
-    if (!usable(cube.size.x) || !usable(cube.size.y) || !usable(cube.size.z))
+    if (!usable(cube.size.x) || !usable(cube.size.y) || !usable(cube.size.z)) {
         return;
+    }
     const glm::dvec3 lo = cube.center ? cube.size * -0.5 : glm::dvec3(0.0);
     const glm::dvec3 hi = cube.center ? cube.size * 0.5 : cube.size;
-    for (unsigned i = 0; i < 8; ++i)
+    for (unsigned i = 0; i < 8; ++i) {
         solid.points.emplace_back((i & 1) ? hi.x : lo.x, (i & 2) ? hi.y : lo.y, (i & 4) ? hi.z : lo.z);
+    }
     constexpr std::uint32_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                            {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    for (const auto& face : faces)
+    for (const auto& face : faces) {
         triangulate_convex(face, solid.triangles);
+    }
 }
 
 void build(const Sphere& sphere, Solid& solid) {
-    if (!usable(sphere.radius))
+    if (!usable(sphere.radius)) {
         return;
+    }
     const int segments = circle_segments(sphere.radius, sphere.fineness);
     const int rings = (segments + 1) / 2;
     if (std::size_t{2} * static_cast<std::size_t>(segments) * static_cast<std::size_t>(rings) > kMostTriangles) {
@@ -81,10 +87,11 @@ void build(const Sphere& sphere, Solid& solid) {
         const double phi = 180.0 * (rings - 1 - i + 0.5) / rings;
         const std::uint32_t ring =
             add_ring(solid, sphere.radius * sin_degrees(phi), sphere.radius * cos_degrees(phi), segments);
-        if (i == 0)
+        if (i == 0) {
             add_cap(solid, ring, segments, false);
-        else
+        } else {
             add_band(solid, last, ring, segments);
+        }
         last = ring;
     }
     add_cap(solid, last, segments, true);
@@ -92,8 +99,9 @@ void build(const Sphere& sphere, Solid& solid) {
 
 void build(const Cylinder& cylinder, Solid& solid) {
     const double r1 = cylinder.radius1, r2 = cylinder.radius2, h = cylinder.height;
-    if (!usable(h) || !std::isfinite(r1) || !std::isfinite(r2) || r1 < 0 || r2 < 0 || (r1 == 0 && r2 == 0))
+    if (!usable(h) || !std::isfinite(r1) || !std::isfinite(r2) || r1 < 0 || r2 < 0 || (r1 == 0 && r2 == 0)) {
         return;
+    }
     const int segments = circle_segments(std::max(r1, r2), cylinder.fineness);
     const auto n = static_cast<std::uint32_t>(segments);
     const double z1 = cylinder.center ? -h / 2 : 0, z2 = cylinder.center ? h / 2 : h;
@@ -110,10 +118,11 @@ void build(const Cylinder& cylinder, Solid& solid) {
     add_cap(solid, ring, segments, !up);
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t a = ring + i, b = ring + (i + 1) % n;
-        if (up)
+        if (up) {
             solid.triangles.emplace_back(a, b, ring + n);
-        else
+        } else {
             solid.triangles.emplace_back(b, a, ring + n);
+        }
     }
 }
 
@@ -135,8 +144,9 @@ bool add_faces(const Polyhedron& polyhedron, std::span<const std::uint32_t> firs
 }
 
 void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
-    if (!polyhedron)
+    if (!polyhedron) {
         return;
+    }
     const std::vector<glm::dvec3>& points = polyhedron->points;
     for (const glm::dvec3& p : points) {
         if (!is_finite(p)) {
@@ -145,15 +155,17 @@ void build(const std::shared_ptr<const Polyhedron>& polyhedron, Solid& solid) {
         }
     }
     std::size_t triangles = 0;
-    for (const auto& loop : polyhedron->faces)
+    for (const auto& loop : polyhedron->faces) {
         triangles += loop.size() < 3 ? 0 : loop.size() - 2;
+    }
     if (triangles > kMostTriangles) {
         solid.failures.emplace_back("polyhedron has more than 16777216 triangles; it is left out");
         return;
     }
     // Faces that meet in equal points meet: indices of the first of equals stand for all.
-    if (!add_faces(*polyhedron, first_of_equals(points), solid))
+    if (!add_faces(*polyhedron, first_of_equals(points), solid)) {
         solid.failures.emplace_back("polyhedron has a face with a point index that is out of bounds; it is ignored");
+    }
 }
 
 /// Where a polyhedron is open, gaps that no picture shows are closed, if that is all that was missing.
@@ -162,8 +174,9 @@ void close_gaps(const Polyhedron& polyhedron, Solid& solid) {
     Solid closed;
     (void)add_faces(polyhedron, first_of_near(polyhedron.points, kGap * solid.box.diagonal()), closed);
     closed.box = solid.box;
-    if (closed.triangles.empty())
+    if (closed.triangles.empty()) {
         return;
+    }
     check_mesh(closed);
     if (closed.closed) {
         closed.warnings = std::move(solid.warnings);
@@ -182,20 +195,24 @@ int segments_by_error(double r, double error) {
     const double least = 5;
     const double most = std::max(std::min(360 / kLeastFineness, r * 2 * std::numbers::pi / kLeastFineness), least);
     const double cosine = 1 - error / r;
-    if (cosine <= std::cos(std::numbers::pi / least))
+    if (cosine <= std::cos(std::numbers::pi / least)) {
         return static_cast<int>(least);
+    }
     return static_cast<int>(std::ceil(std::min(std::numbers::pi / std::acos(cosine), most)));
 }
 
 }  // namespace
 
 int circle_segments(double r, const Fineness& fineness) {
-    if (!(r >= kSmallestRadius) || !std::isfinite(fineness.fn) || !std::isfinite(r))
+    if (!(r >= kSmallestRadius) || !std::isfinite(fineness.fn) || !std::isfinite(r)) {
         return 3;
-    if (fineness.fn > 0)
+    }
+    if (fineness.fn > 0) {
         return static_cast<int>(std::clamp(fineness.fn, 3.0, double{kMostSegments}));
-    if (fineness.fe && *fineness.fe >= kSmallestRadius)
+    }
+    if (fineness.fe && *fineness.fe >= kSmallestRadius) {
         return segments_by_error(r, *fineness.fe);
+    }
     // As OpenSCAD, which ignores what is no number.
     const double wanted =
         std::ceil(std::fmax(std::fmin(360.0 / fineness.fa, r * 2.0 * std::numbers::pi / fineness.fs), 5.0));
@@ -221,8 +238,9 @@ std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
             build(s, *solid);
         },
         shape);
-    for (const glm::dvec3& p : solid->points)
+    for (const glm::dvec3& p : solid->points) {
         solid->box = enclose(solid->box, p);
+    }
     if (!std::holds_alternative<std::shared_ptr<const Polyhedron>>(shape)) {
         solid->closed = !solid->triangles.empty();
         solid->convex = solid->simple = solid->closed;
@@ -230,10 +248,12 @@ std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
     }
     if (!solid->triangles.empty()) {
         check_mesh(*solid);
-        if (!solid->closed)
+        if (!solid->closed) {
             close_gaps(*std::get<std::shared_ptr<const Polyhedron>>(shape), *solid);
-        if (!solid->closed)
+        }
+        if (!solid->closed) {
             solid->warnings.emplace_back("polyhedron is not closed, or its faces are not all oriented alike");
+        }
     }
     return solid;
 }

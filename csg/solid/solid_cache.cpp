@@ -19,8 +19,9 @@ void tell(const Tree& tree, NodeId node, const Made& made, Remarks& remarks, con
     const auto add = [&](const std::vector<std::string>& texts, const std::vector<std::string>* known,
                          std::vector<std::string>& all) {
         for (const std::string& text : texts) {
-            if (known == nullptr || std::find(known->begin(), known->end(), text) == known->end())
+            if (known == nullptr || std::find(known->begin(), known->end(), text) == known->end()) {
                 all.push_back(located(tree, tree.node(node).where, text));
+            }
         }
     };
     add(made.warnings, told != nullptr ? &told->warnings : nullptr, remarks.warnings);
@@ -47,8 +48,8 @@ auto of_node(const Tree& tree, NodeId node, const Make& make) -> decltype(make()
 ///
 /// Two contents are told apart by their hashes alone, for what is below a node stands in a tree that may be gone by the
 /// time another asks, and keeping all trees to compare with would cost more than the meshes. Hashes have 64 bits that
-/// all depend on all of the content (csg/tree/hash.h): among a million contents that a session holds at a time, two that
-/// differ have one hash with a probability of 3e-8.
+/// all depend on all of the content (csg/tree/hash.h): among a million contents that a session holds at a time, two
+/// that differ have one hash with a probability of 3e-8.
 struct SolidCache::Entry {
     std::unique_ptr<const NodeGeometry> geometry;
     std::shared_ptr<const Solid> solid;
@@ -67,8 +68,9 @@ std::shared_ptr<const Solid> SolidCache::get(const LeafShape& shape, const std::
     base::end_if_asked(stop);
     Entry& entry = entries_[content_hash(shape)];
     entry.used = generation_;
-    if (!entry.solid)
+    if (!entry.solid) {
         entry.solid = make_solid(shape);
+    }
     return entry.solid;
 }
 
@@ -85,8 +87,9 @@ std::shared_ptr<const Solid> SolidCache::get(const Tree& tree, NodeId node, cons
     }
     const NodeGeometry& made = geometry(tree, node, by_node, remarks, stop);
     Entry& entry = entries_[tree.node(node).hash];
-    if (!entry.solid)
+    if (!entry.solid) {
         entry.solid = of_node(tree, node, [&] { return as_solid(made, tools(stop)); });
+    }
     tell(tree, node, *entry.solid, remarks, &made);
     return entry.solid;
 }
@@ -99,8 +102,9 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
     std::unordered_set<NodeId> seen{top};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (const NodeId child : tree.children(nodes[i])) {
-            if (!tree.node(child).modifiers.background && seen.insert(child).second)
+            if (!tree.node(child).modifiers.background && seen.insert(child).second) {
                 nodes.push_back(child);
+            }
         }
     }
     std::sort(nodes.begin(), nodes.end());
@@ -112,8 +116,9 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
         if (!known.geometry) {
             children.clear();
             for (const NodeId child : tree.children(id)) {
-                if (!tree.node(child).modifiers.background)
+                if (!tree.node(child).modifiers.background) {
                     children.push_back(entries_[tree.node(child).hash].geometry.get());
+                }
             }
             known.geometry = of_node(tree, id, [&] {
                 return std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools(stop)));
@@ -132,18 +137,22 @@ SolidCache::Size SolidCache::size() const {
     Size size;
     std::unordered_set<const Solid*> counted;  // An entry may hold what another one does.
     const auto count = [&](const std::shared_ptr<const Solid>& solid) {
-        if (solid && counted.insert(solid.get()).second)
+        if (solid && counted.insert(solid.get()).second) {
             size.bytes += solid->points.size() * sizeof(glm::dvec3) + solid->triangles.size() * sizeof(glm::uvec3);
+        }
     };
     for (const auto& [key, entry] : entries_) {
         ++size.entries;
         count(entry.solid);
-        if (!entry.geometry)
+        if (!entry.geometry) {
             continue;
-        for (const Piece& piece : entry.geometry->pieces)
+        }
+        for (const Piece& piece : entry.geometry->pieces) {
             count(piece.solid);
-        if (entry.geometry->outline)
+        }
+        if (entry.geometry->outline) {
             size.bytes += entry.geometry->outline->corners() * sizeof(glm::dvec2);
+        }
     }
     return size;
 }

@@ -8,8 +8,9 @@ namespace {
 constexpr int kHighestDegree = 15;
 
 bool fits(const Spline& s) {
-    if (s.degree < 1 || s.degree > kHighestDegree)
+    if (s.degree < 1 || s.degree > kHighestDegree) {
         return false;
+    }
     const auto degree = static_cast<std::size_t>(s.degree);
     return s.points.size() > degree && s.knots.size() == s.points.size() + degree + 1 &&
            std::is_sorted(s.knots.begin(), s.knots.end()) &&
@@ -40,21 +41,26 @@ glm::dvec2 point_at(const Spline& s, std::size_t span, double t) {
 }  // namespace
 
 std::optional<Loop> points_along(const Spline& spline, int steps) {
-    if (!fits(spline))
+    if (!fits(spline)) {
         return std::nullopt;
+    }
     Loop result;
     const auto degree = static_cast<std::size_t>(spline.degree);
     for (std::size_t span = degree; span < spline.points.size(); ++span) {
         const double from = spline.knots[span], to = spline.knots[span + 1];
-        if (!(to > from))
+        if (!(to > from)) {
             continue;
-        if (result.empty())
+        }
+        if (result.empty()) {
             result.push_back(point_at(spline, span, from));
-        for (int i = 1; i <= steps; ++i)
+        }
+        for (int i = 1; i <= steps; ++i) {
             result.push_back(point_at(spline, span, from + (to - from) * i / steps));
+        }
     }
-    if (result.empty())
+    if (result.empty()) {
         return std::nullopt;
+    }
     return result;
 }
 

@@ -11,8 +11,9 @@ namespace csg::solid {
 
 Outline stroke(const Loop& line, const Stroke& how, int around) {
     if (line.empty() || !std::all_of(line.begin(), line.end(), is_finite<2>) || !(how.width > 0) ||
-        !std::isfinite(how.width))
+        !std::isfinite(how.width)) {
         return {};
+    }
     Widening widening;
     widening.distance = how.width / 2;
     widening.tolerance = widening.distance * (1 - cos_degrees(180.0 / std::max(around, 3)));

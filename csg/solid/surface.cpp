@@ -47,8 +47,9 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
             numbers.push_back(*number);
             least = std::min(least, *number);
         }
-        if (numbers.empty())
+        if (numbers.empty()) {
             continue;
+        }
         columns = std::max(columns, numbers.size());
         samples += numbers.size();
         lines.push_back(std::move(numbers));
@@ -58,8 +59,9 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
         }
     }
     Heights heights{columns, lines.size(), std::vector<double>(columns * lines.size(), 0.0), least};
-    for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t i = 0; i < lines.size(); ++i) {
         std::copy(lines[i].begin(), lines[i].end(), heights.values.begin() + static_cast<std::ptrdiff_t>(i * columns));
+    }
     return heights;
 }
 
@@ -91,9 +93,11 @@ void build(const Heights& heights, bool center, Solid& solid) {
     const double ox = center ? -static_cast<double>(columns - 1) / 2 : 0;
     const double oy = center ? -static_cast<double>(rows - 1) / 2 : 0;
     const auto index = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
-    for (std::size_t y = 0; y < rows; ++y)
-        for (std::size_t x = 0; x < columns; ++x)
+    for (std::size_t y = 0; y < rows; ++y) {
+        for (std::size_t x = 0; x < columns; ++x) {
             solid.points.emplace_back(ox + static_cast<double>(x), oy + static_cast<double>(y), heights.at(x, y));
+        }
+    }
     for (std::size_t y = 0; y + 1 < rows; ++y) {
         for (std::size_t x = 0; x + 1 < columns; ++x) {
             const double middle =
@@ -101,23 +105,29 @@ void build(const Heights& heights, bool center, Solid& solid) {
             const std::uint32_t m = index(solid.points.size()), a = index(y * columns + x), b = a + 1,
                                 d = index((y + 1) * columns + x), c = d + 1;
             solid.points.emplace_back(ox + static_cast<double>(x) + 0.5, oy + static_cast<double>(y) + 0.5, middle);
-            for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, d), std::pair(d, a)})
+            for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, d), std::pair(d, a)}) {
                 solid.triangles.emplace_back(p, q, m);
+            }
         }
     }
     // The border, counter-clockwise seen from above.
     std::vector<std::uint32_t> border;
-    for (std::size_t x = 0; x + 1 < columns; ++x)
+    for (std::size_t x = 0; x + 1 < columns; ++x) {
         border.push_back(index(x));
-    for (std::size_t y = 0; y + 1 < rows; ++y)
+    }
+    for (std::size_t y = 0; y + 1 < rows; ++y) {
         border.push_back(index(y * columns + columns - 1));
-    for (std::size_t x = columns - 1; x > 0; --x)
+    }
+    for (std::size_t x = columns - 1; x > 0; --x) {
         border.push_back(index((rows - 1) * columns + x));
-    for (std::size_t y = rows - 1; y > 0; --y)
+    }
+    for (std::size_t y = rows - 1; y > 0; --y) {
         border.push_back(index(y * columns));
+    }
     const std::uint32_t below = index(solid.points.size()), n = index(border.size());
-    for (const std::uint32_t i : border)
+    for (const std::uint32_t i : border) {
         solid.points.emplace_back(solid.points[i].x, solid.points[i].y, bottom);
+    }
     const std::uint32_t middle = index(solid.points.size());
     solid.points.emplace_back(ox + static_cast<double>(columns - 1) / 2, oy + static_cast<double>(rows - 1) / 2,
                               bottom);
@@ -134,14 +144,16 @@ void build(const Heights& heights, bool center, Solid& solid) {
 std::shared_ptr<Solid> surface_solid(const Surface& surface) {
     auto solid = std::make_shared<Solid>();
     const auto text = read_file(surface.file.path, kMostBytes, solid->failures);
-    if (!text)
+    if (!text) {
         return solid;
+    }
     const bool picture = text->size() > 8 && std::memcmp(text->data(), "\x89PNG\r\n\x1a\n", 8) == 0;
     const Heights heights =
         picture ? read_picture(*text, surface.invert, solid->failures) : read_table(*text, solid->failures);
     if (heights.columns < 2 || heights.rows < 2) {
-        if (solid->failures.empty())
+        if (solid->failures.empty()) {
             solid->failures.emplace_back("surface file holds less than two rows of two numbers");
+        }
         return solid;
     }
     build(heights, surface.center, *solid);

@@ -36,14 +36,17 @@ std::string without_comments(std::string_view text) {
 }  // namespace
 
 bool SvgDocument::Rule::matches(const SvgElement& element) const {
-    if ((!tag.empty() && tag != element.name) || (!id.empty() && id != attribute(element.attributes, "id")))
+    if ((!tag.empty() && tag != element.name) || (!id.empty() && id != attribute(element.attributes, "id"))) {
         return false;
-    if (class_name.empty())
+    }
+    if (class_name.empty()) {
         return true;
+    }
     std::string_view classes = trimmed(attribute(element.attributes, "class"));
     while (!classes.empty()) {
-        if (cut(classes, ' ') == class_name)
+        if (cut(classes, ' ') == class_name) {
             return true;
+        }
     }
     return false;
 }
@@ -54,10 +57,12 @@ SvgDocument::Declarations SvgDocument::read_declarations(std::string_view text) 
         std::string_view declaration = cut(text, ';');
         const std::string_view name = cut(declaration, ':');
         std::string_view value = trimmed(declaration);
-        if (const std::size_t important = value.find('!'); important != std::string_view::npos)
+        if (const std::size_t important = value.find('!'); important != std::string_view::npos) {
             value = trimmed(value.substr(0, important));
-        if (!name.empty() && !value.empty())
+        }
+        if (!name.empty() && !value.empty()) {
             declarations.insert_or_assign(std::string(name), std::string(value));
+        }
     }
     return declarations;
 }
@@ -74,13 +79,16 @@ void SvgDocument::read_style_sheet(std::string_view text) {
             // Selectors of other kinds, such as "a > b" or "@media", name what nothing matches.
             Rule rule;
             rule.tag = selector.substr(0, mark);
-            if (rule.tag == "*")
+            if (rule.tag == "*") {
                 rule.tag.clear();
-            if (mark < selector.size())
+            }
+            if (mark < selector.size()) {
                 (selector[mark] == '.' ? rule.class_name : rule.id) = selector.substr(mark + 1);
+            }
             rule.declarations = declarations;
-            if (!selector.empty())
+            if (!selector.empty()) {
                 rules_.push_back(std::move(rule));
+            }
         }
     }
 }
@@ -90,16 +98,19 @@ SvgDocument::SvgDocument(std::string_view text, std::vector<std::string>& failur
     XmlEvents events;
     events.open = [&](const std::string& name, const Attributes& attributes) {
         const std::size_t index = elements_.size();
-        if (!open.empty())
+        if (!open.empty()) {
             elements_[open.back()].children.push_back(index);
+        }
         open.push_back(index);
         elements_.push_back({name, attributes, {}});
-        if (const std::string_view id = attribute(attributes, "id"); !id.empty())
+        if (const std::string_view id = attribute(attributes, "id"); !id.empty()) {
             by_id_.emplace(id, index);
+        }
     };
     events.close = [&](const std::string& name, const std::string& content) {
-        if (name == "style")
+        if (name == "style") {
             read_style_sheet(content);
+        }
         open.pop_back();
     };
     read_xml(text, events, failures);
@@ -118,15 +129,18 @@ std::string_view SvgDocument::property(const SvgElement& element, std::string_vi
     std::string_view style = attribute(element.attributes, "style"), own;
     while (!style.empty()) {
         std::string_view declaration = cut(style, ';');
-        if (cut(declaration, ':') == name)
+        if (cut(declaration, ':') == name) {
             own = trimmed(declaration);
+        }
     }
-    if (!own.empty())
+    if (!own.empty()) {
         return own;
+    }
     for (const Rule& rule : rules_) {
         const auto found = rule.declarations.find(name);
-        if (found != rule.declarations.end() && rule.matches(element))
+        if (found != rule.declarations.end() && rule.matches(element)) {
             return found->second;
+        }
     }
     return attribute(element.attributes, name);
 }

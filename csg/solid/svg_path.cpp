@@ -23,14 +23,16 @@ class Scanner {
     explicit Scanner(std::string_view text) : text_(text) {}
 
     void skip() {
-        while (at_ < text_.size() && (std::isspace(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == ','))
+        while (at_ < text_.size() && (std::isspace(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == ',')) {
             ++at_;
+        }
     }
     /// A letter that begins a command; 0 where a number or the end comes.
     char command() {
         skip();
-        if (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0)
+        if (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) {
             return text_[at_++];
+        }
         return 0;
     }
     [[nodiscard]] bool at_end() {
@@ -42,23 +44,26 @@ class Scanner {
         std::size_t from = at_ + (at_ < text_.size() && text_[at_] == '+');
         double value = 0;
         const auto [end, error] = std::from_chars(text_.data() + from, text_.data() + text_.size(), value);
-        if (error != std::errc() || !std::isfinite(value))
+        if (error != std::errc() || !std::isfinite(value)) {
             return std::nullopt;
+        }
         at_ = static_cast<std::size_t>(end - text_.data());
         return value;
     }
     std::optional<double> flag() {
         skip();
-        if (at_ < text_.size() && (text_[at_] == '0' || text_[at_] == '1'))
+        if (at_ < text_.size() && (text_[at_] == '0' || text_[at_] == '1')) {
             return text_[at_++] - '0';
+        }
         return std::nullopt;
     }
     /// A word of letters.
     std::string_view word() {
         skip();
         const std::size_t begin = at_;
-        while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0)
+        while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) {
             ++at_;
+        }
         return text_.substr(begin, at_ - begin);
     }
     /// What stands in the next pair of parentheses.
@@ -85,16 +90,19 @@ class PathReader {
     std::vector<SvgSubpath> run() {
         char command = 0;
         while (!scanner_.at_end()) {
-            if (points_ >= kMostPoints)
+            if (points_ >= kMostPoints) {
                 throw GeometryError(fmt::format("a path in an SVG file has more than {} points", kMostPoints));
-            if (const char next = scanner_.command(); next != 0)
+            }
+            if (const char next = scanner_.command(); next != 0) {
                 command = next;
-            else if (command == 'M' || command == 'm')
+            } else if (command == 'M' || command == 'm') {
                 command = command == 'M' ? 'L' : 'l';  // More pairs of a move are lines.
-            else if (command == 0 || command == 'Z' || command == 'z')
+            } else if (command == 0 || command == 'Z' || command == 'z') {
                 break;
-            if (!step(command))
+            }
+            if (!step(command)) {
                 break;
+            }
         }
         finish(false);
         return std::move(lines_);
@@ -113,8 +121,9 @@ class PathReader {
                 at_ = start_;
                 return true;
             case 'M':
-                if (!point(base, a))
+                if (!point(base, a)) {
                     return false;
+                }
                 finish(false);
                 start_ = at_ = a;
                 loop_ = {a};
@@ -124,8 +133,9 @@ class PathReader {
             case 'H':
             case 'V': {
                 const auto n = scanner_.number();
-                if (!n)
+                if (!n) {
                     return false;
+                }
                 return line_to(kind == 'H' ? glm::dvec2(base.x + *n, at_.y) : glm::dvec2(at_.x, base.y + *n));
             }
             case 'C':
@@ -147,14 +157,16 @@ class PathReader {
 
     bool point(const glm::dvec2& base, glm::dvec2& out) {
         const auto x = scanner_.number(), y = scanner_.number();
-        if (!x || !y)
+        if (!x || !y) {
             return false;
+        }
         out = base + glm::dvec2(*x, *y);
         return true;
     }
     bool line_to(const glm::dvec2& p) {
-        if (loop_.empty())
+        if (loop_.empty()) {
             loop_.push_back(at_);  // After a close the path goes on from its start.
+        }
         loop_.push_back(at_ = p);
         ++points_;
         return true;
@@ -179,16 +191,18 @@ class PathReader {
         control_ = b;
         return true;
     }
-    /// From the end points to the centre (SVG 1.1, appendix F.6.5).
+    /// From the end points to the center (SVG 1.1, appendix F.6.5).
     bool arc(const glm::dvec2& base) {
         const auto rx = scanner_.number(), ry = scanner_.number(), turn = scanner_.number();
         const auto large = scanner_.flag(), sweep = scanner_.flag();
         glm::dvec2 to;
-        if (!rx || !ry || !turn || !large || !sweep || !point(base, to))
+        if (!rx || !ry || !turn || !large || !sweep || !point(base, to)) {
             return false;
+        }
         double a = std::abs(*rx), b = std::abs(*ry);
-        if (a == 0 || b == 0 || to == at_)
+        if (a == 0 || b == 0 || to == at_) {
             return line_to(to);
+        }
         const double c = cos_degrees(*turn), s = sin_degrees(*turn);
         const glm::dvec2 half = 0.5 * (at_ - to);
         const glm::dvec2 p(c * half.x + s * half.y, -s * half.x + c * half.y);
@@ -200,17 +214,20 @@ class PathReader {
         const double below = a * a * p.y * p.y + b * b * p.x * p.x;
         const double root = std::sqrt(std::max(0.0, (a * a * b * b - below) / below));
         const double sign = (*large != 0) == (*sweep != 0) ? -1 : 1;
-        const glm::dvec2 centre(sign * root * a * p.y / b, -sign * root * b * p.x / a);
-        const double from = atan2_degrees((p.y - centre.y) / b, (p.x - centre.x) / a);
-        double end = atan2_degrees((-p.y - centre.y) / b, (-p.x - centre.x) / a);
-        if (*sweep != 0 && end < from)
+        const glm::dvec2 center(sign * root * a * p.y / b, -sign * root * b * p.x / a);
+        const double from = atan2_degrees((p.y - center.y) / b, (p.x - center.x) / a);
+        double end = atan2_degrees((-p.y - center.y) / b, (-p.x - center.x) / a);
+        if (*sweep != 0 && end < from) {
             end += 360;
-        if (*sweep == 0 && end > from)
+        }
+        if (*sweep == 0 && end > from) {
             end -= 360;
+        }
         const glm::dvec2 middle =
-            0.5 * (at_ + to) + glm::dvec2(c * centre.x - s * centre.y, s * centre.x + c * centre.y);
-        if (loop_.empty())
+            0.5 * (at_ + to) + glm::dvec2(c * center.x - s * center.y, s * center.x + c * center.y);
+        if (loop_.empty()) {
             loop_.push_back(at_);
+        }
         const std::size_t before = loop_.size();
         add_arc(loop_, middle, glm::dvec2(c, s) * a, glm::dvec2(-s, c) * b, from, end, around_);
         points_ += loop_.size() - before;
@@ -219,8 +236,9 @@ class PathReader {
     }
     void finish(bool closed) {
         closed = closed || is_closed(loop_);
-        if (loop_.size() > (closed ? 2U : 1U))
+        if (loop_.size() > (closed ? 2U : 1U)) {
             lines_.push_back({std::move(loop_), closed});
+        }
         loop_.clear();
     }
 
@@ -255,8 +273,9 @@ std::vector<SvgSubpath> read_svg_path(std::string_view text, int around) {
 std::vector<double> read_svg_numbers(std::string_view text) {
     Scanner scanner(text);
     std::vector<double> numbers;
-    while (const auto number = scanner.number())
+    while (const auto number = scanner.number()) {
         numbers.push_back(*number);
+    }
     return numbers;
 }
 

@@ -10,20 +10,25 @@
 namespace csg::solid {
 namespace {
 
-constexpr double kInch = 25.4;  // Millimetres.
+constexpr double kInch = 25.4;  // Millimeters.
 
 /// User units in one of the unit named; 0 for a percentage.
 double user_units(std::string_view name, double dots_per_inch) {
-    if (name == "mm")
+    if (name == "mm") {
         return dots_per_inch / kInch;
-    if (name == "cm")
+    }
+    if (name == "cm") {
         return 10 * dots_per_inch / kInch;
-    if (name == "in")
+    }
+    if (name == "in") {
         return dots_per_inch;
-    if (name == "pt")
+    }
+    if (name == "pt") {
         return dots_per_inch / 72;
-    if (name == "pc")
+    }
+    if (name == "pc") {
         return dots_per_inch / 6;
+    }
     return name == "%" ? 0 : 1;
 }
 
@@ -45,13 +50,15 @@ Length split(std::string_view text) {
     return {to_number(digits), unit.substr(0, unit.find_last_not_of(" \t\r\n") + 1)};
 }
 
-/// Millimetres of a side of the page, as OpenSCAD takes them; `view`: the side of the viewBox, 0 where there is none.
+/// Millimeters of a side of the page, as OpenSCAD takes them; `view`: the side of the viewBox, 0 where there is none.
 double page_side(std::string_view text, double view, double dots_per_inch) {
     const auto [number, unit] = split(text);
-    if (!number || unit == "%")
+    if (!number || unit == "%") {
         return number.value_or(100) / 100 * view * kInch / dots_per_inch;
-    if (unit == "em" || unit == "ex")
+    }
+    if (unit == "em" || unit == "ex") {
         return view;
+    }
     constexpr double kDotsPerInch = 96;  // Of CSS.
     return *number * (unit == "px" ? kInch / kDotsPerInch : user_units(unit, dots_per_inch) * kInch / dots_per_inch);
 }
@@ -59,8 +66,9 @@ double page_side(std::string_view text, double view, double dots_per_inch) {
 /// x, y, width, height; empty where it is none.
 std::vector<double> view_box(const SvgElement& element) {
     std::vector<double> box = read_svg_numbers(attribute(element.attributes, "viewBox"));
-    if (box.size() != 4 || !(box[2] > 0) || !(box[3] > 0))
+    if (box.size() != 4 || !(box[2] > 0) || !(box[3] > 0)) {
         box.clear();
+    }
     return box;
 }
 
@@ -103,8 +111,9 @@ glm::dvec2 svg_view_size(const SvgElement& element) {
 glm::dmat4 svg_fit(const SvgElement& element, const glm::dvec2& size) {
     glm::dmat4 m(1.0);
     const std::vector<double> box = view_box(element);
-    if (box.empty() || !(size.x > 0) || !(size.y > 0))
+    if (box.empty() || !(size.x > 0) || !(size.y > 0)) {
         return m;
+    }
     const glm::dvec2 corner(box[0], box[1]);
     const auto [scale, room] = fit(element, size, {box[2], box[3]});
     m[0][0] = scale.x;

@@ -38,31 +38,40 @@ class Sweeper {
         bool inside = inside_above(vertex.below);
         Chain above;  // Of what goes on above the point.
         if (left.empty()) {
-            if (inside)
+            if (inside) {
                 above = split(chains_[vertex.below]);
+            }
         } else {
             for (std::size_t i = 0; i + 1 < left.size(); ++i) {
-                if (inside_above(left[i]) && !close(chains_[left[i]], v))
+                if (inside_above(left[i]) && !close(chains_[left[i]], v)) {
                     return false;
+                }
             }
-            if (inside_above(left.back()))
+            if (inside_above(left.back())) {
                 above = chains_[left.back()];
+            }
         }
-        if (inside)
+        if (inside) {
             add_high(chains_[vertex.below], v);
-        if (above.low != kNone)
-            add_low(above, v);
-        for (const std::uint32_t e : right) {
-            if (inside_above(e) == inside)
-                return false;
-            inside = !inside;
-            if (inside)
-                chains_[e] = e == right.back() ? above : start(v);
         }
-        if (inside != (above.low != kNone))
+        if (above.low != kNone) {
+            add_low(above, v);
+        }
+        for (const std::uint32_t e : right) {
+            if (inside_above(e) == inside) {
+                return false;
+            }
+            inside = !inside;
+            if (inside) {
+                chains_[e] = e == right.back() ? above : start(v);
+            }
+        }
+        if (inside != (above.low != kNone)) {
             return false;
-        if (right.empty() && inside)
+        }
+        if (right.empty() && inside) {
             join(chains_[vertex.below], above);
+        }
         return true;
     }
 
@@ -79,8 +88,9 @@ class Sweeper {
         const std::uint32_t copy = link(links_[chain.newest].point), up = links_[chain.newest].up;
         Chain rest{copy, up == kNone ? copy : chain.high, copy};
         links_[copy].up = up;
-        if (up != kNone)
+        if (up != kNone) {
             links_[up].down = copy;
+        }
         links_[chain.newest].up = kNone;
         chain.high = chain.newest;
         return rest;
@@ -109,8 +119,9 @@ class Sweeper {
     }
     bool close(const Chain& chain, std::uint32_t v) {
         for (std::uint32_t at = chain.low, up = links_[at].up; up != kNone; at = up, up = links_[at].up) {
-            if (side(at, v, up) < 0)
+            if (side(at, v, up) < 0) {
                 return false;
+            }
             triangle(at, v, up);
         }
         return true;
@@ -149,11 +160,13 @@ std::optional<std::vector<glm::uvec3>> triangulate_by_sweep(std::span<const Grid
     std::vector<GridPoint> sorted(points.begin(), points.end());
     std::sort(sorted.begin(), sorted.end());
     const LoopEdges edges = edges_of(points, loops);
-    if (edges.edges.empty() || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    if (edges.edges.empty() || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
         return {};
+    }
     Sweeper sweeper(points, edges);
-    if (!sweeper.run())
+    if (!sweeper.run()) {
         return {};
+    }
     return std::move(sweeper.triangles);
 }
 

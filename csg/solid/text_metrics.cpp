@@ -34,13 +34,15 @@ FT_Face sized_face(const Text& text, FontLibrary& fonts, std::vector<std::string
 /// The box around a glyph's ink, on whole pixels; empty where it has none.
 Box ink_of(FT_Face face, std::uint32_t index) {
     FT_Glyph glyph = nullptr;
-    if (FT_Load_Glyph(face, index, FT_LOAD_DEFAULT) != 0 || FT_Get_Glyph(face->glyph, &glyph) != 0)
+    if (FT_Load_Glyph(face, index, FT_LOAD_DEFAULT) != 0 || FT_Get_Glyph(face->glyph, &glyph) != 0) {
         return {};
+    }
     const FtGlyph owner(glyph);
     FT_BBox box;
     FT_Glyph_Get_CBox(glyph, FT_GLYPH_BBOX_GRIDFIT, &box);
-    if (box.xMax <= box.xMin || box.yMax <= box.yMin)
+    if (box.xMax <= box.xMin || box.yMax <= box.yMin) {
         return {};
+    }
     const auto point = [](FT_Pos x, FT_Pos y) {
         return glm::dvec3(static_cast<double>(x), static_cast<double>(y), 0.0) / kScale;
     };
@@ -58,24 +60,26 @@ glm::dvec2 offset_of(const Text& text, const TextMetrics& m, const Box& ink, std
     const bool vertical = text.direction == "ttb" || text.direction == "btt";
     const std::string &h = text.halign, &v = text.valign;
     glm::dvec2 offset(0.0);
-    if (h == "right")
+    if (h == "right") {
         offset.x = vertical ? -ink.hi.x : -m.advance.x;
-    else if (h == "center")
+    } else if (h == "center") {
         offset.x = vertical ? 0 : -m.advance.x / 2;
-    else if (h == "left")
+    } else if (h == "left") {
         offset.x = vertical ? -ink.lo.x : 0;
-    else if (h != "default")
+    } else if (h != "default") {
         offset.x = unknown("halign", R"("left", "right" or "center")", h, warnings);
-    if (v == "top")
+    }
+    if (v == "top") {
         offset.y = vertical ? 0 : -m.ascent;
-    else if (v == "center")
+    } else if (v == "center") {
         offset.y = vertical ? -m.advance.y / 2 : -(m.ascent + m.descent) / 2;
-    else if (v == "bottom")
+    } else if (v == "bottom") {
         offset.y = vertical ? -m.advance.y : -m.descent;
-    else if (v == "baseline" && vertical)
+    } else if (v == "baseline" && vertical) {
         warnings.emplace_back("Don't use valign=\"baseline\" with vertical layouts");
-    else if (v != "default" && v != "baseline")
+    } else if (v != "default" && v != "baseline") {
         offset.y = unknown("valign", R"("baseline", "bottom", "top" or "center")", v, warnings);
+    }
     return offset;
 }
 
@@ -83,8 +87,9 @@ glm::dvec2 offset_of(const Text& text, const TextMetrics& m, const Box& ink, std
 
 std::optional<TextMetrics> text_metrics(const Text& text, FontLibrary& fonts, std::vector<std::string>& warnings) {
     const FT_Face face = sized_face(text, fonts, warnings);
-    if (face == nullptr)
+    if (face == nullptr) {
         return std::nullopt;
+    }
     const HbFont shaper(hb_ft_font_create(face, nullptr));
     TextMetrics m;
     Box ink;
@@ -115,8 +120,9 @@ std::optional<TextMetrics> text_metrics(const Text& text, FontLibrary& fonts, st
 
 std::optional<FontMetrics> font_metrics(const Text& text, FontLibrary& fonts, std::vector<std::string>& warnings) {
     const FT_Face face = sized_face(text, fonts, warnings);
-    if (face == nullptr)
+    if (face == nullptr) {
         return std::nullopt;
+    }
     const auto scaled = [&](FT_Long units) {
         return static_cast<double>(FT_MulFix(units, face->size->metrics.y_scale)) / kScale * text.size;
     };

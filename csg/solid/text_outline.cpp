@@ -64,8 +64,9 @@ constexpr FT_Outline_Funcs kPen{Pen::move, Pen::line, Pen::conic, Pen::cubic, 0,
 /// FreeType's (and so OpenSCAD's) and not HarfBuzz's.
 void set_below_each_other(const Font& font, std::vector<Glyph>& glyphs) {
     const auto* os2 = static_cast<const TT_OS2*>(FT_Get_Sfnt_Table(font.face, FT_SFNT_OS2));
-    if (FT_HAS_VERTICAL(font.face) || os2 == nullptr || os2->version == 0xFFFF)
+    if (FT_HAS_VERTICAL(font.face) || os2 == nullptr || os2->version == 0xFFFF) {
         return;
+    }
     const int line = os2->sTypoAscender - os2->sTypoDescender;
     for (Glyph& glyph : glyphs) {
         hb_position_t x = 0, y = 0;
@@ -81,28 +82,32 @@ void set_below_each_other(const Font& font, std::vector<Glyph>& glyphs) {
 glm::dvec2 alignment(const Text& text, const glm::dvec2& advance, const Box& box) {
     const bool vertical = text.direction == "ttb" || text.direction == "btt";
     glm::dvec2 shift(0.0);
-    if (text.halign == "center")
+    if (text.halign == "center") {
         shift.x = vertical ? 0 : -advance.x / 2;
-    else if (text.halign == "right")
+    } else if (text.halign == "right") {
         shift.x = vertical ? -box.hi.x : -advance.x;
-    else if (text.halign == "left" && vertical)
+    } else if (text.halign == "left" && vertical) {
         shift.x = -box.lo.x;
-    if (box.empty())
+    }
+    if (box.empty()) {
         return shift;
-    if (text.valign == "top")
+    }
+    if (text.valign == "top") {
         shift.y = vertical ? 0 : -box.hi.y;
-    else if (text.valign == "center")
+    } else if (text.valign == "center") {
         shift.y = vertical ? -advance.y / 2 : -(box.lo.y + box.hi.y) / 2;
-    else if (text.valign == "bottom")
+    } else if (text.valign == "bottom") {
         shift.y = vertical ? -advance.y : -box.lo.y;
+    }
     return shift;
 }
 
 }  // namespace
 
 Outline text_outline(const Text& text, FontLibrary& fonts) {
-    if (text.text.empty() || !(text.size > 0) || !std::isfinite(text.size) || !std::isfinite(text.spacing))
+    if (text.text.empty() || !(text.size > 0) || !std::isfinite(text.size) || !std::isfinite(text.spacing)) {
         return {};
+    }
     if (text.text.size() > kMostBytes) {
         throw GeometryError(fmt::format("text() is longer than {} bytes", kMostBytes));
     }
@@ -116,8 +121,9 @@ Outline text_outline(const Text& text, FontLibrary& fonts) {
     std::vector<std::shared_ptr<const Outline>> letters;
     Box box;
     std::vector<Glyph> glyphs = shape(text, font->shaper.get());
-    if (text.direction == "ttb" || text.direction == "btt")
+    if (text.direction == "ttb" || text.direction == "btt") {
         set_below_each_other(*font, glyphs);
+    }
     for (const Glyph& glyph : glyphs) {
         if (FT_Load_Glyph(font->face, glyph.index, FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP) == 0) {
             std::vector<Loop> loops;

@@ -28,8 +28,8 @@ class FontLibrary {
     std::unique_ptr<Impl> impl_;
 };
 
-/// OpenSCAD's text(): a size of 10 gives capitals about 10 high, the baseline is y = 0. Throws GeometryError where there
-/// is no font, or too much text.
+/// OpenSCAD's text(): a size of 10 gives capitals about 10 high, the baseline is y = 0. Throws GeometryError where
+/// there is no font, or too much text.
 [[nodiscard]] Outline text_outline(const Text& text, FontLibrary& fonts);
 
 /// OpenSCAD's textmetrics(), whose figures are those of the font at a size of 1000 points, hinted and on whole pixels,

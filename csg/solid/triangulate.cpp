@@ -42,13 +42,16 @@ bool is_convex(const std::vector<glm::dvec2>& loop) {
     double last = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % n], &c = loop[(i + 2) % n];
-        if (turn(a, b, c) < 0)
+        if (turn(a, b, c) < 0) {
             return false;
+        }
         const double direction = b.x != a.x ? b.x - a.x : b.y - a.y;
-        if (direction * last < 0)
+        if (direction * last < 0) {
             ++changes_of_direction;
-        if (direction != 0)
+        }
+        if (direction != 0) {
             last = direction;
+        }
     }
     return changes_of_direction <= 2;
 }
@@ -64,26 +67,30 @@ void triangulate_convex(std::span<const std::uint32_t> face, std::vector<glm::uv
         const std::size_t n = loop.size();
         for (std::size_t i = 0; i < n; i += 2) {
             rest.push_back(loop[i]);
-            if (i + 1 < n && (n > 3))
+            if (i + 1 < n && (n > 3)) {
                 cut.emplace_back(loop[i], loop[i + 1], loop[(i + 2) % n]);
+            }
         }
         loop.swap(rest);
     }
-    if (loop.size() == 3)
+    if (loop.size() == 3) {
         cut.emplace_back(loop[0], loop[1], loop[2]);
+    }
     triangles.insert(triangles.end(), cut.rbegin(), cut.rend());
 }
 
 void triangulate(std::span<const glm::dvec3> points, std::span<const std::uint32_t> face,
                  std::vector<glm::uvec3>& triangles) {
-    if (face.size() < 3)
+    if (face.size() < 3) {
         return;
+    }
     if (face.size() == 3) {
         triangles.emplace_back(face[0], face[1], face[2]);
         return;
     }
-    if (is_bent(points, face) && triangulate_bent(points, face, triangles))
+    if (is_bent(points, face) && triangulate_bent(points, face, triangles)) {
         return;
+    }
     const std::vector<glm::dvec2> loop = project(points, face, newell_normal(points, face));
     if (is_convex(loop)) {
         triangulate_convex(face, triangles);
@@ -92,13 +99,15 @@ void triangulate(std::span<const glm::dvec3> points, std::span<const std::uint32
     std::vector<std::uint32_t> around(loop.size());
     std::iota(around.begin(), around.end(), 0u);
     if (const auto swept = triangulate_by_sweep(exact_points(loop), std::span(&around, 1))) {
-        for (const glm::uvec3& t : *swept)
+        for (const glm::uvec3& t : *swept) {
             triangles.emplace_back(face[t.x], face[t.y], face[t.z]);
+        }
         return;
     }
     Ring ring;
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
         ring.push_back({loop[i], face[i]});
+    }
     cut_ears(ring, triangles);
 }
 

@@ -23,13 +23,15 @@ struct Half {
 class Cutter {
   public:
     Cutter(PlacedLeaf& leaf, const Half& half) : leaf_(leaf), half_(half) {
-        for (const glm::dvec3& p : leaf.points)
+        for (const glm::dvec3& p : leaf.points) {
             depths_.push_back(half.depth(p));
+        }
     }
 
     void cut() {
-        for (const glm::uvec3& t : leaf_.triangles)
+        for (const glm::uvec3& t : leaf_.triangles) {
             cut(t);
+        }
         leaf_.triangles = std::move(kept_);
     }
 
@@ -42,31 +44,38 @@ class Cutter {
         std::uint32_t leaving = kNone, entering = kNone;
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t p = t[i], q = t[(i + 1) % 3];
-            if (inside(p))
+            if (inside(p)) {
                 polygon[count++] = p;
-            if (inside(p) && !inside(q))
+            }
+            if (inside(p) && !inside(q)) {
                 leaving = polygon[count++] = crossing(p, q);
-            else if (!inside(p) && inside(q))
+            } else if (!inside(p) && inside(q)) {
                 entering = polygon[count++] = crossing(q, p);
+            }
         }
-        for (std::size_t i = 2; i < count; ++i)
+        for (std::size_t i = 2; i < count; ++i) {
             add(polygon[0], polygon[i - 1], polygon[i]);
-        if (leaving == kNone || leaving == entering)
+        }
+        if (leaving == kNone || leaving == entering) {
             return;
-        if (apex_ == kNone)
+        }
+        if (apex_ == kNone) {
             apex_ = leaving;
+        }
         add(apex_, entering, leaving);
     }
 
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (a != b && b != c && c != a)
+        if (a != b && b != c && c != a) {
             kept_.emplace_back(a, b, c);
+        }
     }
 
     /// The point where an edge leaves: one for both triangles that share the edge.
     std::uint32_t crossing(std::uint32_t in, std::uint32_t out) {
-        if (depths_[in] == 0)
+        if (depths_[in] == 0) {
             return in;
+        }
         const auto [at, is_new] = crossings_.try_emplace({in, out}, static_cast<std::uint32_t>(leaf_.points.size()));
         if (is_new) {
             const glm::dvec3 p = leaf_.points[in], q = leaf_.points[out];
@@ -117,8 +126,9 @@ void trim_leaf(PlacedLeaf& leaf, const Box& limit) {
             }
         }
     }
-    if (!cut)
+    if (!cut) {
         return;
+    }
     compact(leaf);
     const glm::dvec3 size = leaf.box.size();
     if (leaf.box.empty() || std::min({size.x, size.y, size.z}) <= 0) {  // It only touched what it was cut to.
@@ -136,13 +146,15 @@ std::optional<Box> trim_limit(const Scene& scene, const Part& part, std::span<co
 
 void trim_leaves(const Scene& scene, std::span<PlacedLeaf> leaves) {
     std::vector<Box> boxes;
-    for (const PlacedLeaf& leaf : leaves)
+    for (const PlacedLeaf& leaf : leaves) {
         boxes.push_back(leaf.box);
+    }
     for (const Part& part : scene.parts) {
         const std::optional<Box> limit = trim_limit(scene, part, boxes);
         for (PlacedLeaf& leaf : leaves.subspan(part.first_leaf, part.leaf_count)) {
-            if (limit && !leaf.box.empty() && leaf.solid->closed)
+            if (limit && !leaf.box.empty() && leaf.solid->closed) {
                 trim_leaf(leaf, *limit);
+            }
         }
     }
 }

@@ -16,8 +16,9 @@ constexpr std::size_t kTogether = 32;
 using Part = std::shared_ptr<const Outline>;
 
 const Loop& checked(const Loop& loop) {
-    if (!std::all_of(loop.begin(), loop.end(), is_finite<2>))
+    if (!std::all_of(loop.begin(), loop.end(), is_finite<2>)) {
         throw OutlineError("an offset beyond what coordinates can hold");
+    }
     return loop;
 }
 
@@ -25,8 +26,9 @@ const Loop& checked(const Loop& loop) {
 /// spread evenly; their areas add up to what the raw loops have more than the given ones.
 double crossings(const Outline& given, const std::vector<Loop>& raw, double distance) {
     double swept = -given.area();
-    for (const Loop& loop : raw)
+    for (const Loop& loop : raw) {
         swept += area2(loop) / 2;
+    }
     // Miters may reach far beyond the box, but most lies within.
     const Box box = bounds_of(given.loops);
     const double reach = std::max(2 * distance, 0.0);
@@ -40,8 +42,9 @@ void sweep_parts(const Loop& loop, RawOffset& offset, std::vector<Part>& parts) 
     for (std::size_t first = 0; first < loop.size(); first += kTogether) {
         Loop line;
         const std::size_t last = std::min(first + kTogether, loop.size()) + 1;
-        for (std::size_t i = first; i <= last; ++i)
+        for (std::size_t i = first; i <= last; ++i) {
             line.push_back(loop[i % loop.size()]);
+        }
         const Loop band = checked(offset.beside(line));
         parts.push_back(std::make_shared<Outline>(clean(std::span(&band, 1), FillRule::NonZero)));
     }
@@ -72,12 +75,14 @@ Outline widen(std::span<const Loop> loops, const Widening& how) {
     std::copy_if(loops.begin(), loops.end(), std::back_inserter(finite->loops),
                  [](const Loop& loop) { return std::all_of(loop.begin(), loop.end(), is_finite<2>); });
     std::vector<Loop> raw;
-    for (const Loop& loop : finite->loops)
+    for (const Loop& loop : finite->loops) {
         raw.push_back(checked(offset.around(loop)));
+    }
     if (how.end == LineEnd::Closed && crossings(*finite, raw, how.distance) > kMuchCrossing) {
         std::vector<Part> parts;
-        for (const Loop& loop : finite->loops)
+        for (const Loop& loop : finite->loops) {
             sweep_parts(loop, offset, parts);
+        }
         const Part swept = unite(std::move(parts));
         return combine(how.distance > 0 ? BooleanKind::Union : BooleanKind::Difference,
                        std::vector<Part>{finite, swept});

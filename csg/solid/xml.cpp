@@ -31,18 +31,21 @@ void XMLCALL on_open(void* self, const char* name, const char** attributes) {
         return;
     }
     Attributes map;
-    for (; *attributes != nullptr; attributes += 2)
+    for (; *attributes != nullptr; attributes += 2) {
         map.emplace(without_prefix(attributes[0]), attributes[1]);
+    }
     reader.text.clear();
-    if (reader.events.open)
+    if (reader.events.open) {
         reader.events.open(without_prefix(name), map);
+    }
 }
 
 void XMLCALL on_close(void* self, const char* name) {
     Reader& reader = *static_cast<Reader*>(self);
     --reader.depth;
-    if (reader.events.close)
+    if (reader.events.close) {
         reader.events.close(without_prefix(name), reader.text);
+    }
     reader.text.clear();
 }
 
@@ -78,8 +81,9 @@ bool read_xml(std::string_view text, const XmlEvents& events, std::vector<std::s
                                            XML_GetCurrentLineNumber(parser.get())));
             return false;
         }
-        if (last)
+        if (last) {
             break;
+        }
     }
     return true;
 }

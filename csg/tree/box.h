@@ -12,7 +12,7 @@ struct Box {
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
 
     [[nodiscard]] bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
-    [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (lo + hi); }
+    [[nodiscard]] glm::dvec3 center() const { return 0.5 * (lo + hi); }
     [[nodiscard]] glm::dvec3 size() const { return empty() ? glm::dvec3(0.0) : hi - lo; }
     /// Length of the diagonal; 0 for an empty box.
     [[nodiscard]] double diagonal() const { return glm::length(size()); }

@@ -5,8 +5,9 @@ namespace {
 
 Dimension of_children(const Tree& tree, NodeId id, const std::vector<Dimension>& known) {
     for (const NodeId child : tree.children(id)) {
-        if (!tree.node(child).modifiers.background && known[child] != Dimension::None)
+        if (!tree.node(child).modifiers.background && known[child] != Dimension::None) {
             return known[child];
+        }
     }
     return Dimension::None;
 }

@@ -10,8 +10,9 @@ namespace csg {
 template <int kSize>
 [[nodiscard]] bool is_finite(const glm::vec<kSize, double>& p) {
     for (int i = 0; i < kSize; ++i) {
-        if (!std::isfinite(p[i]))
+        if (!std::isfinite(p[i])) {
             return false;
+        }
     }
     return true;
 }

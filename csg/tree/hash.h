@@ -27,8 +27,9 @@ namespace csg {
 
 [[nodiscard]] constexpr std::uint64_t mix(std::uint64_t seed, std::string_view text) {
     seed = mix(seed, std::uint64_t{text.size()});
-    for (const char c : text)
+    for (const char c : text) {
         seed = mix(seed, std::uint64_t{static_cast<unsigned char>(c)});
+    }
     return seed;
 }
 

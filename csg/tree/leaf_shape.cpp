@@ -17,8 +17,9 @@ std::uint64_t mix(std::uint64_t seed, const FileStamp& f) {
 std::uint64_t mix(std::uint64_t seed, const std::vector<std::vector<std::uint32_t>>& loops) {
     for (const auto& loop : loops) {
         seed = csg::mix(seed, std::uint64_t{loop.size()});
-        for (const std::uint32_t index : loop)
+        for (const std::uint32_t index : loop) {
             seed = csg::mix(seed, std::uint64_t{index});
+        }
     }
     return seed;
 }
@@ -34,25 +35,29 @@ struct Hasher {
     }
     std::uint64_t operator()(const std::shared_ptr<const Polyhedron>& p) const {
         std::uint64_t h = csg::mix(seed, std::uint64_t{p->points.size()});
-        for (const glm::dvec3& point : p->points)
+        for (const glm::dvec3& point : p->points) {
             h = csg::mix(h, point);
+        }
         return csg::mix(mix(h, p->faces), std::uint64_t{p->convexity});
     }
     std::uint64_t operator()(const Square& s) const { return csg::mix(mix(seed, s.size), std::uint64_t{s.center}); }
     std::uint64_t operator()(const Circle& c) const { return mix(csg::mix(seed, c.radius), c.fineness); }
     std::uint64_t operator()(const std::shared_ptr<const Polygon>& p) const {
         std::uint64_t h = csg::mix(seed, std::uint64_t{p->points.size()} << 1 | std::uint64_t{p->has_paths});
-        for (const glm::dvec2& point : p->points)
+        for (const glm::dvec2& point : p->points) {
             h = mix(h, point);
+        }
         return csg::mix(mix(h, p->paths), std::uint64_t{p->convexity});
     }
     std::uint64_t operator()(const std::shared_ptr<const Text>& t) const {
         std::uint64_t h = csg::mix(csg::mix(seed, t->size), t->spacing);
         for (const std::string* s :
-             {&t->text, &t->font, &t->direction, &t->language, &t->script, &t->halign, &t->valign})
+             {&t->text, &t->font, &t->direction, &t->language, &t->script, &t->halign, &t->valign}) {
             h = csg::mix(h, std::string_view(*s));
-        for (const std::string& file : t->font_files)
+        }
+        for (const std::string& file : t->font_files) {
             h = csg::mix(h, std::string_view(file));
+        }
         return mix(h, t->fineness);
     }
     std::uint64_t operator()(const std::shared_ptr<const Import>& i) const {
@@ -76,19 +81,22 @@ bool same(const std::shared_ptr<T>& a, const std::shared_ptr<T>& b) {
 }
 
 bool is_outline_file(std::string_view name) {
-    if (name.size() < 4)
+    if (name.size() < 4) {
         return false;
+    }
     std::string end(name.substr(name.size() - 4));
-    for (char& c : end)
+    for (char& c : end) {
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
     return end == ".dxf" || end == ".svg";
 }
 
 }  // namespace
 
 bool is_flat(const LeafShape& shape) {
-    if (const auto* file = std::get_if<std::shared_ptr<const Import>>(&shape))
+    if (const auto* file = std::get_if<std::shared_ptr<const Import>>(&shape)) {
         return is_outline_file((*file)->file.path);
+    }
     return std::holds_alternative<Square>(shape) || std::holds_alternative<Circle>(shape) ||
            std::holds_alternative<std::shared_ptr<const Polygon>>(shape) ||
            std::holds_alternative<std::shared_ptr<const Text>>(shape);

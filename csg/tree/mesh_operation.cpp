@@ -36,8 +36,9 @@ struct Hasher {
     }
     std::uint64_t operator()(const Resize& r) const {
         std::uint64_t h = csg::mix(seed, r.size);
-        for (const bool automatic : r.automatic)
+        for (const bool automatic : r.automatic) {
             h = csg::mix(h, std::uint64_t{automatic});
+        }
         return csg::mix(h, static_cast<std::uint64_t>(r.convexity));
     }
     std::uint64_t operator()(const Render& r) const { return csg::mix(seed, static_cast<std::uint64_t>(r.convexity)); }

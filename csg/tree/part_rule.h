@@ -18,7 +18,7 @@ struct PartRule {
         Model,   ///< The whole solid is one.
         Depth,   ///< What is left after `depth` divisions from the root down: of each union into its children (those of
                  ///< one child do not count), of each difference and each intersection into those of its first operand.
-        Color,   ///< What has one colour is one part. A difference has that of its first operand.
+        Color,   ///< What has one color is one part. A difference has that of its first operand.
         Module,  ///< Each instantiation of one of the `modules`; the rest is one more.
     };
     static constexpr unsigned kMostShared = 64;

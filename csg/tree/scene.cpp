@@ -11,7 +11,7 @@
 namespace csg {
 namespace {
 
-/// The colour of the first operands, where it is but one.
+/// The color of the first operands, where it is but one.
 Rgba material_color(const Scene& scene, const Part& part) {
     Rgba color;
     bool first = true;
@@ -21,8 +21,9 @@ Rgba material_color(const Scene& scene, const Part& part) {
         stack.pop_back();
         if (e.kind == ExpressionKind::Leaf) {
             const Rgba& own = scene.leaves[e.leaf].color;
-            if (!first && own != color)
+            if (!first && own != color) {
                 return {};
+            }
             color = own;
             first = false;
             continue;
@@ -39,13 +40,15 @@ class SceneMaker {
     SceneMaker(const Tree& tree, Showing showing) : walk_(tree, showing) {}
 
     Scene make(const PartRule& rule) {
-        if (tree().root() == kNoNode)
+        if (tree().root() == kNoNode) {
             return {};
+        }
         if (rule.kind == PartRule::Kind::Model) {
             build({PartKind::Solid, "model", {{tree().root()}}});
         } else {
-            for (const PartPlan& plan : split_parts(walk_, rule))
+            for (const PartPlan& plan : split_parts(walk_, rule)) {
                 build(plan);
+            }
         }
         while (!walk_.waiting.empty()) {
             const PartPlan plan = std::move(walk_.waiting.front());
@@ -101,10 +104,12 @@ class SceneMaker {
             way.push_back(common);
             common = walk_.cuts[common].outer;
         }
-        while (open.size() > depth(common) + 1)
+        while (open.size() > depth(common) + 1) {
             end_cut(open, plan);
-        for (auto next = way.rbegin(); next != way.rend(); ++next)
+        }
+        for (auto next = way.rbegin(); next != way.rend(); ++next) {
             open.push_back({*next, {}});
+        }
     }
 
     /// The first operand is done: the others, and all together.
@@ -118,8 +123,9 @@ class SceneMaker {
         walk_.quiet = walk_.cuts[id].copied;
         for (std::uint32_t c = frame.next_child; c < children.size(); ++c) {
             const Piece operand = walk_.child(frame, children[c], c);
-            if (!walk_.set_aside(operand, frame, plan.kind))
+            if (!walk_.set_aside(operand, frame, plan.kind)) {
                 operands.push_back(build_piece(operand, plan));
+            }
         }
         walk_.quiet = false;
         walk_.cuts[id].copied = true;
@@ -131,8 +137,9 @@ class SceneMaker {
     }
 
     [[nodiscard]] std::uint32_t combined(const Frame& frame, const std::vector<std::uint32_t>& built) {
-        if (built.size() == 1)
+        if (built.size() == 1) {
             return built[0];
+        }
         const Operation op = tree().node(frame.node).operation;
         const std::uint32_t expression = add(op == Operation::Difference     ? ExpressionKind::Difference
                                              : op == Operation::Intersection ? ExpressionKind::Intersection
@@ -162,21 +169,24 @@ class SceneMaker {
             if (frame.next_child < children.size()) {
                 const std::uint32_t index = frame.next_child++;
                 const Piece child = walk_.child(frame, children[index], index);
-                if (!walk_.set_aside(child, frame, plan.kind))
+                if (!walk_.set_aside(child, frame, plan.kind)) {
                     stack.push_back(walk_.enter(child));
+                }
                 continue;
             }
             const std::uint32_t expression = leave(frame);
             stack.pop_back();
-            if (stack.empty())
+            if (stack.empty()) {
                 return expression;
+            }
             stack.back().built.push_back(expression);
         }
     }
 
     [[nodiscard]] std::uint32_t leave(const Frame& frame) {
-        if (!walk_.is_leaf(frame.node))
+        if (!walk_.is_leaf(frame.node)) {
             return combined(frame, frame.built);
+        }
         Expression e;
         e.kind = ExpressionKind::Leaf;
         e.occurrence = frame.occurrence;
@@ -189,15 +199,17 @@ class SceneMaker {
 
     [[nodiscard]] std::string unique_name(const PartPlan& plan) {
         std::string base = plan.name;
-        if (base.empty() && plan.kind == PartKind::Solid)
+        if (base.empty() && plan.kind == PartKind::Solid) {
             base = "part " + std::to_string(scene_.parts.size() + 1);
-        else if (base.empty())
+        } else if (base.empty()) {
             base = name(plan.kind);
+        }
         for (;;) {
             const std::size_t number = ++numbers_[base];
             std::string name = number == 1 ? base : base + " " + std::to_string(number);
-            if (names_.insert(name).second)
+            if (names_.insert(name).second) {
                 return name;
+            }
         }
     }
 
@@ -225,8 +237,9 @@ std::vector<Box> expression_boxes(const Scene& scene, const Part& part, std::spa
                 box = leaf_boxes[e.leaf];
                 break;
             case ExpressionKind::Union:
-                for (const std::uint32_t child : children)
+                for (const std::uint32_t child : children) {
                     box = enclose(box, boxes[child - part.first_expression]);
+                }
                 break;
             case ExpressionKind::Intersection:
             case ExpressionKind::Difference: {
@@ -236,8 +249,9 @@ std::vector<Box> expression_boxes(const Scene& scene, const Part& part, std::spa
                     const Box& child = boxes[children[c] - part.first_expression];
                     box = c == 0 ? child : intersect(box, child);
                 }
-                if (box.empty())
+                if (box.empty()) {
                     box = {};
+                }
                 break;
             }
         }
@@ -255,8 +269,9 @@ Scene make_scene(const Tree& tree, Showing showing, const PartRule& rule) {
 
 std::vector<OccurrenceId> path_to(const Scene& scene, OccurrenceId occurrence) {
     std::vector<OccurrenceId> path;
-    for (; occurrence != kNoOccurrence; occurrence = scene.occurrences[occurrence].parent)
+    for (; occurrence != kNoOccurrence; occurrence = scene.occurrences[occurrence].parent) {
         path.push_back(occurrence);
+    }
     std::reverse(path.begin(), path.end());
     return path;
 }

@@ -68,7 +68,7 @@ struct Part {
     std::uint32_t root = 0;              ///< … and this, its last, is the root.
     LeafId first_leaf = 0;               ///< The part's leaves are a range of Scene::leaves.
     LeafId leaf_count = 0;
-    /// No two parts have the same: "model" where it is all of the solid, else after a module, a colour or the order:
+    /// No two parts have the same: "model" where it is all of the solid, else after a module, a color or the order:
     /// "cover", "cover 2", "#ff8000", "part 3".
     std::string name;
     /// That of its material, which is that of the first operands, with its opacity; `given()` is false where there is
@@ -101,7 +101,7 @@ enum class Showing : std::uint8_t {
     Result,   ///< What an export would hold: neither `%` nor `#` parts; in the plane one leaf, in space no outlines.
 };
 
-/// Flattens `tree`: transforms are multiplied through, colours inherited (the outermost wins, as in OpenSCAD), shared
+/// Flattens `tree`: transforms are multiplied through, colors inherited (the outermost wins, as in OpenSCAD), shared
 /// subtrees become occurrences, `%` subtrees parts of their own, `#` subtrees are repeated as highlight parts,
 /// translucent subtrees of the top-level union parts of their own. Groups that hold one child are that child.
 /// The first part, if any, is a Solid one, of several where `rule` says so. A tree without geometry gives no parts.

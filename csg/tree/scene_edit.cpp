@@ -11,23 +11,27 @@ template <typename At>
 void renumber(Scene& scene, PartId part, const At& at) {
     for (PartId id = part; id < scene.parts.size(); ++id) {
         Part& p = scene.parts[id];
-        if (id > part)
+        if (id > part) {
             p.first_expression = at(p.first_expression);
+        }
         p.root = at(p.root);
     }
-    for (std::uint32_t& child : scene.expression_children)
+    for (std::uint32_t& child : scene.expression_children) {
         child = at(child);
+    }
 }
 
 /// Numbers of leaves from `from` on change by `step`.
 void shift_leaves(Scene& scene, PartId part, LeafId from, int step) {
     const auto shifted = [&](LeafId leaf) { return static_cast<LeafId>(static_cast<int>(leaf) + step); };
     for (Expression& e : scene.expressions) {
-        if (e.kind == ExpressionKind::Leaf && e.leaf >= from)
+        if (e.kind == ExpressionKind::Leaf && e.leaf >= from) {
             e.leaf = shifted(e.leaf);
+        }
     }
-    for (PartId id = part + 1; id < scene.parts.size(); ++id)
+    for (PartId id = part + 1; id < scene.parts.size(); ++id) {
         scene.parts[id].first_leaf = shifted(scene.parts[id].first_leaf);
+    }
     scene.parts[part].leaf_count = shifted(scene.parts[part].leaf_count);
 }
 
@@ -44,13 +48,15 @@ std::vector<char> occurrences_below(const Scene& scene, OccurrenceId occurrence)
 
 std::uint32_t expression_at(const Scene& scene, const Site& site) {
     const Part& part = scene.parts[site.part];
-    if (site.occurrence == kNoOccurrence)
+    if (site.occurrence == kNoOccurrence) {
         return part.root;
+    }
     const std::vector<char> below = occurrences_below(scene, site.occurrence);
     for (std::uint32_t i = part.root + 1; i-- > part.first_expression;) {
         const OccurrenceId own = scene.expressions[i].occurrence;
-        if (own != kNoOccurrence && below[own] != 0)
+        if (own != kNoOccurrence && below[own] != 0) {
             return i;
+        }
     }
     return kNoExpression;
 }
@@ -86,8 +92,9 @@ LeafId insert_leaf(Scene& scene, const Site& site, ExpressionKind operation, Lea
 void erase_leaf(Scene& scene, LeafId inserted) {
     const PartId part = scene.leaves[inserted].part;
     std::uint32_t at = scene.parts[part].first_expression;
-    while (scene.expressions[at].kind != ExpressionKind::Leaf || scene.expressions[at].leaf != inserted)
+    while (scene.expressions[at].kind != ExpressionKind::Leaf || scene.expressions[at].leaf != inserted) {
         ++at;
+    }
     // Before it stands what it was put to, behind it the whole.
     const std::uint32_t first = scene.expressions[at + 1].first_child;
     assert(scene.expression_children[first] == at - 1 && scene.expression_children[first + 1] == at);
@@ -95,8 +102,9 @@ void erase_leaf(Scene& scene, LeafId inserted) {
                                     scene.expression_children.begin() + first + 2);
     scene.expressions.erase(scene.expressions.begin() + at, scene.expressions.begin() + at + 2);
     for (Expression& e : scene.expressions) {
-        if (e.first_child > first)
+        if (e.first_child > first) {
             e.first_child -= 2;
+        }
     }
     renumber(scene, part, [&](std::uint32_t i) { return i < at ? i : i - 2; });
     scene.leaves.erase(scene.leaves.begin() + inserted);

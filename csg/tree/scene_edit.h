@@ -20,9 +20,9 @@ inline constexpr std::uint32_t kNoExpression = ~std::uint32_t{0};
 /// By occurrence: 1 for this one and all below it.
 [[nodiscard]] std::vector<char> occurrences_below(const Scene& scene, OccurrenceId occurrence);
 
-/// Puts `leaf` in the place of what is at the site, together with it: united with it, intersected with it, or subtracted
-/// from it; something must be there. The whole is the site's then. Gives the leaf's number, the next after those at the
-/// site; leaves and expressions behind it get others. `operation`: not Leaf.
+/// Puts `leaf` in the place of what is at the site, together with it: united with it, intersected with it, or
+/// subtracted from it; something must be there. The whole is the site's then. Gives the leaf's number, the next after
+/// those at the site; leaves and expressions behind it get others. `operation`: not Leaf.
 LeafId insert_leaf(Scene& scene, const Site& site, ExpressionKind operation, LeafInstance leaf);
 
 /// Undoes insert_leaf.

@@ -12,8 +12,9 @@ std::vector<char> marked_below(const Tree& tree) {
         for (const NodeId child : tree.children(id)) {
             const Modifiers& modifiers = tree.node(child).modifiers;
             if (marked[child] != 0 || modifiers.background || modifiers.highlight ||
-                tree.node(child).operation == Operation::Color)
+                tree.node(child).operation == Operation::Color) {
                 marked[id] = 1;
+            }
         }
     }
     return marked;
@@ -25,11 +26,13 @@ SceneWalk::SceneWalk(const Tree& tree, Showing showing)
     : tree_(tree), showing_(showing), dimensions_(dimensions(tree)), marked_(marked_below(tree)) {}
 
 bool SceneWalk::is_leaf(NodeId id) const {
-    if (showing_ == Showing::Result && id == tree_.root() && dimensions_[id] == Dimension::Flat)
+    if (showing_ == Showing::Result && id == tree_.root() && dimensions_[id] == Dimension::Flat) {
         return true;
+    }
     const Operation op = tree_.node(id).operation;
-    if (op == Operation::Mesh)
+    if (op == Operation::Mesh) {
         return !std::holds_alternative<Render>(tree_.mesh(id));
+    }
     return op == Operation::Leaf || ((op == Operation::Difference || op == Operation::Intersection) &&
                                      dimensions_[id] == Dimension::Flat && marked_[id] == 0);
 }
@@ -49,19 +52,22 @@ Frame SceneWalk::enter(const Piece& piece) {
     const auto occurrence = static_cast<OccurrenceId>(occurrences.size());
     occurrences.push_back({piece.parent, piece.node, piece.child});
     Frame frame{piece.node, piece.to_world, piece.color, occurrence, piece.top_level, 0, {}};
-    if (is_leaf(piece.node))
+    if (is_leaf(piece.node)) {
         return frame;
+    }
     const Operation op = tree_.node(piece.node).operation;
-    if (op == Operation::Transform)
+    if (op == Operation::Transform) {
         frame.to_world = piece.to_world * tree_.matrix(piece.node);
-    else if (op == Operation::Color && !piece.color.given())
+    } else if (op == Operation::Color && !piece.color.given()) {
         frame.color = tree_.color(piece.node);
+    }
     return frame;
 }
 
 void SceneWalk::wait(PartKind kind, const Piece& piece) {
-    if (quiet)
+    if (quiet) {
         return;
+    }
     Piece root = piece;
     root.top_level = true;
     root.cut = kNoCut;
@@ -71,13 +77,15 @@ void SceneWalk::wait(PartKind kind, const Piece& piece) {
 bool SceneWalk::set_aside(const Piece& child, const Frame& parent, PartKind kind) {
     const Modifiers& modifiers = tree_.node(child.node).modifiers;
     if (is_left_out(child.node)) {
-        if (showing_ != Showing::Result && kind != PartKind::Highlight)  // There it was found with the solid.
+        if (showing_ != Showing::Result && kind != PartKind::Highlight) {  // There it was found with the solid.
             wait(PartKind::Background, child);
+        }
         return true;
     }
     if (modifiers.highlight && showing_ == Showing::Preview && kind != PartKind::Highlight &&
-        kind != PartKind::Background)
+        kind != PartKind::Background) {
         wait(PartKind::Highlight, child);
+    }
     if (kind == PartKind::Solid && is_translucent(child.node, parent)) {
         wait(PartKind::Translucent, child);
         return true;
@@ -89,26 +97,31 @@ std::string SceneWalk::name_of(const Piece& piece) const {
     Rgba color = piece.color;
     for (NodeId id = piece.node;;) {
         if (const Statement* statement = tree_.statement(id);
-            statement != nullptr && statement->user_module && tree_.node(id).operation == Operation::Group)
+            statement != nullptr && statement->user_module && tree_.node(id).operation == Operation::Group) {
             return statement->name;
-        if (tree_.node(id).operation == Operation::Color && !color.given())
+        }
+        if (tree_.node(id).operation == Operation::Color && !color.given()) {
             color = tree_.color(id);
+        }
         // On to the one child that counts; a difference is what it is made of.
         NodeId next = kNoNode;
         bool several = false;
         if (!is_leaf(id)) {
             for (const NodeId child : tree_.children(id)) {
-                if (is_left_out(child) || dimensions_[child] == Dimension::None)
+                if (is_left_out(child) || dimensions_[child] == Dimension::None) {
                     continue;
+                }
                 several = next != kNoNode && is_union(id);
-                if (next == kNoNode)
+                if (next == kNoNode) {
                     next = child;
-                else
+                } else {
                     break;
+                }
             }
         }
-        if (next == kNoNode || several)
+        if (next == kNoNode || several) {
             return color.given() ? color_name(color) : "";
+        }
         id = next;
     }
 }

@@ -60,7 +60,7 @@ class SceneWalk {
     [[nodiscard]] const Tree& tree() const { return tree_; }
     [[nodiscard]] Dimension dimension(NodeId id) const { return dimensions_[id]; }
     /// Drawn as one: a shape, what makes a mesh of its children, and differences and intersections in the plane where
-    /// nothing below has a colour or a modifier. A result in the plane is but one leaf.
+    /// nothing below has a color or a modifier. A result in the plane is but one leaf.
     [[nodiscard]] bool is_leaf(NodeId id) const;
     [[nodiscard]] bool is_union(NodeId id) const;
     /// Not shown at all, or shown as a part that is not of the solid.
@@ -81,7 +81,7 @@ class SceneWalk {
     /// then.
     [[nodiscard]] bool set_aside(const Piece& child, const Frame& parent, PartKind kind);
 
-    /// A name for what the subtree makes: of the module that is all of it, or of the colour; empty where there is none.
+    /// A name for what the subtree makes: of the module that is all of it, or of the color; empty where there is none.
     [[nodiscard]] std::string name_of(const Piece& piece) const;
 
     std::deque<PartPlan> waiting;
@@ -95,7 +95,7 @@ class SceneWalk {
     const Tree& tree_;
     const Showing showing_;
     const std::vector<Dimension> dimensions_;
-    const std::vector<char> marked_;  ///< By node: something below has a colour or a modifier of its own to show.
+    const std::vector<char> marked_;  ///< By node: something below has a color or a modifier of its own to show.
 };
 
 /// The parts of the solid by a rule other than Model.

@@ -7,7 +7,7 @@
 namespace csg {
 namespace {
 
-/// The colours of what a subtree makes, as far as nothing above gives one.
+/// The colors of what a subtree makes, as far as nothing above gives one.
 struct Tint {
     enum class Kind : std::uint8_t { Nothing, One, Several } kind = Kind::Nothing;
     Rgba color;  ///< For One; not given where it has none.
@@ -17,10 +17,11 @@ struct Tint {
 class Splitter {
   public:
     Splitter(SceneWalk& walk, const PartRule& rule) : walk_(walk), tree_(walk.tree()), rule_(rule) {
-        if (rule.kind == PartRule::Kind::Color)
+        if (rule.kind == PartRule::Kind::Color) {
             find_tints();
-        else if (rule.kind == PartRule::Kind::Module)
+        } else if (rule.kind == PartRule::Kind::Module) {
             find_modules();
+        }
     }
 
     std::vector<PartPlan> split() {
@@ -38,10 +39,12 @@ class Splitter {
             child.cut = level.cut;
             PartKind kind = level.kind;
             if (kind == PartKind::Solid && walk_.is_translucent(child.node, level.frame) &&
-                !walk_.is_left_out(child.node))
+                !walk_.is_left_out(child.node)) {
                 kind = PartKind::Translucent;
-            if (!walk_.set_aside(child, level.frame, PartKind::Translucent))  // That kind was looked after above.
+            }
+            if (!walk_.set_aside(child, level.frame, PartKind::Translucent)) {  // That kind was looked after above.
                 visit(child, kind, unsigned{level.divisions}, stack);
+            }
         }
         std::erase_if(plans_, [](const PartPlan& plan) { return plan.pieces.empty(); });
         return std::move(plans_);
@@ -150,8 +153,9 @@ class Splitter {
             const std::uint32_t first = first_operand(id);
             const std::uint32_t end = walk_.is_union(id) ? static_cast<std::uint32_t>(children.size()) : first + 1;
             for (std::uint32_t c = first; c < std::min<std::size_t>(end, children.size()); ++c) {
-                if (!walk_.is_left_out(children[c]))
+                if (!walk_.is_left_out(children[c])) {
                     merge(id, values[id], children[c], values[children[c]]);
+                }
             }
         }
         return values;
@@ -165,25 +169,29 @@ class Splitter {
             [this](NodeId id, Tint& into, NodeId, const Tint& from) {
                 Tint tint = from;
                 if (tint.kind != Tint::Kind::Nothing && tree_.node(id).operation == Operation::Color &&
-                    tree_.color(id).given())
+                    tree_.color(id).given()) {
                     tint = {Tint::Kind::One, tree_.color(id)};
-                if (into.kind == Tint::Kind::Nothing)
+                }
+                if (into.kind == Tint::Kind::Nothing) {
                     into = tint;
-                else if (tint.kind != Tint::Kind::Nothing && (tint.kind != into.kind || tint.color != into.color))
+                } else if (tint.kind != Tint::Kind::Nothing && (tint.kind != into.kind || tint.color != into.color)) {
                     into = {Tint::Kind::Several, {}};
+                }
             });
     }
 
     void find_modules() {
         std::vector<SourceLocation> named;
         for (const Statement& statement : tree_.statements()) {
-            if (statement.user_module && std::ranges::find(rule_.modules, statement.name) != rule_.modules.end())
+            if (statement.user_module && std::ranges::find(rule_.modules, statement.name) != rule_.modules.end()) {
                 named.push_back(statement.where);  // In order, as the statements are.
+            }
         }
         is_named_.resize(tree_.size());
-        for (NodeId id = 0; id < tree_.size(); ++id)
+        for (NodeId id = 0; id < tree_.size(); ++id) {
             is_named_[id] =
                 tree_.node(id).operation == Operation::Group && std::ranges::binary_search(named, tree_.node(id).where);
+        }
         holds_named_ = from_below<char>([](NodeId) { return char{0}; },
                                         [this](NodeId, char& into, NodeId child, char from) {
                                             into = into != 0 || from != 0 || is_named_[child] != 0 ? 1 : 0;

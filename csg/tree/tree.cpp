@@ -10,16 +10,19 @@ namespace {
 
 std::uint64_t hash_of(const glm::dmat4& m) {
     std::uint64_t h = 0x3a7;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
             h = mix(h, m[column][row]);
+        }
+    }
     return h;
 }
 
 std::uint64_t hash_of(const Rgba& c) {
     std::uint64_t h = 0xc01;
-    for (const float v : {c.r, c.g, c.b, c.a})
+    for (const float v : {c.r, c.g, c.b, c.a}) {
         h = mix(h, double{v});
+    }
     return h;
 }
 
@@ -32,8 +35,9 @@ std::uint64_t sharing_hash(const Node& n) {
 std::uint32_t TreeBuilder::file(const std::string& name) {
     auto& files = tree_.files_;
     const auto found = std::find(files.begin(), files.end(), name);
-    if (found != files.end())
+    if (found != files.end()) {
         return static_cast<std::uint32_t>(found - files.begin());
+    }
     files.push_back(name);
     return static_cast<std::uint32_t>(files.size() - 1);
 }
@@ -43,8 +47,9 @@ NodeId TreeBuilder::keep(Node node, std::span<const NodeId> children, std::vecto
     node.payload = static_cast<std::uint32_t>(payloads.size());
     payloads.push_back(std::move(payload));
     const NodeId id = add(node, children);
-    if (tree_.nodes_[id].payload != node.payload)
+    if (tree_.nodes_[id].payload != node.payload) {
         payloads.pop_back();  // an equal node from the same place existed
+    }
     return id;
 }
 
@@ -83,8 +88,9 @@ NodeId TreeBuilder::mesh(const MeshOperation& operation, std::span<const NodeId>
 }
 
 bool TreeBuilder::same_content(const Node& a, const Node& b) const {
-    if (a.operation != b.operation || a.modifiers != b.modifiers)
+    if (a.operation != b.operation || a.modifiers != b.modifiers) {
         return false;
+    }
     switch (a.operation) {
         case Operation::Transform:
             return tree_.matrices_[a.payload] == tree_.matrices_[b.payload];
@@ -104,21 +110,24 @@ NodeId TreeBuilder::add(Node node, std::span<const NodeId> children) {
     std::uint64_t h = mix(node.hash, static_cast<std::uint64_t>(node.operation));
     h = mix(h, std::uint64_t{node.modifiers.background} | std::uint64_t{node.modifiers.highlight} << 1 |
                    std::uint64_t{node.modifiers.root} << 2);
-    for (const NodeId child : children)
+    for (const NodeId child : children) {
         h = mix(h, t.nodes_[child].hash);
+    }
     node.hash = h;
     node.child_count = static_cast<std::uint32_t>(children.size());
 
-    if (buckets_.size() < 2 * (t.nodes_.size() + 1))
+    if (buckets_.size() < 2 * (t.nodes_.size() + 1)) {
         grow();
+    }
     const std::size_t mask = buckets_.size() - 1;
     std::size_t slot = sharing_hash(node) & mask;
     for (; buckets_[slot] != kNoNode; slot = (slot + 1) & mask) {
         const NodeId id = buckets_[slot];
         const Node& other = t.nodes_[id];
         if (other.hash == node.hash && other.where == node.where && std::ranges::equal(t.children(id), children) &&
-            same_content(other, node))
+            same_content(other, node)) {
             return id;
+        }
     }
     node.first_child = static_cast<std::uint32_t>(t.child_ids_.size());
     t.child_ids_.insert(t.child_ids_.end(), children.begin(), children.end());
@@ -133,8 +142,9 @@ void TreeBuilder::grow() {
     const std::size_t mask = buckets_.size() - 1;
     for (NodeId id = 0; id < tree_.nodes_.size(); ++id) {
         std::size_t slot = sharing_hash(tree_.nodes_[id]) & mask;
-        while (buckets_[slot] != kNoNode)
+        while (buckets_[slot] != kNoNode) {
             slot = (slot + 1) & mask;
+        }
         buckets_[slot] = id;
     }
 }

@@ -23,7 +23,7 @@ enum class Operation : std::uint8_t {
     Difference,    ///< First child minus all others.
     Intersection,  ///< intersection() and intersection_for()
     Transform,     ///< Union of its children, transformed by a matrix.
-    Color,         ///< Union of its children, coloured where they have no colour from further up.
+    Color,         ///< Union of its children, colored where they have no color from further up.
     Leaf,          ///< A shape; no children.
     Mesh,          ///< Makes one mesh or outline of its children: linear_extrude, hull, offset, …
 };
@@ -49,7 +49,7 @@ struct Node {
     SourceLocation where;
     std::uint32_t first_child = 0;  ///< Index into the arena's child list; see Tree::children.
     std::uint32_t child_count = 0;
-    std::uint32_t payload = 0;  ///< Index of the matrix, colour, shape or mesh operation of this kind of node.
+    std::uint32_t payload = 0;  ///< Index of the matrix, color, shape or mesh operation of this kind of node.
     std::uint64_t hash = 0;     ///< Of the content below, source locations left out.
 };
 

@@ -111,8 +111,9 @@ Goldfeather::Programs Goldfeather::make_programs(bool counters) const {
 }
 
 const Goldfeather::Programs& Goldfeather::programs(bool counters) {
-    if (counters && !counting_)
+    if (counters && !counting_) {
         counting_ = make_programs(true);
+    }
     return counters ? *counting_ : programs_;
 }
 
@@ -121,8 +122,9 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves, std:
     std::vector<DrawCommand> commands;
     for (const PlannedLeaf& leaf : plan.leaves) {
         const LeafBuffers::Range range = leaves.ranges()[leaf.leaf];
-        if (range.vertex_count == 0)
+        if (range.vertex_count == 0) {
             continue;
+        }
         add_triangles(commands, range.first_vertex, range.vertex_count, static_cast<GLuint>(ids.size()));
         ids.emplace_back(leaf.slot, open.empty() || open[leaf.leaf] == 0 ? 1U : 0U);
     }
@@ -131,14 +133,17 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves, std:
     gl_.VertexArrayVertexBuffer(leaf_array_.id(), 0, draw_ids_.id(), 0, sizeof(glm::uvec2));
 
     std::vector<ProductRow> products;
-    for (const PlannedProduct& p : plan.products)
+    for (const PlannedProduct& p : plan.products) {
         products.push_back({p.box, {p.first_entry, p.entry_count, 0, 0}});
+    }
     std::vector<LeafSlotRow> tile_leaves;
-    for (const std::uint32_t i : plan.tile_leaves)
+    for (const std::uint32_t i : plan.tile_leaves) {
         tile_leaves.push_back({plan.leaves[i].box, {plan.leaves[i].leaf, plan.leaves[i].slot, 0, 0}});
+    }
     std::vector<TileRow> tiles;
-    for (const Tile& t : plan.tiles)
+    for (const Tile& t : plan.tiles) {
         tiles.push_back({t.box, {t.first_product, t.product_count, t.first_leaf, t.leaf_count}});
+    }
     products_.upload<ProductRow>(products, GL_STREAM_DRAW);
     entries_.upload<Entry>(plan.entries, GL_STREAM_DRAW);
     tile_products_.upload<std::uint32_t>(plan.tile_products, GL_STREAM_DRAW);
@@ -146,8 +151,9 @@ void Goldfeather::upload(const ScreenPlan& plan, const LeafBuffers& leaves, std:
     tiles_.upload<TileRow>(tiles, GL_STREAM_DRAW);
     commands.clear();
     const auto tile_count = static_cast<GLuint>(tiles.size());
-    for (GLuint first = 0; first < tile_count; first += kPieceTiles)
+    for (GLuint first = 0; first < tile_count; first += kPieceTiles) {
         commands.push_back({4, std::min(kPieceTiles, tile_count - first), 0, first});
+    }
     tile_draws_.upload(commands, 1);
     gl_.VertexArrayVertexBuffer(tile_array_.id(), 0, tiles_.id(), 0, sizeof(TileRow));
 }
@@ -164,12 +170,13 @@ layers::TextureStack Goldfeather::walk(const base::View& view, LeafBuffers& leav
     stats.skipped_products += static_cast<std::uint32_t>(part.products.size() - screen.products.size());
     stats.slots = std::max(stats.slots, screen.slots);
     stack.complete = true;
-    if (screen.tiles.empty())
+    if (screen.tiles.empty()) {
         return stack;
+    }
     int most = 0;
 
     upload(screen, leaves, part.open);
-    view_block_.update(view, leaves.frame().centre, leaves.frame().diagonal);
+    view_block_.update(view, leaves.frame().center, leaves.frame().diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();
@@ -191,8 +198,9 @@ layers::TextureStack Goldfeather::walk(const base::View& view, LeafBuffers& leav
         ++stats.bands;
     }
     stack.complete = stack.complete && (max_layers == kAllLayers || most < max_layers);
-    if (max_layers == kAllLayers)
+    if (max_layers == kAllLayers) {
         stack.layers = std::max(most, 1);
+    }
     stats.layers = std::max(stats.layers, most);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl_.UseProgram(0);
@@ -203,16 +211,18 @@ int Goldfeather::draw_band(const Band& band, layers::TextureStack& stack, int ma
                            const std::stop_token& stop) {
     const auto pixel_count = static_cast<std::size_t>(band.size.x) * static_cast<std::size_t>(band.size.y);
     const auto reserve = [&](gl::Buffer& buffer, std::size_t bytes, GLuint binding) {
-        if (buffer.size() != bytes)
+        if (buffer.size() != bytes) {
             buffer.reserve(bytes, GL_DYNAMIC_COPY);
+        }
         buffer.bind(GL_SHADER_STORAGE_BUFFER, binding);
     };
     reserve(pixels_, pixel_count * sizeof(PixelState), kPixels);
     const std::size_t bit_bytes = pixel_count * 4 * band.words;
     reserve(inside_bits_, bit_bytes, kInsideBits);
     reserve(toggled_bits_, bit_bytes, kToggledBits);
-    for (const gl::Buffer* buffer : {&pixels_, &inside_bits_, &toggled_bits_})
+    for (const gl::Buffer* buffer : {&pixels_, &inside_bits_, &toggled_bits_}) {
         gl_.ClearNamedBufferData(buffer->id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    }
     products_.bind(GL_SHADER_STORAGE_BUFFER, kProducts);
     entries_.bind(GL_SHADER_STORAGE_BUFFER, kEntries);
     tile_products_.bind(GL_SHADER_STORAGE_BUFFER, kTileProducts);
@@ -282,8 +292,9 @@ int Goldfeather::draw_band(const Band& band, layers::TextureStack& stack, int ma
 
         const GLuint64 ahead = candidates_.result();
         stats.fragments += ahead;
-        if (max_layers == kAllLayers && filled_.result() > 0)
+        if (max_layers == kAllLayers && filled_.result() > 0) {
             grow(gl_, stack, 2 * stack.layers);
+        }
         // As many pixels as fragments ahead, at most. The few that are left out end the stack early.
         if (static_cast<double>(ahead) < minimal_fraction_ * static_cast<double>(pixel_count) || ahead == 0) {
             stack.complete = stack.complete && ahead == 0;
@@ -298,8 +309,9 @@ int Goldfeather::most_layers(std::size_t pixel_count) const {
     gl_.GetNamedBufferSubData(pixels_.id(), 0, static_cast<GLsizeiptr>(pixel_count * sizeof(PixelState)),
                               states.data());
     std::uint32_t most = 0;
-    for (const PixelState& state : states)
+    for (const PixelState& state : states) {
         most = std::max(most, state.found >> 1);
+    }
     return static_cast<int>(most);
 }
 

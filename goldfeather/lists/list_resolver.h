@@ -12,7 +12,7 @@
 
 namespace goldfeather {
 
-/// Lists are resolved in classes, so that neighbouring invocations have about as much to do: at most 8 surfaces, at
+/// Lists are resolved in classes, so that neighboring invocations have about as much to do: at most 8 surfaces, at
 /// most 32, and more.
 inline constexpr std::array<std::uint32_t, 2> kShortLists{8, 32};
 inline constexpr std::size_t kListClasses = 3;

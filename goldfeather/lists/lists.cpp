@@ -109,7 +109,7 @@ layers::TextureStack Lists::peel(const base::View& view, const csg::solid::Geome
         windings_tested_ = true;
     }
     scene.blist.set_flags(flags);
-    view_block_.update(view, leaves.frame().centre, leaves.frame().diagonal);
+    view_block_.update(view, leaves.frame().center, leaves.frame().diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();

@@ -1,7 +1,7 @@
 // Per-pixel lists on the CPU: every surface of every leaf along each ray, sorted, and the expressions walked once.
 // The A-buffer (Carpenter 1984) and the per-pixel lists of Barta and Kovács (2011), turned to CSG.
 //
-// Tiles of the picture are independent: a thread rasterises the triangles that reach its tile into lists, pixel by
+// Tiles of the picture are independent: a thread rasterizes the triangles that reach its tile into lists, pixel by
 // pixel, in double precision, sorts each list and walks it (pixel_walk.h). There is no normalization, so no model is
 // too complex; all layers come from the one walk. No OpenGL is needed, and the same scene gives the same bytes on every
 // machine, whatever the number of threads.

@@ -28,7 +28,7 @@ struct FoundSurface {
     bool leaving = false;
 };
 
-/// Walks along rays. Most pixels of a neighbourhood meet the same few sequences of leaves: what a sequence comes to is
+/// Walks along rays. Most pixels of a neighborhood meet the same few sequences of leaves: what a sequence comes to is
 /// remembered, in a place that its hash decides, until another one needs the place.
 class PixelWalk {
   public:

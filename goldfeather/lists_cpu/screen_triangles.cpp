@@ -120,7 +120,7 @@ class Projector {
         }
         const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
         const auto [y0, y1] = std::minmax({t.y[0], t.y[1], t.y[2]});
-        // Is there a pixel centre within the box, and in the picture?
+        // Is there a pixel center within the box, and in the picture?
         constexpr std::int32_t kHalf = kSubpixels / 2;
         const auto first = [](std::int32_t v) { return (v + kHalf - 1) >> kSubpixelBits; };
         const auto last = [](std::int32_t v) { return (v - kHalf) >> kSubpixelBits; };

@@ -1,4 +1,4 @@
-// Triangles on the screen for the rasteriser on the CPU: clipped, and snapped to a grid on which all is exact.
+// Triangles on the screen for the rasterizer on the CPU: clipped, and snapped to a grid on which all is exact.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ inline constexpr int kSubpixelBits = 14;
 inline constexpr std::int64_t kSubpixels = std::int64_t{1} << kSubpixelBits;
 
 /// Counter-clockwise on the screen, with an area; coordinates in 1/kSubpixels pixel from the lower left corner, sample
-/// jitter taken off, so that samples lie at pixel centres.
+/// jitter taken off, so that samples lie at pixel centers.
 struct ScreenTriangle {
     std::array<std::int32_t, 3> x{}, y{};
     std::uint32_t leaf_and_side = 0;  ///< As in Fragment.

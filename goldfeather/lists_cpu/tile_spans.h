@@ -16,7 +16,7 @@ struct TileBox {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// Spans are kept by row and first pixel. Where none begins and none has ended, neighbouring pixels are covered by the
+/// Spans are kept by row and first pixel. Where none begins and none has ended, neighboring pixels are covered by the
 /// same triangles: a run.
 class TileSpans {
   public:
@@ -27,7 +27,7 @@ class TileSpans {
 
     /// Empties the tile. `most`: spans it may hold.
     void start(const TileBox& box, std::size_t most);
-    /// Adds the pixels whose centre the triangle covers. Gives false where the tile would hold more than `most` spans.
+    /// Adds the pixels whose center the triangle covers. Gives false where the tile would hold more than `most` spans.
     [[nodiscard]] bool add(std::uint32_t triangle);
 
     /// Rows and pixels count from the box's corner. Bit x: a span begins in pixel x, or one has ended before it.

@@ -142,7 +142,7 @@ double TileWorker::depth(const Slot& slot, double sample) {
 }
 
 void TileWorker::advance(int x, int at) {
-    // A leaf's triangle mostly takes the place of its neighbour.
+    // A leaf's triangle mostly takes the place of its neighbor.
     // Field by field: a fragment copied right after its depth was stored would wait for the store.
     const double sample = static_cast<double>(x) + 0.5 - half_width_;
     if (entering_.size() > kFew) {

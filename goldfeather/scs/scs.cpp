@@ -93,7 +93,7 @@ std::string Scs::obstacle(const base::View& view, const csg::solid::Geometry& ge
 std::vector<Scs::PlannedProduct> Scs::plan(const base::View& view, const PartProducts& part, WalkStats& stats) {
     const auto box_of = [&](const csg::Box& box) { return box.empty() ? Box{} : view.screen_box(box.lo, box.hi); };
     const auto distance = [&](csg::LeafId leaf) {
-        return -(view.eye_from_world() * glm::dvec4(part.leaf_boxes[leaf].centre(), 1.0)).z;
+        return -(view.eye_from_world() * glm::dvec4(part.leaf_boxes[leaf].center(), 1.0)).z;
     };
     std::vector<PlannedProduct> planned;
     for (const Product& product : part.products) {
@@ -144,7 +144,7 @@ layers::TextureStack Scs::peel(const base::View& view, LeafBuffers& leaves, cons
     if (products.empty()) {
         return stack;
     }
-    view_block_.update(view, leaves.frame().centre, leaves.frame().diagonal);
+    view_block_.update(view, leaves.frame().center, leaves.frame().diagonal);
     view_block_.bind();
     leaves.project(view, prepare_, stop);
     leaves.bind();

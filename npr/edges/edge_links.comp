@@ -1,4 +1,4 @@
-// Lists the links between neighbouring pixels that do not see the same planes. Most do.
+// Lists the links between neighboring pixels that do not see the same planes. Most do.
 #include "npr/edges/edge_point.glsl"
 #include "npr/frame.glsl"
 

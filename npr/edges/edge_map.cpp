@@ -46,8 +46,9 @@ void EdgeMap::resize(glm::ivec2 size, int layers) {
         const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
         links_.reserve(4 * (1 + 2 * pixels), GL_DYNAMIC_COPY);
     }
-    if (!points_ || points_.size() != size || points_.layers() < slices)
+    if (!points_ || points_.size() != size || points_.layers() < slices) {
         points_ = gl::Texture::make_2d_array(gl_, GL_R32UI, size, slices);
+    }
 }
 
 std::uint32_t EdgeMap::list_links(const Frame& frame) {
@@ -104,18 +105,22 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
         gl_.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
     has_facts_ = settings.facts;
-    if (has_facts_)
+    if (has_facts_) {
         find_facts(frame, settings, count);
+    }
     bind();
 }
 
 void EdgeMap::find_facts(const Frame& frame, const EdgeSettings& settings, std::uint32_t candidates) {
-    if (!facts_ || facts_.size() != points_.size() || facts_.layers() != 2 * points_.layers())
+    if (!facts_ || facts_.size() != points_.size() || facts_.layers() != 2 * points_.layers()) {
         facts_ = gl::Texture::make_2d_array(gl_, GL_R32UI, points_.size(), 2 * points_.layers());
-    if (!find_facts_)
+    }
+    if (!find_facts_) {
         find_facts_.emplace(gl_, std::initializer_list<std::string_view>{"npr/edges/edge_facts.comp"});
-    if (candidates == 0)
+    }
+    if (candidates == 0) {
         return;
+    }
     find_facts_->program().set("crease_angle", glm::radians(settings.crease_degrees));
     find_facts_->program().set("part_edges", settings.parts);
     for (const bool clearing : {true, false}) {
@@ -144,11 +149,12 @@ std::vector<HostEdge> EdgeMap::read_back() const {
         has_facts_ ? read(facts_, pixels * static_cast<std::size_t>(facts_.layers())) : std::vector<std::uint32_t>();
     shader::LineCode code;
     std::vector<HostEdge> edges;
-    for (int slice = 0; slice < points_.layers(); ++slice)
+    for (int slice = 0; slice < points_.layers(); ++slice) {
         for (std::size_t i = 0; i < pixels; ++i) {
             const int axis = slice % 2, layer = slice / 2;
-            if ((marks[i] >> (layer + layers::kLayersApart * axis) & 1U) == 0)
+            if ((marks[i] >> (layer + layers::kLayersApart * axis) & 1U) == 0) {
                 continue;
+            }
             const auto e = code.unpack_edge(points[pixels * static_cast<std::size_t>(slice) + i]);
             const std::size_t words = 2 * pixels * static_cast<std::size_t>(slice) + i;
             const glm::vec2 lower(static_cast<float>(i % static_cast<std::size_t>(size.x)),
@@ -157,6 +163,7 @@ std::vector<HostEdge> EdgeMap::read_back() const {
                              layer, e.kind == code.kProfileEdge,
                              has_facts_ ? code.unpack_facts({facts[words], facts[words + pixels]}) : code.no_facts()});
         }
+    }
     return edges;
 }
 
@@ -165,8 +172,9 @@ void EdgeMap::bind() const {
     marks_.bind(2);
     tiles_.bind(3);
     points_.bind(4);
-    if (has_facts_)
+    if (has_facts_) {
         facts_.bind(8);
+    }
 }
 
 }  // namespace npr

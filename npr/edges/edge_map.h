@@ -21,7 +21,7 @@ namespace npr {
 
 /// One point of an edge, in main memory.
 struct HostEdge {
-    glm::vec2 at{0};      ///< In pixels from the lower left corner of the picture; pixel centres at halves.
+    glm::vec2 at{0};      ///< In pixels from the lower left corner of the picture; pixel centers at halves.
     glm::vec2 across{0};  ///< Unit vector across the edge, either way.
     int layer = 0;        ///< The last of layers::kLayersApart is that of all deeper ones, too.
     bool profile = false;
@@ -30,10 +30,10 @@ struct HostEdge {
 
 /// Finds the edges of all layers, once per frame, from which lines of any width are drawn (npr/edges/lines.glsl).
 ///
-/// As in chapter 4, edges are discontinuities between neighbouring pixels of a layer: profile edges where the surface
+/// As in chapter 4, edges are discontinuities between neighboring pixels of a layer: profile edges where the surface
 /// ends, inner edges where it bends. Thresholds on depth, which hide edges of touching parallel faces and draw false
 /// ones on slanted faces, are not needed: the stack of layers knows each surface's plane, so that a surface is found
-/// again in the neighbour whatever its layer is there, and two planes that meet between two pixels meet in a known
+/// again in the neighbor whatever its layer is there, and two planes that meet between two pixels meet in a known
 /// point. Edges are those of the result (5.6): inner edges are creases between two fronts or two backs; a profile edge
 /// is where front meets back, and belongs to the front's layer.
 ///

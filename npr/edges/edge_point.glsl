@@ -1,4 +1,4 @@
-// A point of an edge on the link between the samples of two neighbouring pixels, in 32 bits. Zero: no edge; the larger
+// A point of an edge on the link between the samples of two neighboring pixels, in 32 bits. Zero: no edge; the larger
 // of two counts. Valid in shaders and, within a struct with the same names, in C++.
 const uint kInnerEdge = 1u;
 const uint kProfileEdge = 2u;
@@ -31,7 +31,7 @@ EdgePoint unpack_edge(uint bits) {
                       vec2(cos(angle), sin(angle)));
 }
 
-// The link from a pixel to its right (axis 0) or upper neighbour, in a picture of that width, as one number.
+// The link from a pixel to its right (axis 0) or upper neighbor, in a picture of that width, as one number.
 uint link_id(ivec2 lower, int axis, int width) {
     return uint(2 * (lower.y * width + lower.x) + axis);
 }

@@ -12,7 +12,7 @@ float bend_ahead(ivec2 pixel, int layer, ivec2 offset) {
     return c.found ? angle_between(c.cosine) : 0.0f;
 }
 
-// Where a curved surface turns away from the eye, neighbouring pixels see facets that are not neighbours, and the angle
+// Where a curved surface turns away from the eye, neighboring pixels see facets that are not neighbors, and the angle
 // between them grows beyond that of facets. It is told from a crease by the bends on both sides of it.
 bool is_crease(ivec2 p, int layer, ivec2 q, Continuation c) {
     float angle = angle_between(c.cosine);
@@ -82,12 +82,12 @@ struct FoundEdge {
     bool found;
     EdgePoint point;  // `at` from the pixel that was asked
     int layer;
-    int other;   // layer of the surface beyond the edge: of the neighbour, or where a surface ends of the pixel itself
+    int other;   // layer of the surface beyond the edge: of the neighbor, or where a surface ends of the pixel itself
                  // (-1: unknown)
     bool bends;  // is it one by its angle?
 };
 
-// The edge of a surface of `p` on the way to its neighbour at `offset`. Both must be in the picture.
+// The edge of a surface of `p` on the way to its neighbor at `offset`. Both must be in the picture.
 FoundEdge edge_of(int layer, ivec2 p, ivec2 offset) {
     FoundEdge e;
     e.found = true;

@@ -1,4 +1,4 @@
-// The search where edges may be: surfaces of neighbouring pixels, compared by their planes. Valid in shaders and, within
+// The search where edges may be: surfaces of neighboring pixels, compared by their planes. Valid in shaders and, within
 // a struct with the same names, in C++.
 
 uint bit_of(uvec2 ids) {
@@ -30,7 +30,7 @@ bool in_pixel(uvec2 a, ivec2 q, uint bits) {
     return false;
 }
 
-// Two neighbouring facets of a curved surface, most often: no edge.
+// Two neighboring facets of a curved surface, most often: no edge.
 bool smooth_joint(ivec2 p, ivec2 q, int layer) {
     Surface s = layer_surface(p, layer, pixel_ray(p));
     Surface t = layer_surface(q, layer, pixel_ray(q));

@@ -54,7 +54,7 @@ Anchor anchor_on(uint plane, uint other, vec2 at) {
     bool parallel = view.depth_range.z > 0.5f;
     vec2 position = (at + 0.5f + jitter - 0.5f * vec2(view.picture)) * (2.0f * view.picture.z / view.picture.y);
     mat3 to_eye = mat3(view.eye_from_world);
-    vec3 eye = (vec3(parallel ? position : vec2(0.0f), 0.0f) - centre_in_eye) * to_eye;
+    vec3 eye = (vec3(parallel ? position : vec2(0.0f), 0.0f) - center_in_eye) * to_eye;
     vec3 ray = normalize(vec3(parallel ? vec2(0.0f) : position, -1.0f) * to_eye);
     float slant = dot(ray, along);
     float aside = 1.0f - slant * slant;
@@ -64,7 +64,7 @@ Anchor anchor_on(uint plane, uint other, vec2 at) {
     vec3 nearest = foot + along * ((dot(along, way) - slant * dot(ray, way)) / aside);
     int axis = main_axis(along);
     a.found = true;
-    a.along = nearest[axis] + view.local_centre[axis];
+    a.along = nearest[axis] + view.local_center[axis];
     a.slope = abs(along[axis]);
     return a;
 }

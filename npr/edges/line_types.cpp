@@ -20,8 +20,9 @@ LineTypes plain_types(const LinedSettings& settings) {
     for (const LineKind kind : kKinds) {
         const float strength = kind == LineKind::Silhouette ? settings.profile_strength : settings.inner_strength;
         types.of(kind, Visibility::Visible) = {1, strength};
-        for (const Visibility hidden : {Visibility::Hidden, Visibility::DeeplyHidden})
+        for (const Visibility hidden : {Visibility::Hidden, Visibility::DeeplyHidden}) {
             types.of(kind, hidden) = {settings.hidden_width / settings.width, strength};
+        }
     }
     return types;
 }
@@ -29,13 +30,14 @@ LineTypes plain_types(const LinedSettings& settings) {
 void LinedSettings::complete_lines(const Picture& picture) {
     const LineTypes plain = plain_types(*this);
     types = plain;
-    if (dashes)
+    if (dashes) {
         for (const LineKind kind : kKinds) {
             LineType& hidden = types.of(kind, Visibility::Hidden);
             LineType& deep = types.of(kind, Visibility::DeeplyHidden);
             std::tie(hidden.dash, hidden.gap) = std::pair(kDash, kDashGap);
             std::tie(deep.dash, deep.gap) = std::pair(kDot, kDotGap);
         }
+    }
     facts = types != plain;
     const base::Camera& camera = picture.camera;
     const double height = 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);

@@ -5,7 +5,7 @@
 
 namespace npr {
 
-/// Continues the straight visible edges of an edge map past their corners, fading, as a draughtsman's lines cross
+/// Continues the straight visible edges of an edge map past their corners, fading, as a draftsman's lines cross
 /// there.
 class Overshoot {
   public:

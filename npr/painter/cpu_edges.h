@@ -9,7 +9,7 @@
 
 namespace npr {
 
-/// An edge meets a link between the samples of two neighbouring pixels.
+/// An edge meets a link between the samples of two neighboring pixels.
 struct CpuEdge {
     glm::ivec2 lower{0};     ///< The link's lower or left pixel.
     glm::vec2 at{0};         ///< Where, counted in samples: pixel (x, y) has its sample at (x, y), whatever the jitter.

@@ -27,7 +27,7 @@ struct LinedFrame : shader::Frame {
 
 /// Adds every pixel of the frame, or throws base::Stopped. `make()` gives each thread its painter:
 ///   begin(tile)         before the tile's pixels
-///   pixel(p)            the colour
+///   pixel(p)            the color
 ///   as_left(p)          whether it is sure to be that of the pixel on the left, of the same tile
 template <typename Make>
 void paint_tiles(const CpuFrame& frame, const Make& make) {

@@ -44,7 +44,7 @@ struct NoisePixels : shader::Frame, SketchSettings {
 void CpuSketchNoise::draw(const CpuFrame& frame, const SketchSettings& settings) {
     const ivec2 size = frame.layers.size;
     const NoiseKey key = noise_key(
-        settings, size, {frame.view.camera(), frame.layers.table->local_centre, frame.layers.table->diagonal});
+        settings, size, {frame.view.camera(), frame.layers.table->local_center, frame.layers.table->diagonal});
     if (key_ == key) {
         return;
     }

@@ -20,9 +20,10 @@ class Noise {
     void draw(const Frame& frame, const SketchSettings& settings) {
         const auto& tables = *frame.layers.table;
         const NoiseKey key =
-            noise_key(settings, frame.layers.size, {frame.view.camera(), tables.local_centre, tables.diagonal});
-        if (!(texture_ && texture_.size() == key.size))
+            noise_key(settings, frame.layers.size, {frame.view.camera(), tables.local_center, tables.diagonal});
+        if (!(texture_ && texture_.size() == key.size)) {
             texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
+        }
         if (!(key_ && *key_ == key)) {
             target_.attach({&texture_});
             pass_.set(settings);

@@ -9,10 +9,10 @@ vec3 noise_place(ivec2 pixel) {
     if (!on_model)
         return vec3(at / unit, 0.0f);
     float scale = 2.0f * view.picture.z / view.picture.y;
-    float distance = -centre_in_eye.z;
+    float distance = -center_in_eye.z;
     vec2 in_eye = at * scale * (view.depth_range.z > 0.5f ? 1.0f : distance);
-    vec3 from_centre = vec3(in_eye - vec2(centre_in_eye), 0.0f) * mat3(view.eye_from_world);
-    return from_centre * (400.0f / view.depth_range.w);
+    vec3 from_center = vec3(in_eye - vec2(center_in_eye), 0.0f) * mat3(view.eye_from_world);
+    return from_center * (400.0f / view.depth_range.w);
 }
 
 // One of the four values: long bows with a little tremor.

@@ -42,7 +42,7 @@ struct NoiseKey {
     /// What counts only where the noise is anchored to the model.
     struct Anchor {
         base::Camera camera;
-        glm::dvec3 centre{0};  ///< Of the model, in the world.
+        glm::dvec3 center{0};  ///< Of the model, in the world.
         double diagonal = 0;   ///< Of the model.
         bool operator==(const Anchor&) const = default;
     };

@@ -279,6 +279,21 @@ TEST(Architecture, AWishOfAllStylesIsNamedByThoseWhoReadItOnly) {
                      "ui/viewer/save_form.cpp", "ui/viewer/view_state.cpp"}));
 }
 
+/// clang-tidy finds more (readability-braces-around-statements); this is quick, and sees headers on one line.
+TEST(Architecture, BodiesHaveBraces) {
+    const std::regex unbraced("(?:^|\n) *(?:\\} )?(?:else|(?:else )?(?:if|for|while) [^\n]*\\))(?=\n)");
+    Names all = kProgram;
+    all.insert("tests");
+    for (const std::string& file : files_of(all, {".cpp", ".h"})) {
+        const std::string text = read_file(kRoot / file);
+        for (std::sregex_iterator at(text.begin(), text.end(), unbraced), end; at != end; ++at) {
+            const std::string line = at->str();
+            EXPECT_NE(std::count(line.begin(), line.end(), '('), std::count(line.begin(), line.end(), ')'))
+                << file << ":" << line;
+        }
+    }
+}
+
 TEST(Architecture, FilesAreShort) {
     Names all = kProgram;
     all.insert("tests");

@@ -57,7 +57,7 @@ TEST_P(ViewTest, PlaneDepthAgreesWithTheRay) {
     const double offset = 2.5;
     const View::PlaneDepth d = view.plane_depth(normal, offset);
     ASSERT_FALSE(d.edge_on);
-    for (int y = 0; y < 200; y += 37)
+    for (int y = 0; y < 200; y += 37) {
         for (int x = 0; x < 320; x += 41) {
             const View::Ray ray = view.ray(x, y);
             const double t = (offset - glm::dot(normal, ray.origin)) / glm::dot(normal, ray.direction);
@@ -65,10 +65,11 @@ TEST_P(ViewTest, PlaneDepthAgreesWithTheRay) {
             EXPECT_NEAR(depth, view.depth(t), 1e-6);
             EXPECT_NEAR(view.distance(view.depth(t)), t, 1e-9 * std::abs(t));
             const glm::dvec4 clip = view.clip_from_world() * glm::dvec4(ray.origin + t * ray.direction, 1.0);
-            EXPECT_NEAR((clip.x / clip.w + 1) * 160, x + 0.5, 1e-9);  // the jittered sample lands on the pixel's centre
+            EXPECT_NEAR((clip.x / clip.w + 1) * 160, x + 0.5, 1e-9);  // the jittered sample lands on the pixel's center
             EXPECT_NEAR((clip.y / clip.w + 1) * 100, y + 0.5, 1e-9);
             EXPECT_NEAR(clip.z / clip.w, view.depth(t), 1e-12);
         }
+    }
 }
 
 TEST_P(ViewTest, DepthIsReversedAndEnclosesTheBox) {

@@ -28,9 +28,11 @@ class ImageTest : public testing::Test {
 TEST_F(ImageTest, PngGivesBackWhatWasWritten) {
     for (const int alpha : {255, 100}) {
         base::Image image{9, 5, {}};
-        for (int i = 0; i < 9 * 5; ++i)
-            for (const int v : {i * 5, 255 - i, i * i, alpha})
+        for (int i = 0; i < 9 * 5; ++i) {
+            for (const int v : {i * 5, 255 - i, i * i, alpha}) {
                 image.rgba.push_back(static_cast<std::uint8_t>(v & 255));
+            }
+        }
         base::write_file(folder_ / "a.png", base::encode_png(image));
         const base::Image back = base::read_png(folder_ / "a.png");
         EXPECT_EQ(back.width, 9);

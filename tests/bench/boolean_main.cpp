@@ -31,10 +31,12 @@ Json leaves_json(const ui::SolidScene& solid) {
     for (const auto& leaf : solid.geometry.leaves) {
         std::vector<double> points;
         std::vector<std::uint32_t> triangles;
-        for (const glm::dvec3& p : leaf.points)
+        for (const glm::dvec3& p : leaf.points) {
             points.insert(points.end(), {p.x, p.y, p.z});
-        for (const glm::uvec3& t : leaf.triangles)
+        }
+        for (const glm::uvec3& t : leaf.triangles) {
             triangles.insert(triangles.end(), {t.x, t.y, t.z});
+        }
         leaves.push_back({{"points", points}, {"triangles", triangles}});
     }
     constexpr const char* kinds[] = {"leaf", "union", "intersection", "difference"};
@@ -52,12 +54,14 @@ int run(const std::string& file, const std::string& leaves_file, const csg::refe
     request.path = file;
     request.preview = false;
     const auto evaluation = csg::scad::evaluate(request, [](const auto&, const auto&) {});
-    if (!evaluation.ok)
+    if (!evaluation.ok) {
         throw std::runtime_error(file + " has errors");
+    }
     const auto model = ui::ModelBuilder().build(evaluation.tree);
     const ui::SolidScene solid = ui::solid_scene(model->scene, model->geometry);
-    if (!leaves_file.empty())
+    if (!leaves_file.empty()) {
         std::ofstream(leaves_file) << leaves_json(solid);
+    }
     double best = 1e300;
     csg::reference::BooleanResult result;
     for (int i = 0; i < 3; ++i) {
@@ -85,15 +89,17 @@ int main(int argc, char** argv) {
         csg::reference::BooleanRequest how;
         for (int i = 1; i < argc; ++i) {
             const std::string argument = argv[i];
-            if (argument == "planes")
+            if (argument == "planes") {
                 how.method = csg::reference::Method::Planes;
-            else if (argument == "exact")
+            } else if (argument == "exact") {
                 how.method = csg::reference::Method::Exact;
-            else
+            } else {
                 files.push_back(argument);
+            }
         }
-        if (files.empty() || files.size() > 2)
+        if (files.empty() || files.size() > 2) {
             throw std::runtime_error("usage: csgscope_boolean FILE.scad [LEAVES.json] [planes|exact]");
+        }
         return run(files[0], files.size() == 2 ? files[1] : "", how);
     } catch (const std::exception& error) {
         fmt::print(stderr, "csgscope_boolean: {}\n", error.what());

@@ -65,8 +65,9 @@ void measure(const ui::Model& model, const goldfeather::EngineInfo& engine, int 
         const bench::Time updated = bench::now();
         (void)renderer.render(edited.model(), request);
         const bench::Time drawn = bench::now();
-        if (i == 0)
+        if (i == 0) {
             continue;  // To warm up.
+        }
         const ui::ModelStatistics& times = edited.model().statistics;
         const double both = (committed - start).cpu, share = times.place_ms / (times.place_ms + times.normalize_ms);
         stages.scene.push_back(both * share);
@@ -99,7 +100,8 @@ int main(int argc, char** argv) {
         "| --- | --- | --- | --- | --- | --- | --- |\n",
         holes, model->statistics.triangles, size, built);
     for (const goldfeather::EngineInfo& engine : goldfeather::engines()) {
-        if (engine.cost != nullptr)
+        if (engine.cost != nullptr) {
             measure(*model, engine, holes, size, frames);
+        }
     }
 }

@@ -25,7 +25,7 @@ gl::ShaderLibrary shaders() {
 
 Floor::Floor(const gl::Functions& gl, const csg::solid::Geometry& geometry, glm::ivec2 size)
     : gl_(gl),
-      centre_(geometry.box.empty() ? glm::dvec3(0.0) : geometry.box.centre()),
+      center_(geometry.box.empty() ? glm::dvec3(0.0) : geometry.box.center()),
       diagonal_(geometry.box.diagonal()),
       program_(gl, shaders(), {"tests/bench/floor.vert", "tests/bench/floor.frag"}),
       array_(gl),
@@ -39,7 +39,7 @@ Floor::Floor(const gl::Functions& gl, const csg::solid::Geometry& geometry, glm:
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
             const glm::vec3 normal = geometry.planes.planes()[leaf.planes[t].index].normal;
             for (int corner = 0; corner < 3; ++corner) {
-                vertices.push_back({leaf.points[leaf.triangles[t][corner]] - centre_, normal});
+                vertices.push_back({leaf.points[leaf.triangles[t][corner]] - center_, normal});
             }
         }
     }
@@ -56,7 +56,7 @@ Floor::Floor(const gl::Functions& gl, const csg::solid::Geometry& geometry, glm:
 }
 
 void Floor::draw(const base::View& view) {
-    view_block_.update(view, centre_, diagonal_);
+    view_block_.update(view, center_, diagonal_);
     view_block_.bind();
     target_.bind();
     gl_.Viewport(0, 0, view.size().x, view.size().y);

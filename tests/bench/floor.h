@@ -19,7 +19,7 @@ class Floor {
 
   private:
     const gl::Functions& gl_;
-    glm::dvec3 centre_;
+    glm::dvec3 center_;
     double diagonal_;
     gl::Program program_;
     gl::VertexArray array_;

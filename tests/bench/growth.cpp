@@ -14,7 +14,7 @@ using Id = Maker::Id;
 
 const glm::dvec3 kEye(13, -17, 15);
 
-/// n balls in a cube, each touching into its neighbours, less a large one at a corner.
+/// n balls in a cube, each touching into its neighbors, less a large one at a corner.
 Case sphere_pile(double n) {
     Maker m;
     std::vector<Id> balls;
@@ -28,7 +28,7 @@ Case sphere_pile(double n) {
     return m.seen(m.subtract({m.unite(balls), m.sphere({4, -4, 4}, 4, 32)}), kEye, {0, 0, 0});
 }
 
-/// n gears in rows, each with twelve teeth and a bore, that mesh with their neighbours.
+/// n gears in rows, each with twelve teeth and a bore, that mesh with their neighbors.
 Case gear_train(double n) {
     constexpr int kTeeth = 12;
     Maker m;

@@ -127,7 +127,7 @@ void turn_depth(const Subject& subject, std::vector<KnobRow>& rows) {
             continue;
         }
         ++decided;
-        const glm::dvec2 sample = glm::dvec2(x, y) + 0.5, centred = sample - 0.5 * kSide;
+        const glm::dvec2 sample = glm::dvec2(x, y) + 0.5, centered = sample - 0.5 * kSide;
         for (std::size_t f = 0; f < formats.size(); ++f) {
             std::array<std::vector<Fragment>, 2> lists;
             for (const Projected& t : triangles) {
@@ -137,7 +137,7 @@ void turn_depth(const Subject& subject, std::vector<KnobRow>& rows) {
                 }
                 const auto& plane = planes[t.plane];
                 const double between = formats[f].single ? interpolated<float>(t, *w) : interpolated<double>(t, *w);
-                const double on_plane = plane.edge_on ? between : plane.a * centred.x + plane.b * centred.y + plane.c;
+                const double on_plane = plane.edge_on ? between : plane.a * centered.x + plane.b * centered.y + plane.c;
                 lists[0].push_back({formats[f].rounded(on_plane), t.leaf << 1, t.plane, 0});
                 lists[1].push_back({formats[f].rounded(between), t.leaf << 1, t.plane, 0});
             }

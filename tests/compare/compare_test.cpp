@@ -73,10 +73,12 @@ TEST_F(Export, SameBytesFromAnywhere) {
     ASSERT_EQ(run("m.scad -o m.stl -o m.off -o m.obj -o m.amf -o m.3mf -o m.wrl").status, 0);
     ASSERT_EQ(run("below/f.scad -o b.svg -o b.dxf -o b.pdf").status, 0);
     ASSERT_EQ(run("below/m.scad -o b.stl -o b.off -o b.obj -o b.amf -o b.3mf -o b.wrl").status, 0);
-    for (const std::string suffix : {"svg", "dxf", "pdf"})
+    for (const std::string suffix : {"svg", "dxf", "pdf"}) {
         EXPECT_EQ(folder_.read("f." + suffix), folder_.read("b." + suffix)) << suffix;
-    for (const std::string suffix : {"stl", "off", "obj", "amf", "3mf", "wrl"})
+    }
+    for (const std::string suffix : {"stl", "off", "obj", "amf", "3mf", "wrl"}) {
         EXPECT_EQ(folder_.read("m." + suffix), folder_.read("b." + suffix)) << suffix;
+    }
 }
 
 /// Addresses differ from process to process.
@@ -133,8 +135,9 @@ TEST_F(Export, DimensionsThatDoNotFitAreRefused) {
     refused("m.scad -o x.stl -o x.svg", "the model is solid");
     folder_.write("none.scad", "");
     refused("none.scad -o x.pdf", "empty");
-    for (const char* file : {"x.stl", "x.svg", "x.pdf"})
+    for (const char* file : {"x.stl", "x.svg", "x.pdf"}) {
         EXPECT_FALSE(fs::exists(folder_.path(file))) << file;
+    }
 }
 
 TEST_F(Export, ADrawingLargerThanThePageIsAWarning) {
@@ -242,10 +245,11 @@ TEST_F(Export, DamagedCacheFilesAreMadeAgain) {
     const std::string whole = test_support::read_file(kept);
     for (std::size_t i = 0; i < 40; ++i) {
         std::string bytes = whole;
-        if (i % 2 == 0)
+        if (i % 2 == 0) {
             bytes.resize(whole.size() * i / 40);  // torn
-        else
+        } else {
             bytes[whole.size() * i / 40] ^= 0x10;  // a flipped bit
+        }
         folder_.write("kept/" + kept.filename().string(), bytes);
         ASSERT_EQ(run("m.scad -o b.stl --cache kept").status, 0);
         ASSERT_EQ(folder_.read("b.stl"), folder_.read("a.stl"));
@@ -271,8 +275,9 @@ TEST_F(Export, ConcurrentExportsIntoOneCache) {
                                 "' m.scad -o m$i.stl --cache kept 2>>err.txt & done; wait";
     ASSERT_EQ(std::system(command.c_str()), 0);
     ASSERT_EQ(run("m.scad -o one.stl").status, 0);
-    for (int i = 1; i <= 6; ++i)
+    for (int i = 1; i <= 6; ++i) {
         EXPECT_EQ(folder_.read(fmt::format("m{}.stl", i)), folder_.read("one.stl"));
+    }
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path("kept")), {}), 1);  // nothing half written beside it
     ASSERT_EQ(run("m.scad -o b.stl --cache kept --stats b.json").status, 0);
     EXPECT_EQ(Json::parse(folder_.read("b.json")).at("mesh").at("cached"), true);
@@ -340,8 +345,9 @@ TEST_F(Export, OneCameraIsOneView) {
 }
 
 TEST_F(Export, AgainstOpenscad) {
-    if (std::system("openscad --version >/dev/null 2>&1") != 0)
+    if (std::system("openscad --version >/dev/null 2>&1") != 0) {
         GTEST_SKIP() << "openscad is not installed";
+    }
     const Result result = run("compare m.scad --imgsize 64 --against openscad");
     ASSERT_EQ(result.status, 0) << result.out << result.err;
     const Json json = Json::parse(result.out).at("openscad");
@@ -410,13 +416,15 @@ TEST_F(Export, TheVolumeOfThePictureIsThatOfTheMesh) {
 std::string stl_box(const glm::dvec3& a, const glm::dvec3& b) {
     std::string text;
     constexpr int kFaces[6][4]{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    for (const auto& face : kFaces)
+    for (const auto& face : kFaces) {
         for (const auto& corners : {std::array{face[0], face[1], face[2]}, std::array{face[0], face[2], face[3]}}) {
             text += "facet normal 0 0 0\nouter loop\n";
-            for (const int i : corners)
+            for (const int i : corners) {
                 text += fmt::format("vertex {} {} {}\n", (i & 1 ? b : a).x, (i & 2 ? b : a).y, (i & 4 ? b : a).z);
+            }
             text += "endloop\nendfacet\n";
         }
+    }
     return text;
 }
 

@@ -36,10 +36,12 @@ Subject::Subject(const csg::Tree& tree, bool with_products, const csg::PartRule&
     csg::solid::SolidCache cache;
     geometry = csg::solid::place(tree, scene, cache);
     std::vector<csg::Box> boxes;
-    for (const auto& leaf : geometry.leaves)
+    for (const auto& leaf : geometry.leaves) {
         boxes.push_back(leaf.box);
-    if (!with_products)
+    }
+    if (!with_products) {
         return;
+    }
     for (const csg::Part& part : scene.parts) {
         goldfeather::NormalizationStats stats;
         auto normalized = goldfeather::normalize(scene, part, boxes, {}, stats);
@@ -69,31 +71,39 @@ std::string difference(const Subject& subject, const base::View& view, const lay
     const truth::RayCaster caster(subject.scene, subject.geometry, view, subject.part_enabled);
     std::string first;
     int wrong = 0;
-    for (int y = 0; y < view.size().y; ++y)
+    for (int y = 0; y < view.size().y; ++y) {
         for (int x = 0; x < view.size().x; ++x) {
             truth::Ray ray = caster.cast(x, y);
             count.pixels += ray.hit ? 1 : 0;
             count.undecided += ray.decided ? 0 : 1;
-            if (!ray.decided)
+            if (!ray.decided) {
                 continue;
-            if (most != goldfeather::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most))
+            }
+            if (most != goldfeather::kAllLayers && ray.surfaces.size() > static_cast<std::size_t>(most)) {
                 ray.surfaces.resize(static_cast<std::size_t>(most));
+            }
             std::vector<layers::Surface> actual;
-            for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer)
+            for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0; ++layer) {
                 actual.push_back(stack.at(layer, x, y));
+            }
             count.surfaces += actual.size();
-            if (std::equal(ray.surfaces.begin(), ray.surfaces.end(), actual.begin(), actual.end(), same))
+            if (std::equal(ray.surfaces.begin(), ray.surfaces.end(), actual.begin(), actual.end(), same)) {
                 continue;
-            if (wrong++ > 0)
+            }
+            if (wrong++ > 0) {
                 continue;
+            }
             first = fmt::format("pixel {}, {}, {:.5f} pixels from an edge:\n  expected", x, y,
                                 caster.band().edge_distance(x, y));
-            for (const truth::Surface& s : ray.surfaces)
+            for (const truth::Surface& s : ray.surfaces) {
                 first += "\n    " + text(s);
+            }
             first += "\n  found";
-            for (const layers::Surface& s : actual)
+            for (const layers::Surface& s : actual) {
                 first += "\n    " + text(s);
+            }
         }
+    }
     return wrong == 0 ? "" : fmt::format("{} pixels differ; {}\n", wrong, first);
 }
 

@@ -44,15 +44,17 @@ csg::Operation operation_of(ExpressionKind kind) {
 
 Model* node_at(Model& model, const Path& path) {
     Model* at = &model;
-    for (const std::uint32_t child : path)
+    for (const std::uint32_t child : path) {
         at = &at->children[child];
+    }
     return at;
 }
 
 void collect(Model& model, Path& path, std::vector<Path>& nodes, std::vector<Path>& leaves) {
     nodes.push_back(path);
-    if (model.operation == csg::Operation::Leaf)
+    if (model.operation == csg::Operation::Leaf) {
         leaves.push_back(path);
+    }
     for (std::uint32_t i = 0; i < model.children.size(); ++i) {
         path.push_back(i);
         collect(model.children[i], path, nodes, leaves);
@@ -62,10 +64,12 @@ void collect(Model& model, Path& path, std::vector<Path>& nodes, std::vector<Pat
 
 /// Every leaf below a transformation of its own.
 Model loosened(Model model) {
-    if (model.operation == csg::Operation::Leaf)
+    if (model.operation == csg::Operation::Leaf) {
         return random_tree::matrix(glm::dmat4(1.0), std::move(model));
-    for (Model& child : model.children)
+    }
+    for (Model& child : model.children) {
         child = loosened(std::move(child));
+    }
     return model;
 }
 
@@ -73,8 +77,9 @@ Model loosened(Model model) {
 Model with(const Model& model, std::span<const Addition> additions) {
     Model result = model;
     std::vector<const Addition*> order;
-    for (const Addition& a : additions)
+    for (const Addition& a : additions) {
         order.push_back(&a);
+    }
     std::stable_sort(order.begin(), order.end(),
                      [](const Addition* a, const Addition* b) { return a->path.size() > b->path.size(); });
     for (const Addition* a : order) {
@@ -121,8 +126,9 @@ class Edits {
         }
     }
     [[nodiscard]] csg::LeafShape shape() {
-        if (pick(2) == 0)
+        if (pick(2) == 0) {
             return csg::Cube{{1.0 + pick(4), 1.0 + pick(4), 1.0 + pick(4)}, pick(2) == 0};
+        }
         return csg::Sphere{1.0 + pick(3), {}};
     }
 
@@ -136,13 +142,15 @@ class Edits {
             scene.remove(gone->id);
             additions_.erase(gone);
         } else {
-            for (int moves = 1 + pick(2); moves > 0; --moves)
+            for (int moves = 1 + pick(2); moves > 0; --moves) {
                 move();
+            }
         }
         // Where all leaves are now, as the tree says it.
         const csg::Scene now = csg::make_scene(random_tree::make_tree(result()));
-        for (csg::LeafId leaf = 0; leaf < now.leaves.size(); ++leaf)
+        for (csg::LeafId leaf = 0; leaf < now.leaves.size(); ++leaf) {
             scene.move(leaf, now.leaves[leaf].to_world);
+        }
     }
     [[nodiscard]] Model result() const { return with(model_, additions_); }
     [[nodiscard]] const Model& model() const { return model_; }
@@ -153,8 +161,9 @@ class Edits {
         Addition a{nodes_[static_cast<std::size_t>(pick(nodes_.size()))], static_cast<ExpressionKind>(1 + pick(3)),
                    shape(), matrix()};
         csg::Site site{0, occurrence_at(scene.scene(), a.path)};
-        if (site.occurrence == csg::kNoOccurrence || csg::expression_at(scene.scene(), site) == csg::kNoExpression)
+        if (site.occurrence == csg::kNoOccurrence || csg::expression_at(scene.scene(), site) == csg::kNoExpression) {
             return;
+        }
         a.id = scene.add(site, a.operation, cache.get(a.shape), a.matrix);
         additions_.push_back(a);
     }
@@ -194,8 +203,9 @@ class EditedScenes : public testing::TestWithParam<const goldfeather::EngineInfo
     }
     void update(std::unique_ptr<goldfeather::PreparedScene>& prepared, const Subject& subject,
                 const csg::solid::SceneChange& change) {
-        if (!prepared->update(change))
+        if (!prepared->update(change)) {
             prepared = prepare(subject);
+        }
     }
     [[nodiscard]] std::shared_ptr<const layers::HostStack> draw(goldfeather::PreparedScene& prepared,
                                                                 const base::View& view) {
@@ -221,8 +231,9 @@ TEST_P(EditedScenes, AreAsIfMadeFromNothing) {
         const bool structure = seed % 4 != 0;
         Edits edits(seed, !structure);
         Subject edited(edits.model(), cache_);
-        if (edited.scene.parts.empty())
+        if (edited.scene.parts.empty()) {
             continue;
+        }
         EditableScene scene(edited.scene, edited.geometry);
         auto prepared = prepare(edited);
         for (int step = 0; step < (slow ? 6 : 12); ++step) {
@@ -237,8 +248,9 @@ TEST_P(EditedScenes, AreAsIfMadeFromNothing) {
             const std::string where = fmt::format("seed {}, step {}\n{}", seed, step, scad_text(edits.result()));
             ASSERT_EQ(difference(edited.scene, made.scene), "") << where;
             ASSERT_EQ(difference(edited.geometry, made.geometry), "") << where;
-            if (made.geometry.box.empty())
+            if (made.geometry.box.empty()) {
                 continue;
+            }
             const base::Camera camera =
                 random_tree::make_camera(edits.random(), made.geometry.box.lo, made.geometry.box.hi);
             const base::View view = view_of(made, camera);
@@ -284,14 +296,16 @@ TEST_P(EditedScenes, AreSectionedPartByPart) {
 
         // Elsewhere first: a section is dragged to its place.
         std::vector<csg::solid::AddedId> sections;
-        for (csg::PartId part = 0; part < 2; ++part)
+        for (csg::PartId part = 0; part < 2; ++part) {
             sections.push_back(
                 scene.add({part}, ExpressionKind::Intersection, csg::solid::Plane{{0, 0, 1}, 3.3}, {1, 0, 0, 1}));
+        }
         csg::solid::SceneChange change = scene.commit();
         edited.normalize();
         update(prepared, edited, change);
-        for (const csg::solid::AddedId section : sections)
+        for (const csg::solid::AddedId section : sections) {
             scene.move(section, plane);
+        }
         change = scene.commit();
         EXPECT_FALSE(change.structure);
         EXPECT_EQ(change.leaves.size(), 2U) << "nothing but the sections";
@@ -304,8 +318,9 @@ TEST_P(EditedScenes, AreSectionedPartByPart) {
         for (int y = 0; y < kSize.y; ++y) {
             for (int x = 0; x < kSize.x; ++x) {
                 const layers::Surface s = cut->at(0, x, y);
-                if (s.depth == 0)
+                if (s.depth == 0) {
                     continue;
+                }
                 const base::View::Ray ray = view.ray(x, y);
                 const glm::dvec3 p = ray.origin + view.distance(s.depth) * ray.direction;
                 ASSERT_LT(glm::dot(plane.normal, p), plane.offset + 1e-3) << "what is beyond is gone";
@@ -315,8 +330,9 @@ TEST_P(EditedScenes, AreSectionedPartByPart) {
         }
         EXPECT_EQ(face, plane.offset > 0) << "the cut has exactly that plane";
 
-        for (const csg::solid::AddedId section : sections)
+        for (const csg::solid::AddedId section : sections) {
             scene.remove(section);
+        }
         change = scene.commit();
         edited.normalize();
         update(prepared, edited, change);
@@ -357,16 +373,18 @@ TEST_P(EditedScenes, DoNotShowWhatIsHidden) {
     scene.show(1, false);
     update(prepared, edited, scene.commit());
     const auto nothing = draw(*prepared, view);
-    for (const layers::Surface& s : nothing->surfaces())
+    for (const layers::Surface& s : nothing->surfaces()) {
         ASSERT_EQ(s.depth, 0);
+    }
 }
 
 /// A plate with holes in a row, two apart.
 Model row_of_holes(int count) {
     std::vector<Model> all{random_tree::box({0, 0, 0}, {2.0 * count, 2, 1})};
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         all.push_back(
             loosened(random_tree::at({2 * i + 0.5, 0.5, -1}, random_tree::leaf(csg::Cube{{1, 1, 3}, false}))));
+    }
     return random_tree::combine(csg::Operation::Difference, all);
 }
 
@@ -376,8 +394,9 @@ TEST(EditableScenes, MergePlanesWhereALeafComesToLieInThoseOfAnother) {
     EditableScene scene(edited.scene, edited.geometry);
     const auto plane_of = [&](csg::LeafId leaf) {  // That of its first triangle across y.
         for (const csg::solid::PlaneRef& plane : edited.geometry.leaves[leaf].planes) {
-            if (std::abs(edited.geometry.planes.planes()[plane.index].normal.y) > 0.5)
+            if (std::abs(edited.geometry.planes.planes()[plane.index].normal.y) > 0.5) {
                 return plane.index;
+            }
         }
         return kUnused;
     };
@@ -429,8 +448,9 @@ TEST(EditableScenes, MovePartsFromWhereTheTextPutThem) {
     EditableScene scene(edited.scene, edited.geometry);
     const csg::solid::AddedId section = scene.add({0}, ExpressionKind::Intersection, csg::solid::Plane{{0, 0, 1}, 3});
     const glm::dmat4 up = glm::translate(glm::dmat4(1.0), {0, 0, 5});
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         scene.move_part(0, up);
+    }
     (void)scene.commit();
     EXPECT_EQ(edited.geometry.leaves[0].box, (csg::Box{{0, 0, 5}, {4, 4, 9}}));
     EXPECT_EQ(edited.geometry.leaves[scene.leaf(section)].face.offset, 8) << "a section goes with its part";
@@ -458,8 +478,9 @@ TEST(EditableScenes, TellWhatCannotBePlaced) {
 
 std::vector<const goldfeather::EngineInfo*> all_engines() {
     std::vector<const goldfeather::EngineInfo*> all;
-    for (const goldfeather::EngineInfo& info : goldfeather::engines())
+    for (const goldfeather::EngineInfo& info : goldfeather::engines()) {
         all.push_back(&info);
+    }
     return all;
 }
 

@@ -64,8 +64,9 @@ class HardCases : public comparison::EngineTest {
 TEST_P(HardCases, SharedFacesOfADifferenceHaveNoSkin) {
     // The hole is as thick as the plate: nothing is left in it.
     const Model plate = combine(Operation::Difference, {box({-4, -4, 0}, {8, 8, 1}), box({-1, -1, 0}, {2, 2, 1})});
-    for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.2, 20), glm::dvec3(3, -8, 15), glm::dvec3(0.1, 0.1, -20)})
+    for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.2, 20), glm::dvec3(3, -8, 15), glm::dvec3(0.1, 0.1, -20)}) {
         EXPECT_EQ(along(peel(plate, from(eye, {0.05, 0.06, 0.5}))), "");
+    }
 }
 
 TEST_P(HardCases, TouchingBlocksHaveNoWall) {
@@ -96,15 +97,17 @@ TEST_P(HardCases, EndlessLeavesShowWhatLongOnesDo) {
         const auto stack = peel(endless, from({13, -17, 15}, {0, 0, 0}, 40));
         std::vector<std::string> pixels;
         for (int y = 0; y < 65; y += 4) {
-            for (int x = 0; x < 65; x += 4)
+            for (int x = 0; x < 65; x += 4) {
                 pixels.push_back(along(stack, x, y));
+            }
         }
         return pixels;
     };
     const auto expected = picture(20);
     EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](const std::string& s) { return !s.empty(); }), 40);
-    for (const double reach : {1e4, 1e10})
+    for (const double reach : {1e4, 1e10}) {
         EXPECT_EQ(picture(reach), expected) << reach;
+    }
 }
 
 TEST_P(HardCases, EyeInsideASolid) {
@@ -194,11 +197,13 @@ TEST_P(HardCases, ShellsThatOverlapAreSolidThroughout) {
     csg::Polyhedron both;
     for (const double d : {0.0, 1.0}) {
         const auto first = static_cast<std::uint32_t>(both.points.size());
-        for (unsigned i = 0; i < 8; ++i)
+        for (unsigned i = 0; i < 8; ++i) {
             both.points.emplace_back(d + ((i & 1) ? 2 : 0), d + ((i & 2) ? 2 : 0), d + ((i & 4) ? 2 : 0));
+        }
         for (const auto& f : std::vector<std::vector<std::uint32_t>>{
-                 {0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}})
+                 {0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}) {
             both.faces.push_back({first + f[0], first + f[1], first + f[2], first + f[3]});
+        }
     }
     const Model mesh = leaf(std::make_shared<const csg::Polyhedron>(both));
     EXPECT_EQ(along(peel(mesh, from({1.5, 1.6, 20}, {1.5, 1.6, 0}))), ">0 <0");
@@ -217,9 +222,10 @@ TEST_P(HardCases, HugeAndTinyCopiesLookTheSame) {
         ASSERT_EQ(of_copy.layers, stack.layers);
         const std::vector<layers::Surface> copy = of_copy.surfaces();
         std::size_t different = 0;
-        for (std::size_t i = 0; i < one.size(); ++i)
+        for (std::size_t i = 0; i < one.size(); ++i) {
             different += one[i].leaf != copy[i].leaf || one[i].reversed != copy[i].reversed ||
                          (one[i].depth > 0) != (copy[i].depth > 0);
+        }
         EXPECT_LE(different, one.size() / 200);
     }
 }
@@ -237,8 +243,9 @@ TEST_P(HardCases, HighlightedPartsComeFirstThenById) {
     const auto stack = peel(combine(Operation::Union, {a, b}), from({1.1, 1.2, -20}, {1.1, 1.2, 0}));
     const Subject subject(random_tree::make_tree(combine(Operation::Union, {a, b})));
     std::vector<csg::PartId> parts;
-    for (int layer = 0; layer < 3; ++layer)
+    for (int layer = 0; layer < 3; ++layer) {
         parts.push_back(subject.scene.leaves[stack.at(layer, 32, 32).leaf].part);
+    }
     EXPECT_EQ(parts, (std::vector<csg::PartId>{1, 2, 0}));
 }
 

@@ -63,10 +63,12 @@ std::vector<Edge> united(const Subject& subject, const layers::HostStack& stack,
     for (int layer = 0; layer < stack.layers && stack.at(layer, x, y).depth > 0;) {
         const float depth = stack.at(layer, x, y).depth;
         const bool before = any();
-        for (; layer < stack.layers && stack.at(layer, x, y).depth == depth; ++layer)
+        for (; layer < stack.layers && stack.at(layer, x, y).depth == depth; ++layer) {
             inside[subject.scene.leaves[stack.at(layer, x, y).leaf].part] = !stack.at(layer, x, y).leaving;
-        if (any() != before)
+        }
+        if (any() != before) {
             edges.push_back({depth, before});
+        }
     }
     return edges;
 }
@@ -80,8 +82,9 @@ TEST_P(Parts, AreTheWholeTogether) {
         const random_tree::Model model = random_tree::make_model(random, options);
         const csg::Tree tree = random_tree::make_tree(model);
         const Subject whole(tree, engine().capabilities().needs_products), parts = divided(tree, rule_of(seed));
-        if (whole.over_budget + parts.over_budget > 0)
+        if (whole.over_budget + parts.over_budget > 0) {
             continue;
+        }
         const base::Camera camera = random_tree::make_camera(random, whole.geometry.box.lo, whole.geometry.box.hi);
         const base::View view = whole.view(camera, kSize);
         layers::HostStack one, many;
@@ -94,11 +97,12 @@ TEST_P(Parts, AreTheWholeTogether) {
         }
         const truth::RayCaster caster(whole.scene, whole.geometry, view),
             part_caster(parts.scene, parts.geometry, view);
-        for (int y = 0; y < kSize.y; ++y)
+        for (int y = 0; y < kSize.y; ++y) {
             for (int x = 0; x < kSize.x; ++x) {
                 const truth::Ray ray = caster.cast(x, y);
-                if (!ray.hit || !ray.decided || !part_caster.cast(x, y).decided)
+                if (!ray.hit || !ray.decided || !part_caster.cast(x, y).decided) {
                     continue;
+                }
                 const std::vector<Edge> edges = united(parts, many, x, y);
                 ASSERT_EQ(edges.size(), ray.surfaces.size())
                     << "seed " << seed << " at " << x << ", " << y << random_tree::scad_text(model);
@@ -110,6 +114,7 @@ TEST_P(Parts, AreTheWholeTogether) {
                 ++compared;
                 more += many.layers > one.layers ? 1 : 0;
             }
+        }
     }
     EXPECT_GT(compared, 20'000u);
     EXPECT_GT(more, 0u);

@@ -22,20 +22,23 @@ struct Sample {
 Sample make_sample(std::uint64_t seed, bool wound = false) {
     std::mt19937_64 random(seed);
     random_tree::Options options;
-    if (seed % 16 == 0)
+    if (seed % 16 == 0) {
         options = {60, 8, true};  // more leaves than parity bits in a word
+    }
     options.wound = wound;
     Sample sample{random_tree::make_model(random, options), {}};
     // Some are tiny, huge, or far from the origin.
     glm::dmat4 placed(1.0);
-    if (seed % 16 == 1)
+    if (seed % 16 == 1) {
         placed = glm::dmat4(glm::dmat3(1e6));
-    else if (seed % 16 == 2)
+    } else if (seed % 16 == 2) {
         placed = glm::dmat4(glm::dmat3(1e-4));
-    else if (seed % 16 == 3)
+    } else if (seed % 16 == 3) {
         placed[3] = {1000, -2000, 300, 1};
-    if (seed % 16 >= 1 && seed % 16 <= 3)
+    }
+    if (seed % 16 >= 1 && seed % 16 <= 3) {
         sample.model = random_tree::matrix(placed, std::move(sample.model));
+    }
     const Subject subject(random_tree::make_tree(sample.model), false);
     sample.camera = random_tree::make_camera(random, subject.geometry.box.lo, subject.geometry.box.hi);
     return sample;
@@ -93,8 +96,9 @@ void compare_with_truth(comparison::Engine& engine, int otherwise, bool wound) {
     for (int i = 0; i < trees && failures < 5; ++i) {
         const auto seed = static_cast<std::uint64_t>(first + i);
         const Sample sample = make_sample(seed, wound);
-        if (check.run(sample, count, over_budget).empty())
+        if (check.run(sample, count, over_budget).empty()) {
             continue;
+        }
         ++failures;
         const Sample small = check.shrink(sample);
         comparison::Count again;
@@ -152,8 +156,9 @@ TEST_P(Bands, DoNotShow) {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const Sample sample = make_sample(seed);
         const Subject subject(random_tree::make_tree(sample.model));
-        if (subject.products.empty())
+        if (subject.products.empty()) {
             continue;
+        }
         goldfeather::PartsScene scene(gl(), subject.input());
         const base::View view = subject.view(sample.camera, kSize);
         const goldfeather::PartProducts part = scene.part(subject.products[0]);
@@ -185,8 +190,9 @@ TEST(RandomTreesOnTwoContexts, AreTheSame) {
             stacks[i].push_back(made.engine->peel(subject, subject.view(sample.camera, kSize)).surfaces());
         }
     }
-    for (std::size_t i = 0; i < stacks[0].size(); ++i)
+    for (std::size_t i = 0; i < stacks[0].size(); ++i) {
         ASSERT_EQ(stacks[0][i], stacks[1][i]) << "seed " << i + 1;
+    }
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST_P(ScsOnOpenGl, OverlappingHolesInAnyOrder) {
     const auto engine = make();
     std::vector<Model> holes;
     for (int i = 0; i < 9; ++i) {
-        // Slabs that overlap their neighbours, in an order that is neither front to back nor back to front.
+        // Slabs that overlap their neighbors, in an order that is neither front to back nor back to front.
         const int k = (4 * i) % 9;
         holes.push_back(box({-2 + 0.1 * k, -2, -9 + 2.0 * k}, {4, 4, 2.5}));
     }

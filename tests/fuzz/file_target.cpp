@@ -29,8 +29,9 @@ class ScratchFile {
 
     csg::FileStamp hold(const std::uint8_t* data, std::size_t size) const {
         std::FILE* file = std::fopen(path_.c_str(), "wb");
-        if (file == nullptr || std::fwrite(data, 1, size, file) != size || std::fclose(file) != 0)
+        if (file == nullptr || std::fwrite(data, 1, size, file) != size || std::fclose(file) != 0) {
             std::abort();
+        }
         csg::FileStamp stamp;
         stamp.path = path_;
         return stamp;
@@ -48,13 +49,15 @@ const ScratchFile& scratch(const std::string& suffix) {
 void check(const csg::solid::Solid& solid) {
     for (const auto& triangle : solid.triangles) {
         for (int k = 0; k < 3; ++k) {
-            if (triangle[k] >= solid.points.size())
+            if (triangle[k] >= solid.points.size()) {
                 std::abort();
+            }
         }
     }
     for (const glm::dvec3& p : solid.points) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
             std::abort();
+        }
     }
 }
 
@@ -71,8 +74,9 @@ void import_outline(const std::uint8_t* data, std::size_t size, const std::strin
     import.file = scratch(suffix).hold(data, size);
     csg::solid::Remarks remarks;
     try {
-        if (!std::isfinite(csg::solid::import_outline(import, remarks).area()))
+        if (!std::isfinite(csg::solid::import_outline(import, remarks).area())) {
             std::abort();
+        }
     } catch (const csg::solid::GeometryError&) {
         // Coordinates beyond what can be worked with: an answer, too.
     }

@@ -10,8 +10,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     csg::solid::read_3mf_model({reinterpret_cast<const char*>(data), size}, mesh, warnings);
     for (const auto& face : mesh.faces) {
         for (const std::uint32_t corner : face) {
-            if (corner >= mesh.points.size())
+            if (corner >= mesh.points.size()) {
                 std::abort();
+            }
         }
     }
     return 0;

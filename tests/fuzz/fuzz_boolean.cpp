@@ -35,17 +35,20 @@ class Sample {
     }
 
     void check(bool both_methods) const {
-        if (scene_.parts.empty())
+        if (scene_.parts.empty()) {
             return;
+        }
         const csg::reference::BooleanResult result = mesh({});
         if (both_methods) {
             const double exact = mesh(csg::reference::Method::Exact).facts.volume;
-            if (std::abs(exact - result.facts.volume) > 1e-7)
+            if (std::abs(exact - result.facts.volume) > 1e-7) {
                 fail("volumes by planes and by exact arithmetic", result.facts.volume, exact);
+            }
         }
         if (geometry_.box.empty()) {
-            if (!result.mesh.empty())
+            if (!result.mesh.empty()) {
                 fail("a mesh of nothing", result.facts.volume, 0);
+            }
             return;
         }
         const base::View view = from_above();
@@ -86,8 +89,9 @@ class Sample {
     static std::vector<glm::dvec2> rays_of(const base::View& view) {
         std::vector<glm::dvec2> rays;
         for (int y = 0; y < kSide; ++y) {
-            for (int x = 0; x < kSide; ++x)
+            for (int x = 0; x < kSide; ++x) {
                 rays.emplace_back(view.ray(x, y).origin);
+            }
         }
         return rays;
     }
@@ -127,13 +131,16 @@ class Sample {
 
     void check_cubes(double volume, const std::vector<fuzz::RayLength>& right) const {
         const csg::Box& box = geometry_.box;
-        if (!model_.of_unit_cubes || box.lo.x < 0 || box.lo.y < 0 || box.hi.x > kSide || box.hi.y > kSide)
+        if (!model_.of_unit_cubes || box.lo.x < 0 || box.lo.y < 0 || box.hi.x > kSide || box.hi.y > kSide) {
             return;
+        }
         double sum = 0;
-        for (const fuzz::RayLength& ray : right)
+        for (const fuzz::RayLength& ray : right) {
             sum += ray.length;
-        if (std::abs(volume - std::round(sum)) > 1e-9 || std::abs(sum - std::round(sum)) > 1e-9)
+        }
+        if (std::abs(volume - std::round(sum)) > 1e-9 || std::abs(sum - std::round(sum)) > 1e-9) {
             fail("volume of unit cubes", volume, sum);
+        }
     }
 
     fuzz::SolidTree model_;
@@ -144,8 +151,9 @@ class Sample {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    if (size < 2)
+    if (size < 2) {
         return 0;
+    }
     fuzz::Bytes bytes(data, size);
     // Exact arithmetic is slow.
     const bool both_methods = bytes.below(16) == 1;

@@ -32,8 +32,9 @@ class Watchdog {
         std::unique_lock lock(mutex_);
         while (!never_.wait_for(lock, done, std::chrono::milliseconds(200), [] { return false; }) &&
                !done.stop_requested()) {
-            if (evaluation_ != nullptr && std::chrono::steady_clock::now() > deadline_)
+            if (evaluation_ != nullptr && std::chrono::steady_clock::now() > deadline_) {
                 evaluation_->request_stop();
+            }
         }
     }
     std::mutex mutex_;
@@ -65,8 +66,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Evaluation evaluation = evaluate(request, [&](const Message& message, const SourceSet& sources) {
         bytes += render_openscad(message, sources).size() + render(message, sources).size();
     });
-    if (evaluation.ok)
+    if (evaluation.ok) {
         bytes += csg_text(*evaluation.tree).size();
+    }
     watchdog.leave();
     return 0;
 }

@@ -27,10 +27,11 @@ std::vector<Loop> on_grid(const std::uint8_t* data, std::size_t size, double noi
     std::vector<Loop> loops(1);
     const std::size_t most = size > 100 ? kMostCorners : kFewCorners;
     for (std::size_t i = 0; i < std::min(size, most); ++i) {
-        if (data[i] == 255)
+        if (data[i] == 255) {
             loops.emplace_back();
-        else
+        } else {
             loops.back().emplace_back(data[i] % 16 + (i % 4 == 0 ? noise : 0), data[i] / 16 - (i % 3 == 0 ? noise : 0));
+        }
     }
     return loops;
 }
@@ -41,18 +42,20 @@ std::vector<Loop> of_any_numbers(const std::uint8_t* data, std::size_t size) {
         glm::dvec2 p;
         std::memcpy(&p.x, data + at, 8);
         std::memcpy(&p.y, data + at + 8, 8);
-        if (std::isnan(p.x))
+        if (std::isnan(p.x)) {
             loops.emplace_back();
-        else
+        } else {
             loops.back().push_back(p);
+        }
     }
     return loops;
 }
 
 /// What holds whatever the numbers are; of the solid, which takes the most time, where `extruded`.
 void check(const Outline& outline, bool extruded) {
-    if (!is_region(outline))
+    if (!is_region(outline)) {
         fail("the outline breaks the rule");
+    }
     const IndexedOutline indexed = index_corners(outline);
     double sum = 0, all = 0;
     for (const glm::uvec3& t : triangulate_region(indexed)) {
@@ -62,22 +65,26 @@ void check(const Outline& outline, bool extruded) {
     }
     // What is left beside slivers is rounding, by the size of the whole.
     const double size = bounds_of(outline.loops).diagonal();
-    if (std::isfinite(all) && std::abs(sum - outline.area()) > 1e-6 * all + 1e-13 * size * size)
+    if (std::isfinite(all) && std::abs(sum - outline.area()) > 1e-6 * all + 1e-13 * size * size) {
         fail("triangles do not fill the outline");
-    if (!extruded)
+    }
+    if (!extruded) {
         return;
+    }
     csg::LinearExtrude how;
     how.height = 1;
     const auto solid = linear_extrude(outline, how);
-    if (!solid->triangles.empty() && !solid->closed)
+    if (!solid->triangles.empty() && !solid->closed) {
         fail("the solid is not closed");
+    }
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    if (size < 4)
+    if (size < 4) {
         return 0;
+    }
     const int kind = data[0] % 4;
     const bool extruded = data[0] % 16 < 4;
     if (kind < 2) {
@@ -85,16 +92,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::vector<Loop> loops = on_grid(data + 3, size - 3, noise);
         const Outline outline = clean(loops, FillRule::EvenOdd);
         check(outline, extruded);
-        if (std::abs(outline.area() - outlines::even_odd_moments(loops).area) > 1e-6)
+        if (std::abs(outline.area() - outlines::even_odd_moments(loops).area) > 1e-6) {
             fail("the area is not that of the even-odd rule");
+        }
         return 0;
     }
     const std::vector<Loop> loops = of_any_numbers(data + 3, size - 3);
     try {
         const Outline outline = clean(loops, kind == 2 ? FillRule::EvenOdd : FillRule::NonZero);
         check(outline, extruded);
-        if (data[1] % 4 != 0)
+        if (data[1] % 4 != 0) {
             return 0;
+        }
         glm::dmat4 matrix(1.0);
         matrix[0][1] = data[1] / 16.0;
         matrix[3][0] = std::ldexp(1.0, data[2] % 64);

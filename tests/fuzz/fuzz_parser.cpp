@@ -26,14 +26,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Parsed lazy = parse(request);
     const auto same = [](const Message& a, const Message& b) { return a.where == b.where && a.text == b.text; };
     if (lazy.ok != parsed.ok ||
-        !std::equal(lazy.messages.begin(), lazy.messages.end(), parsed.messages.begin(), parsed.messages.end(), same))
+        !std::equal(lazy.messages.begin(), lazy.messages.end(), parsed.messages.begin(), parsed.messages.end(), same)) {
         std::abort();
-    if (!parsed.ok)
+    }
+    if (!parsed.ok) {
         return 0;
+    }
     test::build_bodies(lazy.program);
-    if (ast_text(lazy.program) != ast_text(parsed.program))
+    if (ast_text(lazy.program) != ast_text(parsed.program)) {
         std::abort();
-    for (const CustomizerParameter& parameter : customizer_parameters(parsed.program))
+    }
+    for (const CustomizerParameter& parameter : customizer_parameters(parsed.program)) {
         (void)fitted_expression(parameter, std::string_view(text).substr(0, 100));
+    }
     return 0;
 }

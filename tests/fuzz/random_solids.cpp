@@ -24,8 +24,9 @@ class Mesh {
         return static_cast<std::uint32_t>(polyhedron_.points.size() - 1);
     }
     void face(std::vector<std::uint32_t> corners, bool reversed) {
-        if (!reversed)
+        if (!reversed) {
             std::reverse(corners.begin(), corners.end());
+        }
         polyhedron_.faces.push_back(std::move(corners));
     }
     void box(const glm::dvec3& lo, const glm::dvec3& hi, bool reversed) {
@@ -36,8 +37,9 @@ class Mesh {
         }
         constexpr std::array<std::array<std::uint32_t, 4>, 6> kFaces = {
             {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-        for (const auto& f : kFaces)
+        for (const auto& f : kFaces) {
             face({first + f[0], first + f[1], first + f[2], first + f[3]}, reversed);
+        }
     }
     void tetrahedron(const std::array<glm::dvec3, 4>& corners, bool reversed) {
         std::array<std::uint32_t, 4> p{};
@@ -95,8 +97,9 @@ class Maker {
     }
 
     void combine(csg::Operation operation) {
-        if (stack_.size() < 2)
+        if (stack_.size() < 2) {
             return;
+        }
         const std::array<NodeId, 2> both{stack_[stack_.size() - 2], stack_.back()};
         stack_.pop_back();
         stack_.back() = builder_.combine(operation, both, {});
@@ -105,8 +108,9 @@ class Maker {
     NodeId transform(const glm::dmat4& m, NodeId node) { return builder_.transform(m, std::array{node}, {}); }
     /// A little off the grid, or turned, where the tree is of that kind.
     NodeId placed(NodeId node) {
-        if (mode_ < 2)
+        if (mode_ < 2) {
             return node;
+        }
         const double a = bytes_.next() - 128.0, b = bytes_.next() - 128.0;
         glm::dmat4 m(1.0);
         if (mode_ == 2) {
@@ -192,8 +196,9 @@ class Maker {
         polygon.paths.emplace_back();
         for (int i = 3 + bytes_.below(6); i > 0; --i) {
             const std::uint8_t b = bytes_.next();
-            if (b >= 240 && polygon.paths.back().size() > 2)
+            if (b >= 240 && polygon.paths.back().size() > 2) {
                 polygon.paths.emplace_back();
+            }
             polygon.paths.back().push_back(static_cast<std::uint32_t>(polygon.points.size()));
             polygon.points.emplace_back(b % (most_x + 1), b / (most_x + 1) % (kSide + 1));
         }
@@ -203,8 +208,9 @@ class Maker {
         csg::LinearExtrude how;
         how.height = 1 + bytes_.below(kSide);
         const int kind = bytes_.below(6);
-        if (kind == 1)
+        if (kind == 1) {
             how.scale = {bytes_.below(3), bytes_.below(3)};
+        }
         if (kind == 2) {
             how.twist = 45.0 * (bytes_.below(16) - 8);
             how.slices = 1 + static_cast<unsigned>(bytes_.below(3));
@@ -234,8 +240,9 @@ class Maker {
         const auto n = static_cast<std::uint32_t>(4 * rings);
         for (int i = 0; i < rings; ++i) {
             const glm::dvec3 at = glm::min(point(), glm::dvec3(kSide - 1));
-            for (const glm::dvec3& corner : kSquares[static_cast<std::size_t>(bytes_.below(3))])
+            for (const glm::dvec3& corner : kSquares[static_cast<std::size_t>(bytes_.below(3))]) {
                 mesh.add(at + corner);
+            }
         }
         for (std::uint32_t i = 0; i < n; i += 4) {
             for (std::uint32_t k = 0; k < 4; ++k) {
@@ -252,8 +259,9 @@ class Maker {
         Mesh mesh;
         const std::uint32_t top = mesh.add(point()), bottom = mesh.add(point());
         const auto n = static_cast<std::uint32_t>(3 + bytes_.below(5));
-        for (std::uint32_t i = 0; i < n; ++i)
+        for (std::uint32_t i = 0; i < n; ++i) {
             mesh.add(point());
+        }
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t a = 2 + i, b = 2 + (i + 1) % n;
             mesh.face({a, b, top}, false);

@@ -24,14 +24,17 @@ bool left_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec2& p) {
 
 std::optional<Hit> hit(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec2& p) {
     if (p.x < std::min({a.x, b.x, c.x}) || p.x > std::max({a.x, b.x, c.x}) || p.y < std::min({a.y, b.y, c.y}) ||
-        p.y > std::max({a.y, b.y, c.y}))
+        p.y > std::max({a.y, b.y, c.y})) {
         return {};
+    }
     const bool ab = left_of(a, b, p), bc = left_of(b, c, p), ca = left_of(c, a, p);
-    if (ab != bc || bc != ca)
+    if (ab != bc || bc != ca) {
         return {};
+    }
     const glm::dvec3 normal = glm::cross(b - a, c - a);
-    if (normal.z == 0)
+    if (normal.z == 0) {
         return {};
+    }
     const double z = a.z - (normal.x * (p.x - a.x) + normal.y * (p.y - a.y)) / normal.z;
     return Hit{std::clamp(z, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z})),
                glm::length(normal) / std::abs(normal.z), normal.z > 0 ? 1 : -1};
@@ -60,8 +63,9 @@ double length_of(const csg::Scene& scene, std::vector<Crossing>& crossings, std:
         windings[crossings[i].leaf] += crossings[i].side;
         const double way = crossings[i].z - crossings[i + 1].z;
         if (way > 0 && csg::evaluate(
-                           scene, scene.parts[0], [&](csg::LeafId leaf) { return windings[leaf] != 0; }, values))
+                           scene, scene.parts[0], [&](csg::LeafId leaf) { return windings[leaf] != 0; }, values)) {
             length += way;
+        }
     }
     return length;
 }
@@ -71,16 +75,18 @@ double length_of(const csg::Scene& scene, std::vector<Crossing>& crossings, std:
 std::vector<RayLength> lengths_inside(const csg::Scene& scene, const csg::solid::Geometry& geometry,
                                       const std::vector<glm::dvec2>& rays) {
     std::vector<RayLength> result(rays.size());
-    for (RayLength& ray : result)
+    for (RayLength& ray : result) {
         ray.nearest = std::numeric_limits<double>::infinity();
+    }
     std::vector<std::vector<Crossing>> crossings(rays.size());
     std::vector<glm::dvec3> points;
     for (csg::LeafId leaf = 0; leaf < scene.leaves.size(); ++leaf) {
         const csg::solid::Solid& solid = *geometry.leaves[leaf].solid;
         const glm::dmat4& matrix = scene.leaves[leaf].to_world;
         points.clear();
-        for (const glm::dvec3& p : solid.points)
+        for (const glm::dvec3& p : solid.points) {
             points.emplace_back(matrix * glm::dvec4(p, 1.0));
+        }
         for (const glm::uvec3& t : solid.triangles) {
             const glm::dvec3 &a = points[t.x], &b = points[t.y], &c = points[t.z];
             for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -95,8 +101,9 @@ std::vector<RayLength> lengths_inside(const csg::Scene& scene, const csg::solid:
     }
     std::vector<int> windings(scene.leaves.size());
     std::vector<char> values;
-    for (std::size_t i = 0; i < rays.size(); ++i)
+    for (std::size_t i = 0; i < rays.size(); ++i) {
         result[i].length = length_of(scene, crossings[i], windings, values);
+    }
     return result;
 }
 

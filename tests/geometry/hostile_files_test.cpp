@@ -23,8 +23,9 @@ std::uint32_t crc(const std::string& bytes) {
     std::uint32_t sum = ~0U;
     for (const char byte : bytes) {
         sum ^= static_cast<unsigned char>(byte);
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < 8; ++i) {
             sum = sum >> 1U ^ ((sum & 1U) != 0 ? 0xedb88320U : 0U);
+        }
     }
     return ~sum;
 }
@@ -37,7 +38,7 @@ std::string chunk(const std::string& kind, const std::string& body) {
     return big_endian(static_cast<std::uint32_t>(body.size())) + kind + body + big_endian(crc(kind + body));
 }
 
-/// Grey, with next to no data.
+/// Gray, with next to no data.
 std::string picture(std::uint32_t width, std::uint32_t height) {
     const std::string header = big_endian(width) + big_endian(height) + std::string("\x08\0\0\0\0", 5);
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", "\x78\x9c") + chunk("IEND", "");

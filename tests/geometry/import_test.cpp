@@ -21,8 +21,9 @@ using namespace csg::solid;
 double volume(const FileMesh& mesh) {
     double six = 0;
     for (const auto& face : mesh.faces) {
-        for (std::size_t i = 1; i + 1 < face.size(); ++i)
+        for (std::size_t i = 1; i + 1 < face.size(); ++i) {
             six += glm::dot(mesh.points[face[0]], glm::cross(mesh.points[face[i]], mesh.points[face[i + 1]]));
+        }
     }
     return six / 6;
 }
@@ -67,8 +68,9 @@ FileMesh read_with(Reader reader, const std::string& text, bool warns = false) {
     reader(text, mesh, warnings);
     EXPECT_EQ(!warnings.empty(), warns) << text.substr(0, 60) << (warnings.empty() ? "" : warnings[0]);
     for (const auto& face : mesh.faces) {
-        for (const std::uint32_t i : face)
+        for (const std::uint32_t i : face) {
             EXPECT_LT(i, mesh.points.size());
+        }
     }
     return mesh;
 }
@@ -190,16 +192,18 @@ TEST(Import, SurvivesMutations) {
                 default:
                     text.insert(at, "-9e99");
             }
-            if (text.empty())
+            if (text.empty()) {
                 text.push_back(' ');
+            }
         }
         for (const Reader reader : {Reader{read_stl}, Reader{read_off}, Reader{read_obj}, Reader{read_amf}}) {
             FileMesh mesh;
             std::vector<std::string> warnings;
             reader(text, mesh, warnings);
             for (const auto& face : mesh.faces) {
-                for (const std::uint32_t i : face)
+                for (const std::uint32_t i : face) {
                     ASSERT_LT(i, mesh.points.size()) << text;
+                }
             }
         }
         Remarks remarks;
@@ -328,8 +332,9 @@ TEST(Import, DxfCirclesAreAsFineAsTheyGetLarge) {
 TEST(Import, DxfChainsGoOnThroughTheirBeginning) {
     const auto loops_of = [](const std::vector<std::array<int, 4>>& lines) {
         std::string text = "0\nSECTION\n2\nENTITIES\n";
-        for (const auto& [x0, y0, x1, y1] : lines)
+        for (const auto& [x0, y0, x1, y1] : lines) {
             text += fmt::format("0\nLINE\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", x0, y0, x1, y1);
+        }
         Remarks remarks;
         return read_dxf(text + "0\nENDSEC\n", {}, remarks);
     };

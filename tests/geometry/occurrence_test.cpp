@@ -94,8 +94,9 @@ TEST(Occurrences, BytesAreCountedInTheText) {
 
 TEST(Occurrences, UserModulesAreTold) {
     const Loaded loaded("module box() cube(1);\nbox();\nunion() box();\n");
-    for (const csg::Statement& statement : loaded.tree().statements())
+    for (const csg::Statement& statement : loaded.tree().statements()) {
         EXPECT_EQ(statement.user_module, statement.name == "box") << statement.name;
+    }
     EXPECT_EQ(loaded.tree().statements().size(), 4u);
 }
 

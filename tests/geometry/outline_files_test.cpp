@@ -54,7 +54,7 @@ TEST(OutlineFiles, PdfIsInTrueSizeInTheMiddle) {
     EXPECT_TRUE(pdf.starts_with("%PDF-1.4\n"));
     EXPECT_TRUE(pdf.ends_with("%%EOF\n"));
     EXPECT_NE(pdf.find("/MediaBox [0 0 595.276 841.890]"), std::string::npos);
-    EXPECT_NE(pdf.find("\n2.83465 0 0 2.83465 0 0 cm\n"), std::string::npos);  // millimetres
+    EXPECT_NE(pdf.find("\n2.83465 0 0 2.83465 0 0 cm\n"), std::string::npos);  // millimeters
     // The box is -10…31 by -10…10.125: its lower left corner is at 105 - 20.5, 148.5 - 10.0625.
     EXPECT_NE(pdf.find("\n84.5 138.4375 "), std::string::npos) << pdf;
     EXPECT_EQ(pdf.find("Date"), std::string::npos);
@@ -71,8 +71,9 @@ TEST(OutlineFiles, PdfTableLeadsToItsObjects) {
     const std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
     ASSERT_EQ(pdf.substr(table, 5), "xref\n");
     std::size_t at = pdf.find("f \n", table) + 3;
-    for (int object = 1; object <= 6; ++object, at += 20)
+    for (int object = 1; object <= 6; ++object, at += 20) {
         EXPECT_EQ(pdf.substr(std::stoul(pdf.substr(at, 10)), 7), std::to_string(object) + " 0 obj");
+    }
     EXPECT_NE(pdf.find("(a \\(b\\) \\\\ ?.scad) Tj"), std::string::npos);
     EXPECT_NE(pdf.find("/Title <FEFF00E40020D83DDE42>"), std::string::npos);
     // The stream is as long as it says.

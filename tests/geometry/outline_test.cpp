@@ -18,8 +18,9 @@ TEST(Outline, PointsThatWereThereComeBackWithAllTheirBits) {
     const Outline same = clean(std::vector<Loop>{square, {{5, 5}, {6, 5}, {6, 6}}}, FillRule::NonZero);
     for (const glm::dvec2& p : square) {
         bool found = false;
-        for (const Loop& loop : same.loops)
+        for (const Loop& loop : same.loops) {
             found = found || std::find(loop.begin(), loop.end(), p) != loop.end();
+        }
         EXPECT_TRUE(found) << p.x << ", " << p.y;
     }
 }
@@ -30,8 +31,9 @@ TEST(Outline, SquaresThatTouchAreOne) {
     };
     std::vector<std::shared_ptr<const Outline>> row;
     double x = 0;
-    for (int i = 0; i < 10; ++i, x += 0.1)
+    for (int i = 0; i < 10; ++i, x += 0.1) {
         row.push_back(square(x));
+    }
     const Outline all = combine(BooleanKind::Union, row);
     ASSERT_EQ(all.loops.size(), 1u);
     EXPECT_EQ(all.loops[0].size(), 4u);
@@ -48,14 +50,16 @@ double even_odd_area(const std::vector<Loop>& loops, double side) {
         for (const Loop& loop : loops) {
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const glm::dvec2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
-                if ((a.y < y) != (b.y < y))
+                if ((a.y < y) != (b.y < y)) {
                     crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+                }
             }
         }
         std::sort(crossings.begin(), crossings.end());
-        for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+        for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
             inside += static_cast<int>(std::floor(crossings[k + 1] / side * kSteps + 0.5) -
                                        std::floor(crossings[k] / side * kSteps + 0.5));
+        }
     }
     return inside * side * side / (kSteps * kSteps);
 }
@@ -70,8 +74,9 @@ TEST(Outline, LoopsThatTouchLieTheRightWayRound) {
     for (int round = 0; round < 300; ++round) {
         std::vector<Loop> loops(3);
         for (Loop& loop : loops) {
-            for (int i = 0; i < 4 + round % 4; ++i)
+            for (int i = 0; i < 4 + round % 4; ++i) {
                 loop.emplace_back(random() % 7, random() % 7);
+            }
         }
         off += std::abs(clean(loops, FillRule::EvenOdd).area() - even_odd_area(loops, 7)) > 0.05 ? 1 : 0;
     }
@@ -134,15 +139,17 @@ TEST(Outline, NoPointIsMovedOverAnEdge) {
     }
 }
 
-/// Two edges that cross become neighbours where what lies between them ends, after all others have begun.
+/// Two edges that cross become neighbors where what lies between them ends, after all others have begun.
 TEST(Outline, EdgesThatCrossAreFoundAfterTheLastOneHasBegun) {
     std::vector<Loop> loops{
         {{-0.2, 1.4}, {1, 1.5}, {-0.1, 1.6}}, {{0, 0}, {0.01, -0.5}, {10, 3}}, {{0.1, 3}, {10, 0}, {0.11, 3.5}}};
-    for (int i = 0; i < 30; ++i)
+    for (int i = 0; i < 30; ++i) {
         loops.push_back({{-2.0 - i, 0}, {-1.5 - i, 0}, {-2.0 - i, 1}});
+    }
     double sum = 0;
-    for (const Loop& loop : loops)
+    for (const Loop& loop : loops) {
         sum += area2(loop) / 2;
+    }
     const Outline all = clean(loops, FillRule::NonZero), once = clean(loops, FillRule::EvenOdd);
     EXPECT_TRUE(is_region(all));
     EXPECT_NEAR(2 * all.area() - once.area(), sum, 1e-9);
@@ -153,8 +160,9 @@ bool is_around(const Outline& outline, const glm::dvec2& p) {
     for (const Loop& loop : outline.loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-            if ((a.y > p.y) != (b.y > p.y) && (turn(a, b, p) > 0) == (b.y > a.y))
+            if ((a.y > p.y) != (b.y > p.y) && (turn(a, b, p) > 0) == (b.y > a.y)) {
                 inside = !inside;
+            }
         }
     }
     return inside;
@@ -233,8 +241,9 @@ TEST(Outline, TenThousandsOfCorners) {
     EXPECT_TRUE(is_region(crossing));
     EXPECT_GT(crossing.corners(), walk.size());
     // What crosses itself everywhere is refused before it takes hours.
-    for (glm::dvec2& corner : walk)
+    for (glm::dvec2& corner : walk) {
         corner = {static_cast<double>(random()), static_cast<double>(random())};
+    }
     EXPECT_THROW(static_cast<void>(clean(std::vector<Loop>{walk}, FillRule::EvenOdd)), OutlineError);
 }
 
@@ -266,23 +275,25 @@ TEST(Triangulation, FillsRandomRegionsExactly) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> radius(0.5, 1);
     for (int round = 0; round < 300; ++round) {
-        const auto star = [&](glm::dvec2 centre, double size, int corners) {
+        const auto star = [&](glm::dvec2 center, double size, int corners) {
             Loop loop;
             for (int i = 0; i < corners; ++i) {
                 const double angle = 2 * 3.14159265358979 * i / corners, r = size * radius(random);
-                loop.push_back(centre + r * glm::dvec2(std::cos(angle), std::sin(angle)));
+                loop.push_back(center + r * glm::dvec2(std::cos(angle), std::sin(angle)));
             }
             return loop;
         };
         std::vector<std::shared_ptr<const Outline>> operands{
             std::make_shared<Outline>(Outline{{star({0, 0}, 10, 9 + round % 90)}})};
-        for (int h = 0; h < round % 12; ++h)
+        for (int h = 0; h < round % 12; ++h) {
             operands.push_back(std::make_shared<Outline>(
                 Outline{{star({5 * radius(random) * std::cos(h), 5 * radius(random) * std::sin(h)}, 1.2, 3 + h)}}));
+        }
         const Outline region = combine(BooleanKind::Difference, operands);
         std::vector<glm::dvec2> points;
-        for (const Loop& loop : region.loops)
+        for (const Loop& loop : region.loops) {
             points.insert(points.end(), loop.begin(), loop.end());
+        }
         double sum = 0, absolute = 0;
         for (const glm::uvec3& t : triangulate_region(index_corners(region))) {
             const double a = area2({points[t.x], points[t.y], points[t.z]}) / 2;

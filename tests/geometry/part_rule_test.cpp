@@ -31,8 +31,9 @@ std::vector<std::string> parts_of(const std::string& text, const PartRule& rule,
     const csg::Scene scene = csg::make_scene(*run.evaluation.tree, showing, rule);
     static constexpr const char* kKinds[]{"", " translucent", " background", " highlight"};
     std::vector<std::string> parts;
-    for (const csg::Part& part : scene.parts)
+    for (const csg::Part& part : scene.parts) {
         parts.push_back(part.name + ":" + std::to_string(part.leaf_count) + kKinds[static_cast<int>(part.kind)]);
+    }
     return parts;
 }
 
@@ -75,7 +76,7 @@ TEST(PartRules, ColorPutsTogetherWhatHasOne) {
     EXPECT_EQ(
         parts_of("difference() { color(\"red\") cube(1); color(\"blue\") cube(2); } color(\"red\") cube(3);", kColor),
         (Parts{"#ff0000:3"}))
-        << "a difference has the colour of what is cut";
+        << "a difference has the color of what is cut";
     EXPECT_EQ(parts_of("intersection() { union() { color(\"red\") cube(1); cube(2); } cube(3); }", kColor),
               (Parts{"#ff0000:2", "uncolored:2"}));
     EXPECT_EQ(parts_of("color(\"red\", 0.5) cube(1); union() { color(\"red\", 0.5) cube(2); color(\"red\") cube(3); }",
@@ -123,8 +124,9 @@ TEST(PartRules, PartsHaveTheColorOfTheirMaterial) {
 TEST(PartRules, DifferencesWithinDifferencesAreDividedToABound) {
     // Without one, the copies would be as many as the square of the depth.
     std::string text = "cube(1);";
-    for (int i = 0; i < 200; ++i)
+    for (int i = 0; i < 200; ++i) {
         text = "difference() { union() { " + text + " cube(2); } cube(3); }";
+    }
     const test::Run run = test::run(text);
     const csg::Scene scene = csg::make_scene(*run.evaluation.tree, csg::Showing::Preview, depth(1000));
     EXPECT_EQ(scene.parts.size(), PartRule::kMostShared + 1);
@@ -141,10 +143,11 @@ bool holds(const csg::Scene& scene, std::uint64_t point) {
     std::vector<char> scratch;
     bool any = false;
     for (const csg::Part& part : scene.parts) {
-        if (part.kind == csg::PartKind::Solid || part.kind == csg::PartKind::Translucent)
+        if (part.kind == csg::PartKind::Solid || part.kind == csg::PartKind::Translucent) {
             any |= csg::evaluate(
                 scene, part, [&](csg::LeafId leaf) { return (ways[scene.leaves[leaf].occurrence] >> 20 & 1) != 0; },
                 scratch);
+        }
     }
     return any;
 }
@@ -159,17 +162,19 @@ TEST(PartRules, TheUnionOfThePartsIsTheWhole) {
             const csg::Scene parts = csg::make_scene(tree, csg::Showing::Preview, rule);
             divided += parts.parts.size() > whole.parts.size() ? 1 : 0;
             copied += parts.leaves.size() > whole.leaves.size() ? 1 : 0;
-            for (std::uint64_t point = 0; point < 100; ++point)
+            for (std::uint64_t point = 0; point < 100; ++point) {
                 ASSERT_EQ(holds(parts, csg::mix(seed, point)), holds(whole, csg::mix(seed, point)))
                     << "seed " << seed << ", depth " << rule.depth << "\n"
                     << random_tree::scad_text(random_tree::make_model(random, {20, 6, true, false}));
+            }
             // The ranges that everything relies on.
             csg::LeafId next = 0;
             for (csg::PartId id = 0; id < parts.parts.size(); ++id) {
                 EXPECT_EQ(parts.parts[id].first_leaf, next);
                 next += parts.parts[id].leaf_count;
-                for (csg::LeafId leaf = parts.parts[id].first_leaf; leaf < next; ++leaf)
+                for (csg::LeafId leaf = parts.parts[id].first_leaf; leaf < next; ++leaf) {
                     EXPECT_EQ(parts.leaves[leaf].part, id);
+                }
             }
             EXPECT_EQ(next, parts.leaves.size());
         }

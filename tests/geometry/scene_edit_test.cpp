@@ -16,18 +16,21 @@ using csg::ExpressionKind;
 
 std::string text(const csg::Scene& scene, std::uint32_t expression) {
     const csg::Expression& e = scene.expressions[expression];
-    if (e.kind == ExpressionKind::Leaf)
+    if (e.kind == ExpressionKind::Leaf) {
         return fmt::format("{}", e.leaf);
+    }
     std::string result = e.kind == ExpressionKind::Union ? "(+" : e.kind == ExpressionKind::Difference ? "(-" : "(*";
-    for (const std::uint32_t child : scene.children(e))
+    for (const std::uint32_t child : scene.children(e)) {
         result += fmt::format(" {}", text(scene, child));
+    }
     return result + ")";
 }
 
 std::string text(const csg::Scene& scene) {
     std::string result;
-    for (const csg::Part& part : scene.parts)
+    for (const csg::Part& part : scene.parts) {
         result += fmt::format("{} of {}+{}; ", text(scene, part.root), part.first_leaf, part.leaf_count);
+    }
     return result;
 }
 
@@ -45,8 +48,9 @@ TEST(SceneEdit, PutsLeavesBehindThoseOfTheSite) {
     EXPECT_EQ(csg::insert_leaf(s, {0}, ExpressionKind::Intersection, {}), 3U);
     EXPECT_EQ(text(s), "(* (+ (- 0 1) 2) 3) of 0+4; 4 of 4+1; ");
     csg::OccurrenceId difference = 0;
-    while (s.occurrences[difference].parent != 0)
+    while (s.occurrences[difference].parent != 0) {
         ++difference;
+    }
     EXPECT_EQ(csg::insert_leaf(s, {0, difference}, ExpressionKind::Union, {}), 2U);
     EXPECT_EQ(text(s), "(* (+ (+ (- 0 1) 2) 3) 4) of 0+5; 5 of 5+1; ");
     EXPECT_EQ(csg::insert_leaf(s, {1}, ExpressionKind::Difference, {}), 6U);
@@ -87,8 +91,9 @@ TEST(CutBox, KeepsWhatIsBelowThePlane) {
     const csg::solid::CutBox cut = csg::solid::cut_box(box, {{1, 0, 0}, 3});
     EXPECT_EQ(cut.face_triangles, 2U);
     for (std::uint32_t t = 0; t < 2; ++t) {
-        for (int corner = 0; corner < 3; ++corner)
+        for (int corner = 0; corner < 3; ++corner) {
             EXPECT_EQ(cut.solid->points[cut.solid->triangles[t][corner]].x, 3);
+        }
     }
 }
 

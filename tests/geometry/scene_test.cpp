@@ -26,8 +26,9 @@ TEST(SceneOfNodes, LeavesAreWhatMakesOneMesh) {
               {"render() { cube(1); sphere(1); }", 2},
               {"difference() { color(\"red\") square(3); circle(1); }", 2},
               {"linear_extrude(1) { square(1); %circle(9); }", 1}};
-    for (const auto& row : table)
+    for (const auto& row : table) {
         EXPECT_EQ(scene_of(row.model).leaves.size(), row.leaves) << row.model;
+    }
 }
 
 TEST(SceneOfNodes, HighlightsInAFlatDifferenceAreParts) {
@@ -37,7 +38,7 @@ TEST(SceneOfNodes, HighlightsInAFlatDifferenceAreParts) {
               1);
 }
 
-TEST(SceneOfNodes, ColoursOfAFlatDifferenceStay) {
+TEST(SceneOfNodes, ColorsOfAFlatDifferenceStay) {
     const csg::Scene scene = scene_of("difference() { color(\"red\") square(3); circle(1); }");
     ASSERT_EQ(scene.leaves.size(), 2u);
     EXPECT_FLOAT_EQ(scene.leaves[0].color.r, 1);
@@ -89,8 +90,9 @@ TEST(SolidCache, MakesANodeOnce) {
     cache.trim();
     const auto second = csg::solid::place(*run.evaluation.tree, scene, cache);
     ASSERT_EQ(first.leaves.size(), 4u);
-    for (const auto& leaf : second.leaves)
+    for (const auto& leaf : second.leaves) {
         EXPECT_EQ(leaf.solid, first.leaves[0].solid);
+    }
     cache.trim();
     cache.trim();
     EXPECT_NE(csg::solid::place(*run.evaluation.tree, scene, cache).leaves[0].solid, first.leaves[0].solid);

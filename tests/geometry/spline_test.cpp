@@ -19,8 +19,9 @@ TEST(Splines, RationalOnesAreCircles) {
     const auto points = points_along(quarter(), 10);
     ASSERT_TRUE(points);
     ASSERT_EQ(points->size(), 11u);
-    for (const glm::dvec2& p : *points)
+    for (const glm::dvec2& p : *points) {
         EXPECT_NEAR(glm::length(p), 1, 1e-12);
+    }
     EXPECT_NEAR(points->front().x, 1, 1e-12);
     EXPECT_NEAR(points->back().y, 1, 1e-12);
 }
@@ -28,15 +29,18 @@ TEST(Splines, RationalOnesAreCircles) {
 /// The blossom of a cubic: with knots 0, 1, 2, … its points on a line are the line.
 TEST(Splines, OfPointsOnALineAreTheLine) {
     Spline line{3, {}, {}, {}};
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         line.points.emplace_back(i, 2 * i);
-    for (int i = 0; i < 12; ++i)
+    }
+    for (int i = 0; i < 12; ++i) {
         line.knots.push_back(i);
+    }
     const auto points = points_along(line, 3);
     ASSERT_TRUE(points);
     EXPECT_EQ(points->size(), 5u * 3 + 1);
-    for (const glm::dvec2& p : *points)
+    for (const glm::dvec2& p : *points) {
         EXPECT_NEAR(p.y, 2 * p.x, 1e-12);
+    }
     EXPECT_NEAR(points->front().x, 1, 1e-12);
     EXPECT_NEAR(points->back().x, 6, 1e-12);
 }

@@ -19,8 +19,9 @@ std::string chunk(const std::string& kind, const std::string& body) {
     std::uint32_t sum = ~0U;
     for (const char byte : kind + body) {
         sum ^= static_cast<unsigned char>(byte);
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < 8; ++i) {
             sum = sum >> 1U ^ ((sum & 1U) != 0 ? 0xedb88320U : 0U);
+        }
     }
     return big_endian(static_cast<std::uint32_t>(body.size())) + kind + body + big_endian(~sum);
 }
@@ -37,7 +38,7 @@ std::string stored(const std::string& bytes) {
     return "\x78\x01\x01" + low(n) + low(~n) + bytes + big_endian(b << 16U | a);
 }
 
-enum class Kind : char { Grey = 0, Colour = 2, Palette = 3, GreyAlpha = 4 };
+enum class Kind : char { Gray = 0, Color = 2, Palette = 3, GrayAlpha = 4 };
 
 constexpr unsigned kValues[3][3] = {{10, 60, 200}, {0, 128, 255}, {33, 77, 99}};
 
@@ -49,16 +50,18 @@ std::string picture(Kind kind, unsigned bits, const std::string& before = {}, un
         unsigned filled = 0, byte = 0;
         for (const unsigned value : row) {
             const auto sample = [&](unsigned v) {
-                if (bits == 16)
+                if (bits == 16) {
                     rows += big_endian(v * 257 - (v > 0 ? subtract : 0)).substr(2);
-                else if (bits == 8)
+                } else if (bits == 8) {
                     rows += static_cast<char>(v);
+                }
             };
             if (bits >= 8) {
                 sample(value);
-                if (kind == Kind::GreyAlpha)
+                if (kind == Kind::GrayAlpha) {
                     sample(100);
-                if (kind == Kind::Colour) {
+                }
+                if (kind == Kind::Color) {
                     sample(255 - value);
                     sample(7);
                 }
@@ -66,12 +69,14 @@ std::string picture(Kind kind, unsigned bits, const std::string& before = {}, un
             }
             byte = byte << bits | value * ((1U << bits) - 1) / 255;
             filled += bits;
-            if (filled == 8)
+            if (filled == 8) {
                 rows += static_cast<char>(byte);
+            }
             filled %= 8;
         }
-        if (filled != 0)
+        if (filled != 0) {
             rows += static_cast<char>(byte << (8 - filled));
+        }
     }
     const std::string header =
         big_endian(3) + big_endian(3) + static_cast<char>(bits) + static_cast<char>(kind) + std::string(3, '\0');
@@ -87,36 +92,37 @@ double volume(const std::string& bytes) {
     return test::mesh_volume(solid->points, solid->triangles);
 }
 
-TEST(Surface, SamplesOfAPictureAreNumbersNotColours) {
-    constexpr double kOfEightBits = 164.5882, kOfColours = 206.1611;  // The latter of 2021.01 (luminance).
+TEST(Surface, SamplesOfAPictureAreNumbersNotColors) {
+    constexpr double kOfEightBits = 164.5882, kOfColors = 206.1611;  // The latter of 2021.01 (luminance).
     const std::string gamma = chunk("gAMA", big_endian(45455)), linear = chunk("gAMA", big_endian(100000)),
                       srgb = chunk("sRGB", std::string(1, '\0'));
     for (const std::string& space : {std::string(), gamma, linear, srgb}) {
-        EXPECT_NEAR(volume(picture(Kind::Grey, 8, space)), kOfEightBits, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::Grey, 16, space)), kOfEightBits, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::GreyAlpha, 8, space)), kOfEightBits, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::GreyAlpha, 16, space)), kOfEightBits, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::Grey, 1, space)), 54, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::Grey, 2, space)), 112.3333, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::Grey, 4, space)), 152.3333, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::Colour, 8, space)), kOfColours, 1e-3);
-        EXPECT_NEAR(volume(picture(Kind::Colour, 16, space)), kOfColours, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::Gray, 8, space)), kOfEightBits, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::Gray, 16, space)), kOfEightBits, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::GrayAlpha, 8, space)), kOfEightBits, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::GrayAlpha, 16, space)), kOfEightBits, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::Gray, 1, space)), 54, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::Gray, 2, space)), 112.3333, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::Gray, 4, space)), 152.3333, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::Color, 8, space)), kOfColors, 1e-3);
+        EXPECT_NEAR(volume(picture(Kind::Color, 16, space)), kOfColors, 1e-3);
     }
-    EXPECT_NEAR(volume(picture(Kind::Grey, 8, chunk("tRNS", std::string("\0\x80", 2)))), kOfEightBits, 1e-3);
+    EXPECT_NEAR(volume(picture(Kind::Gray, 8, chunk("tRNS", std::string("\0\x80", 2)))), kOfEightBits, 1e-3);
 }
 
 TEST(Surface, PalettesCount) {
-    std::string colours;
-    for (int i = 0; i < 16; ++i)
-        colours += std::string(3, static_cast<char>(i * 16));
-    const std::string palette = chunk("PLTE", colours);
+    std::string colors;
+    for (int i = 0; i < 16; ++i) {
+        colors += std::string(3, static_cast<char>(i * 16));
+    }
+    const std::string palette = chunk("PLTE", colors);
     EXPECT_NEAR(volume(picture(Kind::Palette, 4, palette)), 143.6078, 1e-3);
     EXPECT_NEAR(volume(picture(Kind::Palette, 4, palette + chunk("tRNS", std::string("\0\x80", 2)))), 143.6078, 1e-3);
 }
 
 /// OpenSCAD takes the upper eight of sixteen bits only.
 TEST(Surface, SixteenBitsAreSixteen) {
-    const double less = volume(picture(Kind::Grey, 16)) - volume(picture(Kind::Grey, 16, {}, 200));
+    const double less = volume(picture(Kind::Gray, 16)) - volume(picture(Kind::Gray, 16, {}, 200));
     EXPECT_GT(less, 0.5);
     EXPECT_LT(less, 4 * 100.0 * 200 / 65535 + 1e-9);
 }

@@ -93,7 +93,7 @@ TEST(Svg, PagesFitTheirViewBox) {
     EXPECT_NEAR(box("xMidYMax slice").hi.y, 200, 1e-6);
     EXPECT_NEAR(read(rect, "width='100%' height='100%' viewBox='0 0 72 72'").box.hi.y, 25.4, 1e-6);
     EXPECT_NEAR(read("<rect width='1in' height='36'/>", "width='72' height='72'").area, 72 * 36, 1e-6)
-        << "without a viewBox a unit is a millimetre";
+        << "without a viewBox a unit is a millimeter";
 }
 
 /// As OpenSCAD takes them: width and height of a page where they have each unit, or none, or are not there.

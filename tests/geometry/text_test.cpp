@@ -12,8 +12,9 @@ csg::Box box_of(const csg::Text& text) {
     FontLibrary fonts;
     csg::Box box;
     for (const Loop& loop : text_outline(text, fonts).loops) {
-        for (const glm::dvec2& p : loop)
+        for (const glm::dvec2& p : loop) {
             box = csg::enclose(box, glm::dvec3(p, 0.0));
+        }
     }
     return box;
 }
@@ -29,8 +30,9 @@ csg::Text text_of(std::string words) {
 TEST(Text, StandsWhereOpenScadsDoes) {
     const csg::Text text = text_of("H");
     const csg::Box box = box_of(text);
-    if (box.empty())
+    if (box.empty()) {
         GTEST_SKIP() << "no font";
+    }
     EXPECT_NEAR(box.lo.x, 1.1393, 1e-3);
     EXPECT_NEAR(box.hi.x, 8.89699, 1e-3);
     EXPECT_NEAR(box.lo.y, 0, 1e-9);
@@ -52,8 +54,9 @@ TEST(Text, DownwardsEachLetterHasALine) {
     csg::Text text = text_of("H");
     text.direction = std::string("ttb");
     const csg::Box one = box_of(text);
-    if (one.empty())
+    if (one.empty()) {
         GTEST_SKIP() << "no font";
+    }
     text.text = "HHH";
     const csg::Box three = box_of(text);
     const double line = 1922.0 / 2048 * 10 * 100 / 72;

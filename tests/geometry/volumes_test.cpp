@@ -28,8 +28,9 @@ TEST(Volumes, AreWhatGeometrySays) {
     std::ifstream in(std::string(CSGSCOPE_SOURCE_DIR) + "/tests/geometry/volumes.txt");
     std::size_t rows = 0;
     for (std::string line; std::getline(in, line);) {
-        if (line.empty() || line.starts_with('#'))
+        if (line.empty() || line.starts_with('#')) {
             continue;
+        }
         ++rows;
         std::istringstream words(line);
         double expected = 0, tolerance = 0;

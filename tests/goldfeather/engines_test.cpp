@@ -173,7 +173,7 @@ TEST(SurfaceTable, HasColorsPartsAndTheirKinds) {
     }
     EXPECT_EQ(kinds.size(), 4U);
     EXPECT_EQ(table->planes.size(), subject.geometry.planes.planes().size());
-    EXPECT_EQ(table->local_centre, subject.geometry.box.centre());
+    EXPECT_EQ(table->local_center, subject.geometry.box.center());
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ using random_tree::Model;
 struct Subject {
     explicit Subject(const csg::Tree& tree) : scene(csg::make_scene(tree)) {
         csg::solid::SolidCache cache;
-        for (const auto& leaf : csg::solid::place(tree, scene, cache).leaves)
+        for (const auto& leaf : csg::solid::place(tree, scene, cache).leaves) {
             boxes.push_back(leaf.box);
+        }
     }
     explicit Subject(const Model& model) : Subject(random_tree::make_tree(model)) {}
 
@@ -44,8 +45,9 @@ bool value(const std::vector<Product>& products, const std::vector<char>& inside
 }
 
 std::vector<Product> products_of(goldfeather::Normalized normalized) {
-    if (auto* sum = std::get_if<goldfeather::SumOfProducts>(&normalized))
+    if (auto* sum = std::get_if<goldfeather::SumOfProducts>(&normalized)) {
         return std::move(sum->products);
+    }
     EXPECT_TRUE(std::holds_alternative<goldfeather::Empty>(normalized)) << "over budget";
     return {};
 }
@@ -54,8 +56,9 @@ std::string text(const std::vector<Product>& products) {
     std::string result;
     for (const Product& p : products) {
         result += result.empty() ? "" : " + ";
-        for (const auto& l : p.literals)
+        for (const auto& l : p.literals) {
             result += fmt::format("{}{}", l.complement ? "-" : "", static_cast<char>('a' + l.leaf));
+        }
     }
     return result;
 }
@@ -75,8 +78,9 @@ bool same_everywhere(const Model& model) {
         for (int round = 0; round < 300; ++round) {
             // Points off the grid, so that none lies on a face.
             glm::dvec3 p;
-            for (int axis = 0; axis < 3; ++axis)
+            for (int axis = 0; axis < 3; ++axis) {
                 p[axis] = static_cast<double>(random() % 1201) / 100 - 6.0037;
+            }
             std::vector<char> inside(subject.boxes.size(), 0);
             for (std::size_t i = 0; i < inside.size(); ++i) {
                 const csg::Box& b = subject.boxes[i];
@@ -85,12 +89,15 @@ bool same_everywhere(const Model& model) {
             }
             const bool expected = csg::evaluate(
                 subject.scene, part, [&](csg::LeafId leaf) { return inside[leaf] != 0; }, values);
-            if (value(products, inside) != expected)
+            if (value(products, inside) != expected) {
                 return false;
-            for (const Product& product : products)
+            }
+            for (const Product& product : products) {
                 if (value({product}, inside) &&
-                    !(glm::all(glm::lessThan(product.box.lo, p)) && glm::all(glm::lessThan(p, product.box.hi))))
+                    !(glm::all(glm::lessThan(product.box.lo, p)) && glm::all(glm::lessThan(p, product.box.hi)))) {
                     return false;
+                }
+            }
         }
     }
     return true;
@@ -116,8 +123,9 @@ TEST(Products, TruthTable) {
             ASSERT_TRUE(std::is_sorted(products.begin(), products.end(),
                                        [](const auto& a, const auto& b) { return a.literals < b.literals; }));
             for (std::size_t set = 0; set < std::size_t{1} << inside.size(); ++set) {
-                for (std::size_t i = 0; i < inside.size(); ++i)
+                for (std::size_t i = 0; i < inside.size(); ++i) {
                     inside[i] = static_cast<char>(set >> i & 1);
+                }
                 const bool expected = csg::evaluate(
                     subject.scene, part, [&](csg::LeafId leaf) { return inside[leaf] != 0; }, values);
                 ASSERT_EQ(value(products, inside), expected) << "round " << round << ", set " << set;
@@ -144,7 +152,7 @@ TEST(Products, GoldenText) {
     EXPECT_EQ(products_text(combine(Intersection, {combine(Union, {a, far}), b})), "ac");
     EXPECT_EQ(products_text(combine(Difference, {combine(Union, {a, far}), b})), "a-c + b");
     EXPECT_EQ(products_text(combine(Intersection, {a, far})), "");
-    // A touching face may give the surface its colour, but has no volume in common.
+    // A touching face may give the surface its color, but has no volume in common.
     EXPECT_EQ(products_text(combine(Difference, {a, box({4, 0, 0}, {1, 4, 4})})), "a-b");
     EXPECT_EQ(products_text(combine(Intersection, {a, box({4, 0, 0}, {1, 4, 4})})), "");
     EXPECT_EQ(products_text(combine(Difference, {combine(Union, {}), a})), "");
@@ -173,8 +181,9 @@ TEST(Products, BudgetIsAnAnswerNotATrap) {
     std::vector<Model> factors;
     for (int i = 0; i < 40; ++i) {
         std::vector<Model> terms;
-        for (int j = 0; j < 40; ++j)
+        for (int j = 0; j < 40; ++j) {
             terms.push_back(box({0.001 * i, 0.001 * j, 0}, {5, 5, 5}));
+        }
         factors.push_back(combine(Operation::Union, std::move(terms)));
     }
     Subject subject(combine(Operation::Intersection, std::move(factors)));
@@ -187,8 +196,9 @@ TEST(Products, BudgetIsAnAnswerNotATrap) {
 
 TEST(Products, BudgetCountsProductsAndLiterals) {
     std::vector<Model> terms;
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 10; ++i) {
         terms.push_back(box({2.0 * i, 0, 0}, {1, 1, 1}));
+    }
     Subject subject(combine(Operation::Union, terms));
     const csg::Part& part = subject.scene.parts[0];
     EXPECT_EQ(products_of(subject.normalize(part, {10, 10})).size(), 10U);

@@ -22,8 +22,9 @@ base::View from_above(const csg::Box& box) {
 
 csg::Box box_of(const std::vector<csg::Box>& boxes) {
     csg::Box all;
-    for (const csg::Box& b : boxes)
+    for (const csg::Box& b : boxes) {
         all = csg::enclose(all, b);
+    }
     return all;
 }
 
@@ -65,26 +66,34 @@ TEST(ScreenPlan, EntriesMeanTheProducts) {
         std::vector<Product> products;
         for (int i = 0; i < 7; ++i) {
             Product p;
-            for (csg::LeafId leaf = 0; leaf < boxes.size(); ++leaf)
-                if (pick(4) == 0)
+            for (csg::LeafId leaf = 0; leaf < boxes.size(); ++leaf) {
+                if (pick(4) == 0) {
                     p.literals.push_back({leaf, !p.literals.empty() && pick(2) == 0});
-            if (p.literals.empty())
+                }
+            }
+            if (p.literals.empty()) {
                 continue;
+            }
             p.box = boxes[p.literals[0].leaf];
-            for (const Literal& l : p.literals)
-                if (!l.complement)
+            for (const Literal& l : p.literals) {
+                if (!l.complement) {
                     p.box = csg::intersect(p.box, boxes[l.leaf]);
-            if (!p.box.empty())
+                }
+            }
+            if (!p.box.empty()) {
                 products.push_back(p);
+            }
         }
         const base::View view = from_above(box_of(boxes));
         // Every third round some of the leaves have winding numbers: a word that is not zero is a full mask.
         std::vector<char> wound(boxes.size());
-        for (char& leaf : wound)
+        for (char& leaf : wound) {
             leaf = round % 3 == 0 && pick(2) == 0;
+        }
         const ScreenPlan plan = goldfeather::plan(view, products, boxes, wound);
-        for (const auto& leaf : plan.leaves)
+        for (const auto& leaf : plan.leaves) {
             ASSERT_EQ(leaf.slot / 32 >= plan.first_counter(), wound[leaf.leaf] != 0);
+        }
         for (int probe = 0; probe < 400; ++probe) {
             const auto x = static_cast<std::uint32_t>(pick(400)), y = static_cast<std::uint32_t>(pick(400));
             const auto holds = [&](const goldfeather::PixelBox& b) {
@@ -99,17 +108,20 @@ TEST(ScreenPlan, EntriesMeanTheProducts) {
                 inside[leaf] = reaches && pick(2) == 0;
             }
             std::vector<std::uint32_t> bits(plan.words() + 1);
-            for (const auto& leaf : plan.leaves)
-                if (inside[leaf.leaf])
+            for (const auto& leaf : plan.leaves) {
+                if (inside[leaf.leaf]) {
                     bits[leaf.slot / 32] ^= wound[leaf.leaf] ? ~0U : 1U << (leaf.slot % 32);
+                }
+            }
             const bool expected = std::any_of(products.begin(), products.end(), [&](const Product& p) {
                 return std::all_of(p.literals.begin(), p.literals.end(),
                                    [&](const Literal& l) { return (inside[l.leaf] != 0) != l.complement; });
             });
             bool actual = false;
             for (const auto& tile : plan.tiles) {
-                if (!holds(tile.box))
+                if (!holds(tile.box)) {
                     continue;
+                }
                 for (std::uint32_t i = 0; i < tile.product_count; ++i) {
                     const auto& p = plan.products[plan.tile_products[tile.first_product + i]];
                     actual |= holds(p.box) && std::all_of(plan.entries.begin() + p.first_entry,

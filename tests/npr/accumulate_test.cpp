@@ -46,7 +46,7 @@ class AccumulateTest : public test_support::GlTest {
 
 TEST_P(AccumulateTest, ConstantPictureIsExact) {
     npr::Accumulator accumulator(gl());
-    for (const int samples : {1, 4, 8, 16})
+    for (const int samples : {1, 4, 8, 16}) {
         for (int byte = 0; byte < 256; byte += 3) {
             Constant style(gl(), {linear(byte), linear(255 - byte), linear(byte / 2), 1});
             const base::Image image = draw(style, accumulator, samples);
@@ -58,6 +58,7 @@ TEST_P(AccumulateTest, ConstantPictureIsExact) {
                     << samples << " samples";
             }
         }
+    }
 }
 
 TEST_P(AccumulateTest, AlphaIsStraight) {
@@ -103,11 +104,12 @@ TEST_P(AccumulateTest, ResolvesIntoACornerOfATarget) {
     std::vector<std::uint8_t> pixels(12 * 10 * 4);
     gl().GetTextureImage(texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
                          pixels.data());
-    for (std::size_t y = 0; y < 10; ++y)
+    for (std::size_t y = 0; y < 10; ++y) {
         for (std::size_t x = 0; x < 12; ++x) {
             const bool inside = x >= 4 && x < 9 && y >= 2 && y < 5;
             EXPECT_EQ(pixels[4 * (y * 12 + x) + 1], inside ? 100 : 0) << x << ", " << y;
         }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, AccumulateTest, testing::Values(gl::ContextKind::Egl, gl::ContextKind::Osmesa),

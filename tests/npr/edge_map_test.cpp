@@ -15,16 +15,20 @@ using Segment = std::array<glm::dvec3, 2>;
 
 std::vector<Segment> box_edges(const glm::dvec3& lo, const glm::dvec3& hi) {
     std::vector<Segment> edges;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         for (int corner = 0; corner < 4; ++corner) {
             Segment s{lo, lo};
             s[1][axis] = hi[axis];
-            for (int other = 1; other < 3; ++other)
-                if ((corner >> (other - 1) & 1) != 0)
-                    for (glm::dvec3& end : s)
+            for (int other = 1; other < 3; ++other) {
+                if ((corner >> (other - 1) & 1) != 0) {
+                    for (glm::dvec3& end : s) {
                         end[(axis + other) % 3] = hi[(axis + other) % 3];
+                    }
+                }
+            }
             edges.push_back(s);
         }
+    }
     return edges;
 }
 
@@ -49,13 +53,15 @@ struct Line {
 int line_count(const std::vector<npr::HostEdge>& edges, int layer, bool profile) {
     std::vector<Line> lines;
     for (const npr::HostEdge& e : edges) {
-        if (e.layer != layer || e.profile != profile)
+        if (e.layer != layer || e.profile != profile) {
             continue;
+        }
         auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& l) {
             return std::abs(glm::dot(l.across, e.across)) > 0.998F && std::abs(glm::dot(e.at - l.at, l.across)) < 1.2F;
         });
-        if (line == lines.end())
+        if (line == lines.end()) {
             line = lines.insert(lines.end(), Line{e.at, e.across, 0});
+        }
         ++line->points;
     }
     return static_cast<int>(std::count_if(lines.begin(), lines.end(), [](const Line& l) { return l.points >= 8; }));
@@ -86,12 +92,14 @@ class EdgeMapTest : public test_support::GlTest {
     /// All edge points lie on the solid's edges, and all of the solid's edges are found, hidden ones in deeper layers.
     void expect_exactly(const std::vector<Segment>& solid) const {
         std::vector<std::array<glm::dvec2, 2>> projected;
-        for (const Segment& s : solid)
+        for (const Segment& s : solid) {
             projected.push_back({project(*view_, s[0]), project(*view_, s[1])});
+        }
         for (const npr::HostEdge& e : edges_) {
             double nearest = 1e9;
-            for (const auto& s : projected)
+            for (const auto& s : projected) {
                 nearest = std::min(nearest, distance(glm::dvec2(e.at), s[0], s[1]));
+            }
             // The link that an edge crosses is as long as a pixel. About corners no more is known.
             EXPECT_LT(nearest, 1.0) << e.at.x << ", " << e.at.y << " layer " << e.layer;
         }
@@ -101,11 +109,12 @@ class EdgeMapTest : public test_support::GlTest {
             for (double way = 1.5; way < length - 1.5; way += 0.5, ++steps) {
                 const glm::dvec2 p = glm::mix(projected[i][0], projected[i][1], way / length);
                 double nearest = 1e9, beside = 1e9;
-                for (const npr::HostEdge& e : edges_)
+                for (const npr::HostEdge& e : edges_) {
                     if (glm::distance(p, glm::dvec2(e.at)) < 1.0) {
                         nearest = glm::distance(p, glm::dvec2(e.at));
                         beside = std::min(beside, distance(glm::dvec2(e.at), projected[i][0], projected[i][1]));
                     }
+                }
                 missed += nearest > 1.0 ? 1 : 0;
                 close += beside < 0.01 ? 1 : 0;  // A link is divided into 1023 parts, planes are in single precision.
             }
@@ -179,25 +188,29 @@ TEST_P(EdgeMapTest, MantlesAreSmoothAndPrismsAreNot) {
 }
 
 TEST_P(EdgeMapTest, SpheresHaveNothingButAnOutline) {
-    for (const int sides : {16, 30, 64})
+    for (const int sides : {16, 30, 64}) {
         for (const int size : {24, 48, 96}) {
             // Two facets of 22 degrees on from the last, within a pixel, is a bend.
-            if (sides == 16 && size == 24)
+            if (sides == 16 && size == 24) {
                 continue;
+            }
             csg::Fineness fineness;
             fineness.fn = sides;
             find(scene::leaf(csg::Sphere{10, fineness}), nullptr, size);
             EXPECT_EQ(count(false), 0U) << sides << " sides in " << size << " pixels";
             // Its outline is a circle: about 4/3 of a link per pixel of it.
-            const glm::dvec2 centre = project(*view_, {0, 0, 0});
+            const glm::dvec2 center = project(*view_, {0, 0, 0});
             double radius = 0;
-            for (const npr::HostEdge& e : edges_)
-                radius = std::max(radius, glm::distance(glm::dvec2(e.at), centre));
-            for (const npr::HostEdge& e : edges_)
-                EXPECT_NEAR(glm::distance(glm::dvec2(e.at), centre), radius, 0.05 * radius + 1);
+            for (const npr::HostEdge& e : edges_) {
+                radius = std::max(radius, glm::distance(glm::dvec2(e.at), center));
+            }
+            for (const npr::HostEdge& e : edges_) {
+                EXPECT_NEAR(glm::distance(glm::dvec2(e.at), center), radius, 0.05 * radius + 1);
+            }
             EXPECT_GT(static_cast<double>(count(true)), 6 * radius);
             EXPECT_LT(static_cast<double>(count(true)), 10 * radius);
         }
+    }
 }
 
 TEST_P(EdgeMapTest, EmptyPictureHasNoEdges) {

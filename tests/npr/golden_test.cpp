@@ -21,7 +21,7 @@ struct Golden {
     scene::Studio::Request request;
 };
 
-/// A rounded block with bores of another colour, a pin in one of them, and a translucent plate.
+/// A rounded block with bores of another color, a pin in one of them, and a translucent plate.
 scene::Model subject() {
     csg::Fineness fine;
     fine.fn = 24;
@@ -55,17 +55,20 @@ std::vector<Golden> goldens() {
 
 /// Empty where the picture is the golden, within the tolerance.
 std::string difference(const base::Image& image, const base::Image& golden, const golden::Tolerance& tolerance) {
-    if (image.width != golden.width || image.height != golden.height)
+    if (image.width != golden.width || image.height != golden.height) {
         return "of another size";
+    }
     int pixels = 0, largest = 0;
-    for (int y = 0; y < image.height; ++y)
+    for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             int worst = 0;
-            for (int c = 0; c < 4; ++c)
+            for (int c = 0; c < 4; ++c) {
                 worst = std::max(worst, std::abs(image.pixel(x, y)[c] - golden.pixel(x, y)[c]));
+            }
             largest = std::max(largest, worst);
             pixels += worst > tolerance.channel ? 1 : 0;
         }
+    }
     const double allowed = tolerance.share * image.width * image.height;
     return pixels <= allowed ? ""
                              : fmt::format("{} pixels differ by more than {} (the worst by {}); {:.0f} may", pixels,
@@ -89,8 +92,9 @@ TEST_P(GoldenTest, PicturesOfAllStyles) {
         }
         ASSERT_TRUE(fs::exists(file)) << file;
         const std::string differs = difference(image, base::read_png(file), golden::tolerance(context_->renderer()));
-        if (differs.empty())
+        if (differs.empty()) {
             continue;
+        }
         const fs::path actual = fs::path(testing::TempDir()) / (std::string(g.name) + "_actual.png");
         base::write_file(actual, base::encode_png(image));
         ADD_FAILURE() << g.name << ": " << differs << "; see " << actual;
@@ -101,8 +105,9 @@ TEST(GoldenComparison, TellsPicturesApart) {
     base::Image a{10, 10, std::vector<std::uint8_t>(400, 100)}, b = a;
     const golden::Tolerance tolerance{2, 0.02};
     EXPECT_EQ(difference(a, b, tolerance), "");
-    for (std::uint8_t& v : b.rgba)
+    for (std::uint8_t& v : b.rgba) {
         v = 102;
+    }
     EXPECT_EQ(difference(a, b, tolerance), "") << "all within the step";
     b = a;
     b.rgba[3] = b.rgba[40] = 200;

@@ -47,10 +47,12 @@ class Sight {
         picture.size = view_->size();
         std::vector<glm::vec4> unused;
         std::vector<HostEdge> all;
-        for (const auto& tile : npr::find_edges({picture, *view_, stack_, unused}, settings))
-            for (const npr::CpuEdge& e : tile)
+        for (const auto& tile : npr::find_edges({picture, *view_, stack_, unused}, settings)) {
+            for (const npr::CpuEdge& e : tile) {
                 all.push_back({e.at + 0.5F + glm::vec2(view_->jitter()), e.across, e.layer, e.profile,
                                npr::shader::LineCode().unpack_facts(e.facts)});
+            }
+        }
         return all;
     }
 
@@ -165,9 +167,9 @@ TEST(LineFacts, WhatHides) {
 }
 
 TEST(LineFacts, NestedShells) {
-    const auto centred = [](double size) { return box(glm::dvec3(-size / 2), glm::dvec3(size)); };
-    Sight sight(combine(Operation::Union, {combine(Operation::Difference, {centred(20), centred(18)}),
-                                           combine(Operation::Difference, {centred(14), centred(12)}), centred(6)}));
+    const auto centered = [](double size) { return box(glm::dvec3(-size / 2), glm::dvec3(size)); };
+    Sight sight(combine(Operation::Union, {combine(Operation::Difference, {centered(20), centered(18)}),
+                                           combine(Operation::Difference, {centered(14), centered(12)}), centered(6)}));
     sight.look(flat_camera(sight.box()), {200, 200});
     const auto expect = [&](double half, int surfaces, int solids) {
         const LineFacts facts = sight.at({0.3 * half, -half, half}, surfaces);  // The upper edge in front.
@@ -232,8 +234,9 @@ TEST(LineFacts, AnEyeInsideASolidSeesItsLines) {
 
 TEST(LineFacts, DeepLinesKeepTheirCounts) {
     std::vector<scene::Model> plates;
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 20; ++i) {
         plates.push_back(box({0, 2.0 * i, 0}, {30, 1, 30}));
+    }
     Sight sight(combine(Operation::Union, plates));
     base::Camera camera = flat_camera(sight.box());
     camera.rotation = {80, 0, 8};
@@ -250,8 +253,9 @@ TEST(LineFacts, DeepLinesKeepTheirCounts) {
 TEST(LineFacts, AreNothingWhereNobodyAsks) {
     Sight sight(two_blocks());
     sight.look(flat_camera(sight.box()), {64, 64});
-    for (const HostEdge& e : sight.painted({}))
+    for (const HostEdge& e : sight.painted({})) {
         EXPECT_EQ(e.facts.kind, 0U);
+    }
 }
 
 TEST(LineFacts, WordsComeBack) {
@@ -275,7 +279,7 @@ TEST(LineFacts, WordsComeBack) {
 /// The edges of the box of that size with a corner in the origin.
 std::vector<std::array<glm::dvec3, 2>> box_edges(const glm::dvec3& size) {
     std::vector<std::array<glm::dvec3, 2>> edges;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         for (int corner = 0; corner < 4; ++corner) {
             glm::dvec3 from(0);
             from[(axis + 1) % 3] = (corner & 1) != 0 ? size[(axis + 1) % 3] : 0;
@@ -284,6 +288,7 @@ std::vector<std::array<glm::dvec3, 2>> box_edges(const glm::dvec3& size) {
             to[axis] = size[axis];
             edges.push_back({from, to});
         }
+    }
     return edges;
 }
 
@@ -302,10 +307,11 @@ double error_along(const Sight& sight, const std::vector<HostEdge>& lines, const
             double low = 0, high = 1;  // The nearest point is in between.
             for (int i = 0; i < 40; ++i) {
                 const double third = (high - low) / 3;
-                if (away(low + third) < away(high - third))
+                if (away(low + third) < away(high - third)) {
                     high -= third;
-                else
+                } else {
                     low += third;
+                }
             }
             const double here = away(low);
             if (here < nearest) {
@@ -320,8 +326,9 @@ double error_along(const Sight& sight, const std::vector<HostEdge>& lines, const
                 next = std::min(next, here);
             }
         }
-        if (nearest > 0.7 || next < 4)
+        if (nearest > 0.7 || next < 4) {
             continue;
+        }
         ++points;
         EXPECT_TRUE(e.facts.anchored) << e.at.x << ", " << e.at.y;
         EXPECT_NEAR(e.facts.slope, slope, 0.003);
@@ -335,8 +342,8 @@ TEST(LineFacts, TheCoordinateStaysOnTheModel) {
     const glm::dmat4 turned = glm::rotate(glm::translate(glm::dmat4(1), {3, -20, 8}), 0.7, {0.3, 0.5, -0.8});
     for (const glm::dmat4& placed : {glm::dmat4(1), turned}) {
         Sight sight(scene::matrix(placed, box({0, 0, 0}, size)));
-        for (const auto projection : {base::Projection::Perspective, base::Projection::Orthographic})
-            for (int turn = 0; turn < 12; ++turn)
+        for (const auto projection : {base::Projection::Perspective, base::Projection::Orthographic}) {
+            for (int turn = 0; turn < 12; ++turn) {
                 for (const int sample : {0, 3}) {
                     base::Camera camera = scene::camera(sight.box());
                     camera.projection = projection;
@@ -347,6 +354,8 @@ TEST(LineFacts, TheCoordinateStaysOnTheModel) {
                         << fmt::format("turn {}, sample {}", turn, sample);
                     EXPECT_GT(points, 60);
                 }
+            }
+        }
     }
 }
 
@@ -371,8 +380,9 @@ TEST(LineFacts, ThePiecesOfARimGoOnInEachOther) {
     int rim = 0;
     for (const HostEdge& e : sight.painted()) {
         // Seen from above at an angle, so the upper rim's front is a crease of layer 0.
-        if (e.layer != 0 || kind(e.facts) != LineKind::Crease)
+        if (e.layer != 0 || kind(e.facts) != LineKind::Crease) {
             continue;
+        }
         ++rim;
         double nearest = 1e9, expected = 0;
         for (double angle = 0; angle < 360; angle += 0.1) {

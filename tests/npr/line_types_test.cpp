@@ -77,10 +77,13 @@ std::vector<float> ink(const layers::HostStack& stack, const npr::Picture& pictu
     for (int tile = 0; tile < tiles.count(); ++tile) {
         tile_ink.draw(tile, rules);
         const npr::TileBounds box = tiles.bounds(tile);
-        for (int y = box.lo.y; y < box.hi.y; ++y)
-            for (int x = box.lo.x; x < box.hi.x; ++x)
-                for (int layer = 0; layer < 4; ++layer)
+        for (int y = box.lo.y; y < box.hi.y; ++y) {
+            for (int x = box.lo.x; x < box.hi.x; ++x) {
+                for (int layer = 0; layer < 4; ++layer) {
                     all.push_back(tile_ink.ink(layer, {x, y}));
+                }
+            }
+        }
     }
     return all;
 }
@@ -121,8 +124,9 @@ TEST(LineTypes, DashesLieOnTheModel) {
     scene::Easel easel(scene::box({7, -11, 3}, size));
     npr::Picture picture = picture_of(easel.box(), {320, 320});
     picture.draw_as(*npr::find_style("blueprint"));
-    for (const auto& [name, value] : {std::pair{"dashes", "on"}, {"tone", "0"}, {"hidden", "1"}})
+    for (const auto& [name, value] : {std::pair{"dashes", "on"}, {"tone", "0"}, {"hidden", "1"}}) {
         picture.parameters.read(name, value);
+    }
     const LinedSettings settings = [&] {
         LinedSettings s = settings_with(true);
         s.complete_lines(picture);
@@ -131,7 +135,7 @@ TEST(LineTypes, DashesLieOnTheModel) {
     LineType type = npr::LineTypes(settings.types).of(LineKind::Crease, Visibility::Hidden);
     const double period = (type.dash + type.gap) * settings.line_unit;
     // A turntable by small steps; the lower edge at the back is hidden all the while.
-    for (const int samples : {1, 16})
+    for (const int samples : {1, 16}) {
         for (int turn = 0; turn < 20; turn += samples == 1 ? 1 : 5) {
             picture.samples = samples;
             picture.camera.rotation = {60, 0, 15.0 + turn};
@@ -152,6 +156,7 @@ TEST(LineTypes, DashesLieOnTheModel) {
             EXPECT_GT(on / count, 120) << fmt::format("turn {}, {} samples", turn, samples);
             EXPECT_GT((on - off) / count, 60) << fmt::format("turn {}, {} samples", turn, samples);
         }
+    }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct View {
     bool transparent_background;
 };
 
-/// Two colours, a cut, a part that is seen through, smooth and sharp edges.
+/// Two colors, a cut, a part that is seen through, smooth and sharp edges.
 scene::Model mixed() {
     return scene::combine(Operation::Union,
                           {scene::colored({0.35F, 0.5F, 0.7F, 1}, scene::widget()), scene::flush_blocks(),
@@ -34,7 +34,7 @@ scene::Model mixed() {
 std::vector<View> views(const csg::Box& box) {
     base::Camera plain = scene::camera(box), flat = plain, inside;
     flat.projection = base::Projection::Orthographic;
-    inside.target = box.centre();
+    inside.target = box.center();
     inside.distance = 1e-3;
     return {{"perspective", plain, {200, 170}, 1, false},
             {"four samples", plain, {96, 96}, 4, false},

@@ -71,8 +71,9 @@ TEST(Parameters, RefusedValuesChangeNothing) {
     EXPECT_THROW(p.set("width", npr::Value(true)), std::invalid_argument);
     EXPECT_THROW(p.set("witdh", npr::Value(1.0F)), std::invalid_argument);
     EXPECT_THROW(p.set(4, npr::Value(2)), std::invalid_argument);
-    for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_EQ(p.at(i), list[i].initial);
+    }
 }
 
 TEST(Styles, NamesAreUniqueAndDefaultsValid) {

@@ -55,8 +55,9 @@ base::Image Studio::draw_with(npr::Style& style, const Model& model, const Reque
     const auto prepared = engine_->prepare(subject.input());
     npr::Picture picture;
     picture.draw_as(*npr::find_style(request.style));
-    for (const auto& [name, value] : request.settings)
+    for (const auto& [name, value] : request.settings) {
         picture.parameters.read(name, value);
+    }
     picture.scheme = *npr::find_color_scheme(request.scheme);
     picture.camera = request.camera ? *request.camera : camera(subject.geometry.box);
     picture.size = request.size;

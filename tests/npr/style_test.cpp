@@ -33,8 +33,9 @@ std::size_t differing(const base::Image& a, const base::Image& b, int tolerance 
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         bool same = true;
-        for (std::size_t c = i; c < i + 4; ++c)
+        for (std::size_t c = i; c < i + 4; ++c) {
             same = same && std::abs(a.rgba[c] - b.rgba[c]) <= tolerance;
+        }
         count += same ? 0 : 1;
     }
     return count;
@@ -42,8 +43,9 @@ std::size_t differing(const base::Image& a, const base::Image& b, int tolerance 
 
 int darkest(const base::Image& image) {
     int least = 255;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
         least = std::min<int>(least, image.rgba[i + 1]);
+    }
     return least;
 }
 
@@ -68,8 +70,9 @@ TEST_P(StyleTest, EmptySceneIsBackground) {
         const base::Image image = draw(nothing(), {.style = info.name});
         // A sketch's paper has a grain.
         const int grain = info.name == "sketch" ? 8 : 0;
-        for (std::size_t i = 0; i < image.rgba.size(); ++i)
+        for (std::size_t i = 0; i < image.rgba.size(); ++i) {
             ASSERT_NEAR(image.rgba[i], image.rgba[i % 4], grain) << info.name;
+        }
         const base::Image clear = draw(nothing(), {.style = info.name, .samples = 4, .transparent_background = true});
         EXPECT_EQ(*std::max_element(clear.rgba.begin(), clear.rgba.end()), 0) << info.name;
     }
@@ -78,8 +81,9 @@ TEST_P(StyleTest, EmptySceneIsBackground) {
 TEST_P(StyleTest, TransparentBackgroundShowsOnlyTheModel) {
     for (const npr::StyleInfo& info : npr::styles()) {
         const base::Image image = draw(scene::widget(), {.style = info.name, .transparent_background = true});
-        for (const auto& [x, y] : {std::pair{0, 0}, {63, 0}, {0, 63}, {63, 63}})
+        for (const auto& [x, y] : {std::pair{0, 0}, {63, 0}, {0, 63}, {63, 63}}) {
             EXPECT_EQ(image.pixel(x, y)[3], 0) << info.name;
+        }
         // On the block, beside its bores.
         EXPECT_GT(image.pixel(32, 31)[3], info.name == "xray" ? 60 : 250) << info.name;
     }
@@ -88,11 +92,12 @@ TEST_P(StyleTest, TransparentBackgroundShowsOnlyTheModel) {
 TEST_P(StyleTest, LinesAreDrawnAcrossThePicturesSize) {
     // A box seen from the front: dark lines where its outline is, for each style that draws any on a light ground.
     const scene::Model box = scene::box({0, 0, 0}, glm::dvec3(10));
-    for (const std::string_view style : {"edges", "xray", "sketch"})
+    for (const std::string_view style : {"edges", "xray", "sketch"}) {
         for (const int size : {64, 200}) {
             const base::Image image = draw(box, {.style = style, .size = {size, size}, .samples = 4});
             EXPECT_LT(darkest(image), 110) << style << ' ' << size;
         }
+    }
 }
 
 TEST_P(StyleTest, HiddenEdgesOfTheBlueprint) {
@@ -144,11 +149,12 @@ TEST_P(StyleTest, AKeptSketchIsDrawnAnewWhenTold) {
                                  {{"seed", "2"}},
                                  {{"seed", "2"}, {"anchor", "model"}},
                                  {{"seed", "2"}, {"medium", "chalk"}},
-                                 {{"seed", "1"}}})
+                                 {{"seed", "1"}}}) {
         for (const int size : {48, 64}) {
             const scene::Studio::Request request{.style = "sketch", .settings = settings, .size = {size, size}};
             EXPECT_EQ(kept(request), draw(scene::widget(), request).rgba);
         }
+    }
 }
 
 TEST_P(StyleTest, AKeptSketchOnTheModelFollowsEveryPartOfTheCamera) {
@@ -195,9 +201,11 @@ TEST_P(StyleTest, ModelAnchorMovesTheNoiseAlong) {
     };
     const auto shifted = [](const base::Image& a, const base::Image& b, int by) {
         std::size_t count = 0;
-        for (int y = 0; y < a.height; ++y)
-            for (int x = by; x < a.width; ++x)
+        for (int y = 0; y < a.height; ++y) {
+            for (int x = by; x < a.width; ++x) {
                 count += std::abs(a.pixel(x, y)[1] - b.pixel(x - by, y)[1]) > 24 ? 1 : 0;
+            }
+        }
         return count;
     };
     const base::Image still = sketch({0, 0, 0}, "model", 0);
@@ -224,12 +232,14 @@ TEST_P(StyleTest, StrokesOvershootAndStrayFromTheEdge) {
     };
     const auto breadth = [](const base::Image& image) {
         int lo = image.width, hi = 0;
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
                 if (image.pixel(x, y)[1] < 215) {
                     lo = std::min(lo, x);
                     hi = std::max(hi, x);
                 }
+            }
+        }
         return hi - lo;
     };
     const base::Image plain = sketch("0", "0"), beyond = sketch("30", "0");
@@ -240,11 +250,12 @@ TEST_P(StyleTest, StrokesOvershootAndStrayFromTheEdge) {
 }
 
 TEST_P(StyleTest, ParametersAtTheirLimits) {
-    for (const npr::StyleInfo& info : npr::styles())
+    for (const npr::StyleInfo& info : npr::styles()) {
         for (const npr::Parameter& p : info.parameters) {
             if (p.kind != npr::ParameterKind::Number && p.kind != npr::ParameterKind::Integer &&
-                p.kind != npr::ParameterKind::Choice)
+                p.kind != npr::ParameterKind::Choice) {
                 continue;
+            }
             for (const float limit : {p.min, p.max}) {
                 const npr::Value value =
                     p.kind == npr::ParameterKind::Number ? npr::Value(limit) : npr::Value(static_cast<int>(limit));
@@ -252,10 +263,12 @@ TEST_P(StyleTest, ParametersAtTheirLimits) {
                     scene::widget(),
                     {.style = info.name, .settings = {{std::string(p.name), npr::text(p, value)}}, .size = {32, 32}});
                 // Not a number would show as a hole.
-                for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+                for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
                     ASSERT_EQ(image.rgba[i], 255) << info.name << ' ' << p.name << '=' << npr::text(p, value);
+                }
             }
         }
+    }
 }
 
 TEST_P(StyleTest, EyeInsideTheModelAndTinyPictures) {

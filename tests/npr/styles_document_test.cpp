@@ -41,8 +41,9 @@ std::string telling_value(const Parameter& p) {
     const bool low = p.kind != ParameterKind::Color && p.kind != ParameterKind::Toggle &&
                      std::visit(
                          [&](const auto& initial) {
-                             if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(initial)>>)
+                             if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(initial)>>) {
                                  return static_cast<float>(initial) - p.min > p.max - static_cast<float>(initial);
+                             }
                              return false;
                          },
                          p.initial);
@@ -118,8 +119,9 @@ TEST(StylesDocument, IsOfThisProgram) {
             return base::read_png(kDocs / "pictures/styles" / (name + ".png")).width > 0;
         };
         EXPECT_TRUE(drawn(std::string(style.name)));
-        for (const Parameter& p : style.parameters)
+        for (const Parameter& p : style.parameters) {
             EXPECT_TRUE(drawn(fmt::format("{}_{}", style.name, p.name))) << p.name;
+        }
     }
 }
 

@@ -130,12 +130,12 @@ class Engine final : public OpenCsg {
         forget();
         view_.emplace(view);
         range_ = depth_range(view, geometry.box);
-        const glm::dvec3 centre = geometry.box.empty() ? glm::dvec3(0.0) : geometry.box.centre();
-        eye_from_local_ = glm::translate(view.eye_from_world(), centre);
+        const glm::dvec3 center = geometry.box.empty() ? glm::dvec3(0.0) : geometry.box.center();
+        eye_from_local_ = glm::translate(view.eye_from_world(), center);
         first_list_ = glGenLists(static_cast<GLsizei>(geometry.leaves.size()));
         list_count_ = static_cast<GLsizei>(geometry.leaves.size());
         for (std::size_t i = 0; i < geometry.leaves.size(); ++i) {
-            compile(geometry, geometry.leaves[i], centre, first_list_ + static_cast<GLuint>(i));
+            compile(geometry, geometry.leaves[i], center, first_list_ + static_cast<GLuint>(i));
         }
         for (const auto& part : parts) {
             for (const goldfeather::Product& product : part) {
@@ -204,7 +204,7 @@ class Engine final : public OpenCsg {
     }
 
     static void compile(const csg::solid::Geometry& geometry, const csg::solid::PlacedLeaf& leaf,
-                        const glm::dvec3& centre, GLuint list) {
+                        const glm::dvec3& center, GLuint list) {
         glNewList(list, GL_COMPILE);
         glBegin(GL_TRIANGLES);
         for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
@@ -212,7 +212,7 @@ class Engine final : public OpenCsg {
             const glm::vec3 normal = geometry.planes.planes()[plane.index].normal * (plane.flipped ? -1.0 : 1.0);
             glNormal3fv(glm::value_ptr(normal));
             for (int corner = 0; corner < 3; ++corner) {
-                const glm::vec3 p(leaf.points[leaf.triangles[t][corner]] - centre);
+                const glm::vec3 p(leaf.points[leaf.triangles[t][corner]] - center);
                 glVertex3fv(glm::value_ptr(p));
             }
         }

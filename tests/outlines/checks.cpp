@@ -28,8 +28,9 @@ int winding(const Solid& solid, const glm::dvec3& p) {
         const double u = glm::dot(way, glm::cross(a, b)), v = glm::dot(way, glm::cross(b, c)),
                      w = glm::dot(way, glm::cross(c, a));
         const bool front = u > 0 && v > 0 && w > 0, back = u < 0 && v < 0 && w < 0;
-        if ((front || back) && glm::dot(a, glm::cross(b, c)) * (u + v + w) > 0)
+        if ((front || back) && glm::dot(a, glm::cross(b, c)) * (u + v + w) > 0) {
             sum += front ? 1 : -1;
+        }
     }
     return sum;
 }
@@ -49,13 +50,14 @@ class Checks {
         outline_ = make_outline(polygon);
         box_ = bounds_of(loops);
         size_ = std::max(box_.diagonal(), 1e-300);
-        reach_ = size_ + glm::length(box_.centre());
+        reach_ = size_ + glm::length(box_.center());
         moments_ = even_odd_moments(loops);
     }
 
     std::string run() {
-        if (!is_region(outline_))
+        if (!is_region(outline_)) {
             return "the outline breaks the rule";
+        }
         expect("area", outline_.area(), moments_.area, reach_ * size_);
         check_triangles();
         check_extrusions();
@@ -67,12 +69,14 @@ class Checks {
   private:
     double random() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
     void expect(const char* what, double is, double right, double scale) {
-        if (!(std::abs(is - right) <= 1e-9 * scale) && problem_.empty())
+        if (!(std::abs(is - right) <= 1e-9 * scale) && problem_.empty()) {
             problem_ = fmt::format("{}: {} instead of {}", what, is, right);
+        }
     }
     void expect(bool good, const std::string& what) {
-        if (!good && problem_.empty())
+        if (!good && problem_.empty()) {
             problem_ = what;
+        }
     }
 
     void check_triangles() {
@@ -99,8 +103,9 @@ class Checks {
             const glm::dvec2 p(box_.lo.x + random() * (box_.hi.x - box_.lo.x),
                                box_.lo.y + random() * (box_.hi.y - box_.lo.y));
             const auto inside = is_inside(loops_, p, 1e-6 * size_ + 1e-9 * reach_);
-            if (!inside)
+            if (!inside) {
                 continue;
+            }
             const int w = winding(solid, place(p));
             expect(w == (*inside ? sign : 0), fmt::format("{}: winds {} times around ({}, {})", what, w, p.x, p.y));
         }
@@ -129,8 +134,9 @@ class Checks {
         solid = linear_extrude(outline_, how);
         double squares = 0;
         for (const Loop& loop : outline_.loops) {
-            for (std::size_t i = 0; i < loop.size(); ++i)
+            for (std::size_t i = 0; i < loop.size(); ++i) {
                 squares += std::pow(glm::distance(loop[i], loop[(i + 1) % loop.size()]), 2);
+            }
         }
         const double slice = how.twist.value_or(0) / 60 * kPi / 180;
         check_volume("twisted", *solid, area * size_, scale + 1e9 * size_ * squares * slice / 6);
@@ -198,12 +204,14 @@ class Checks {
                                    box_.lo.y + (1.3 * random() - 0.15) * (box_.hi.y - box_.lo.y));
                 const auto in_region = is_inside(outline_.loops, p, margin),
                            in_moved = is_inside(moved.loops, p, margin);
-                if (!in_region || !in_moved || outline_.empty())
+                if (!in_region || !in_moved || outline_.empty()) {
                     continue;
+                }
                 const double depth = (*in_region ? 1 : -1) * distance_to_edges(outline_.loops, p);
-                if (std::abs(depth + how.distance) > margin)
+                if (std::abs(depth + how.distance) > margin) {
                     expect(*in_moved == (depth > -how.distance),
                            fmt::format("offset by {}: wrong at ({}, {})", how.distance, p.x, p.y));
+                }
             }
         }
     }

@@ -19,8 +19,9 @@ std::vector<Edge> edges_of(const std::vector<Loop>& loops) {
     for (const Loop& loop : loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const glm::dvec2 &p = loop[i], &q = loop[(i + 1) % loop.size()];
-            if (p.x != q.x)
+            if (p.x != q.x) {
                 edges.push_back(p.x < q.x ? Edge{p, q} : Edge{q, p});
+            }
         }
     }
     return edges;
@@ -35,11 +36,13 @@ Moments even_odd_moments(const std::vector<Loop>& loops) {
         cuts.insert(cuts.end(), {edges[i].a.x, edges[i].b.x});
         for (std::size_t k = 0; k < i; ++k) {
             const double lo = std::max(edges[i].a.x, edges[k].a.x), hi = std::min(edges[i].b.x, edges[k].b.x);
-            if (lo >= hi)
+            if (lo >= hi) {
                 continue;
+            }
             const double left = edges[i].at(lo) - edges[k].at(lo), right = edges[i].at(hi) - edges[k].at(hi);
-            if (left * right < 0)
+            if (left * right < 0) {
                 cuts.push_back(lo + (hi - lo) * (left / (left - right)));
+            }
         }
     }
     std::sort(cuts.begin(), cuts.end());
@@ -50,12 +53,14 @@ Moments even_odd_moments(const std::vector<Loop>& loops) {
     std::vector<Crossing> crossings;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double lo = cuts[i], hi = cuts[i + 1], width = hi - lo;
-        if (!(width > 0))
+        if (!(width > 0)) {
             continue;
+        }
         crossings.clear();
         for (const Edge& e : edges) {
-            if (e.a.x <= lo && e.b.x >= hi)
+            if (e.a.x <= lo && e.b.x >= hi) {
                 crossings.push_back({e.at(0.5 * (lo + hi)), e.at(lo), e.at(hi)});
+            }
         }
         std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.middle < b.middle; });
         for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
@@ -82,14 +87,16 @@ double distance_to_edges(const std::vector<Loop>& loops, const glm::dvec2& p) {
 }
 
 std::optional<bool> is_inside(const std::vector<Loop>& loops, const glm::dvec2& p, double margin) {
-    if (distance_to_edges(loops, p) < margin)
+    if (distance_to_edges(loops, p) < margin) {
         return {};
+    }
     bool inside = false;
     for (const Loop& loop : loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-            if ((a.y > p.y) != (b.y > p.y) && (csg::solid::turn(a, b, p) > 0) == (b.y > a.y))
+            if ((a.y > p.y) != (b.y > p.y) && (csg::solid::turn(a, b, p) > 0) == (b.y > a.y)) {
                 inside = !inside;
+            }
         }
     }
     return inside;

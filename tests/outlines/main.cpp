@@ -29,7 +29,8 @@ int main(int count, char** arguments) {
             std::cout << fmt::format("{}: {}\n    {}\n", seed, problem, outlines::as_scad(loops));
         }
     }
-    if (!scad)
+    if (!scad) {
         std::cout << fmt::format("{} outlines, {} wrong\n", cases, wrong);
+    }
     return wrong == 0 ? 0 : 1;
 }

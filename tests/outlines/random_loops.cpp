@@ -25,10 +25,11 @@ class Dice {
 Loop walk(Dice& dice, int corners, int side) {
     Loop loop;
     while (static_cast<int>(loop.size()) < corners) {
-        if (loop.size() > 1 && dice.below(8) == 0)
+        if (loop.size() > 1 && dice.below(8) == 0) {
             loop.push_back(loop[static_cast<std::size_t>(dice.below(static_cast<int>(loop.size())))]);
-        else
+        } else {
             loop.emplace_back(dice.below(side), dice.below(side));
+        }
     }
     return loop;
 }
@@ -39,8 +40,9 @@ std::vector<Loop> squares(Dice& dice) {
     for (int i = 3 + dice.below(14); i > 0; --i) {
         const double x = dice.below(5), y = dice.below(5), s = 1 + dice.below(2);
         loops.push_back({{x, y}, {x + s, y}, {x + s, y + s}, {x, y + s}});
-        if (dice.below(2) == 0)
+        if (dice.below(2) == 0) {
             std::reverse(loops.back().begin(), loops.back().end());
+        }
     }
     return loops;
 }
@@ -63,8 +65,9 @@ std::vector<Loop> nested(Dice& dice) {
         const double lo = i, hi = 8 - i;
         loops.push_back({{lo, lo}, {hi, lo}, {hi, hi}, {lo, hi}});
     }
-    for (int i = dice.below(4); i > 0; --i)
+    for (int i = dice.below(4); i > 0; --i) {
         loops.push_back(walk(dice, 3, 9));
+    }
     return loops;
 }
 
@@ -72,24 +75,27 @@ std::vector<Loop> plain(Dice& dice) {
     std::vector<Loop> loops;
     switch (dice.below(6)) {
         case 0:
-            for (int i = 1 + dice.below(4); i > 0; --i)
+            for (int i = 1 + dice.below(4); i > 0; --i) {
                 loops.push_back(walk(dice, 3 + dice.below(6), 7));
+            }
             return loops;
         case 1:
             return {walk(dice, 4 + dice.below(12), 5)};
         case 2:
             return squares(dice);
         case 3:
-            for (int i = 1 + dice.below(2); i > 0; --i)
+            for (int i = 1 + dice.below(2); i > 0; --i) {
                 loops.push_back(star(dice, 5 + dice.below(20), 1 + dice.below(3), 1 + dice.below(4)));
+            }
             return loops;
         case 4:
             return nested(dice);
         default:
             for (int i = 1 + dice.below(3); i > 0; --i) {
                 Loop& loop = loops.emplace_back();
-                for (int k = 3 + dice.below(9); k > 0; --k)
+                for (int k = 3 + dice.below(9); k > 0; --k) {
                     loop.emplace_back(8 * dice.real(), 8 * dice.real());
+                }
             }
             return loops;
     }

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Grey, with a white rectangle from (x, y) on.
+/// Gray, with a white rectangle from (x, y) on.
 base::Image rectangle(int x, int y, int width, int height) {
     base::Image image{20, 10, std::vector<std::uint8_t>(20 * 10 * 4, 128)};
     for (int j = y; j < y + height; ++j) {

@@ -7,7 +7,7 @@
 
 namespace pictures {
 
-/// The commonest colour along the border, alpha left out.
+/// The commonest color along the border, alpha left out.
 struct Background {
     int r = 0, g = 0, b = 0;
     bool operator==(const Background&) const = default;

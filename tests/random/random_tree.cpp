@@ -21,8 +21,9 @@ class Maker {
     Model make() {
         const int leaves = 2 + pick(options_.most_leaves - 1);
         Model root = tree(leaves, options_.depth);
-        if (root.operation == Operation::Leaf || chance(3))
+        if (root.operation == Operation::Leaf || chance(3)) {
             root = {Operation::Union, {}, {}, glm::dmat4(1.0), {}, {root}};
+        }
         return root;
     }
 
@@ -31,8 +32,9 @@ class Maker {
     bool chance(int one_in) { return pick(one_in) == 0; }
 
     Model tree(int leaves, int depth) {
-        if (leaves == 1 || depth == 0)
+        if (leaves == 1 || depth == 0) {
             return decorated(leaf());
+        }
         Model node;
         switch (pick(8)) {
             case 0:
@@ -56,22 +58,25 @@ class Maker {
             node.children.push_back(tree(share, depth - 1));
             rest -= share;
         }
-        if (depth < 4 && chance(20))
+        if (depth < 4 && chance(20)) {
             node.children.clear();
+        }
         return decorated(node);
     }
 
     Model decorated(Model node) {
         const int placed = node.operation == Operation::Leaf ? 2 : 5;
-        if (chance(placed))
+        if (chance(placed)) {
             node = {Operation::Transform, {}, {}, matrix(), {}, {node}};
+        }
         if (chance(6)) {
             const csg::Rgba color{0.25F * static_cast<float>(pick(5)), 0.5F, 1.0F,
                                   options_.modifiers && chance(3) ? 0.5F : 1.0F};
             node = {Operation::Color, {}, {}, glm::dmat4(1.0), color, {node}};
         }
-        if (options_.modifiers && chance(25))
+        if (options_.modifiers && chance(25)) {
             (chance(2) ? node.modifiers.background : node.modifiers.highlight) = true;
+        }
         return node;
     }
 
@@ -84,8 +89,9 @@ class Maker {
         }
         node.operation = Operation::Leaf;
         node.shape = shape();
-        if (chance(2))
+        if (chance(2)) {
             node = {Operation::Transform, {}, {}, translation(grid(), grid(), grid()), {}, {node}};
+        }
         shapes_.push_back(node);
         return node;
     }
@@ -121,21 +127,25 @@ class Maker {
             const csg::LeafShape shape = chance(4) ? csg::LeafShape(crossing_prism()) : polyhedron();
             const glm::dvec3 offset(grid(), grid(), grid());
             const bool reversed = chance(3);
-            for (int times = chance(4) ? 2 : 1; times > 0; --times)
+            for (int times = chance(4) ? 2 : 1; times > 0; --times) {
                 append(*mesh, *std::get<std::shared_ptr<const csg::Polyhedron>>(shape), offset, reversed);
+            }
         }
         return mesh;
     }
 
     static void append(csg::Polyhedron& mesh, const csg::Polyhedron& shell, const glm::dvec3& offset, bool reversed) {
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
-        for (const glm::dvec3& p : shell.points)
+        for (const glm::dvec3& p : shell.points) {
             mesh.points.push_back(p + offset);
+        }
         for (std::vector<std::uint32_t> face : shell.faces) {
-            for (std::uint32_t& index : face)
+            for (std::uint32_t& index : face) {
                 index += first;
-            if (reversed)
+            }
+            if (reversed) {
                 std::reverse(face.begin(), face.end());
+            }
             mesh.faces.push_back(std::move(face));
         }
     }
@@ -174,15 +184,18 @@ class Maker {
     static std::shared_ptr<csg::Polyhedron> prism(const std::vector<glm::dvec2>& outline, double height) {
         auto mesh = std::make_shared<csg::Polyhedron>();
         const auto n = static_cast<std::uint32_t>(outline.size());
-        for (const double z : {0.0, height})
-            for (const glm::dvec2& p : outline)
+        for (const double z : {0.0, height}) {
+            for (const glm::dvec2& p : outline) {
                 mesh->points.emplace_back(p, z);
+            }
+        }
         std::vector<std::uint32_t> bottom(n), top(n);  // clockwise seen from outside
         std::iota(bottom.begin(), bottom.end(), 0U);
         std::iota(top.rbegin(), top.rend(), n);
         mesh->faces = {bottom, top};
-        for (std::uint32_t i = 0; i < n; ++i)
+        for (std::uint32_t i = 0; i < n; ++i) {
             mesh->faces.push_back({i, n + i, n + (i + 1) % n, (i + 1) % n});
+        }
         return mesh;
     }
 
@@ -218,8 +231,9 @@ class Maker {
                 m[pick(3)] *= -1.0;
                 return m;  // mirror
             case 6:
-                for (int i = 0; i < 3; ++i)
+                for (int i = 0; i < 3; ++i) {
                     m[i] *= 0.5 * (1 + pick(4));
+                }
                 return m;  // scale
             default:
                 m[pick(2)][2] = 0.5;
@@ -235,8 +249,9 @@ class Maker {
 csg::NodeId add(csg::TreeBuilder& builder, const Model& model, std::uint32_t& line) {
     const csg::SourceLocation where{0, ++line, 1};
     std::vector<csg::NodeId> children;
-    for (const Model& child : model.children)
+    for (const Model& child : model.children) {
         children.push_back(add(builder, child, line));
+    }
     switch (model.operation) {
         case Operation::Leaf:
             return builder.leaf(model.shape, where, model.modifiers);
@@ -266,10 +281,12 @@ struct ShapeText {
     }
     std::string operator()(const std::shared_ptr<const csg::Polyhedron>& p) const {
         std::string points, faces;
-        for (const glm::dvec3& v : p->points)
+        for (const glm::dvec3& v : p->points) {
             points += (points.empty() ? "" : ", ") + vector_text(v);
-        for (const auto& face : p->faces)
+        }
+        for (const auto& face : p->faces) {
             faces += fmt::format("{}[{}]", faces.empty() ? "" : ", ", fmt::join(face, ", "));
+        }
         return fmt::format("polyhedron(points = [{}], faces = [{}])", points, faces);
     }
     /// Shapes that no random model has.
@@ -300,9 +317,10 @@ void print(const Model& model, int indent, std::string& text) {
             break;
         case Operation::Transform: {
             text += "multmatrix([";
-            for (int r = 0; r < 4; ++r)
+            for (int r = 0; r < 4; ++r) {
                 text += fmt::format("{}[{}, {}, {}, {}]", r > 0 ? ", " : "", model.matrix[0][r], model.matrix[1][r],
                                     model.matrix[2][r], model.matrix[3][r]);
+            }
             text += "])";
             break;
         }
@@ -311,8 +329,9 @@ void print(const Model& model, int indent, std::string& text) {
             break;
     }
     text += " {\n";
-    for (const Model& child : model.children)
+    for (const Model& child : model.children) {
         print(child, indent + 1, text);
+    }
     text += std::string(static_cast<std::size_t>(2 * indent), ' ') + "}\n";
 }
 
@@ -325,15 +344,18 @@ Model make_model(std::mt19937_64& random, const Options& options) {
 base::Camera make_camera(std::mt19937_64& random, const glm::dvec3& lo, const glm::dvec3& hi) {
     const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     base::Camera camera;
-    if (pick(3) == 0)
+    if (pick(3) == 0) {
         camera.projection = base::Projection::Orthographic;
-    if (pick(4) == 0)
+    }
+    if (pick(4) == 0) {
         camera.rotation = {90.0 * pick(4), 0, 90.0 * pick(4)};
-    else
+    } else {
         camera.rotation = {pick(3600) / 10.0, pick(4) == 0 ? pick(360) : 0, pick(3600) / 10.0};
+    }
     base::view_all(camera, lo, hi, true);
-    if (!(lo.x <= hi.x))
+    if (!(lo.x <= hi.x)) {
         return camera;
+    }
     const double size = glm::length(hi - lo);
     switch (pick(5)) {
         case 0:  // the eye among the leaves
@@ -376,12 +398,13 @@ std::vector<Model> simpler(const Model& model) {
         result.push_back(model);
         result.back().shape = csg::Cube{{2, 2, 2}, false};
     }
-    for (std::size_t i = 0; i < model.children.size(); ++i)
+    for (std::size_t i = 0; i < model.children.size(); ++i) {
         for (Model& child : simpler(model.children[i])) {
             Model inner = model;
             inner.children[i] = std::move(child);
             result.push_back(std::move(inner));
         }
+    }
     return result;
 }
 

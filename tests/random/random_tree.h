@@ -25,7 +25,7 @@ struct Model {
 struct Options {
     int most_leaves = 14;
     int depth = 5;
-    bool modifiers = true;  ///< `%`, `#` and translucent colours, which make further parts.
+    bool modifiers = true;  ///< `%`, `#` and translucent colors, which make further parts.
     bool wound = false;     ///< Polyhedra of shells that overlap, lie in each other, are reversed or doubled, or cross.
 };
 

@@ -152,7 +152,7 @@ TEST(Booleans, SourcesAreTheLeavesThatShow) {
     }
 }
 
-TEST(Booleans, TrianglesKnowLeafPartLineAndColour) {
+TEST(Booleans, TrianglesKnowLeafPartLineAndColor) {
     const auto model = meshes::model_of(
         "color(\"red\") difference() {\n  cube(4);\n  translate([1, 1, 2]) cube([2, 2, 2]);\n}\n"
         "color([0, 0, 1, 0.5]) translate([9, 0, 0]) cube(1);");

@@ -27,8 +27,9 @@ TEST(BoxPairs, AreThoseOfEachWithEach) {
         for (std::uint32_t a = 0; a < count; ++a) {
             for (std::uint32_t b = a + 1; b < count; ++b) {
                 const glm::dvec3 lo = glm::max(boxes[a].lo, boxes[b].lo), hi = glm::min(boxes[a].hi, boxes[b].hi);
-                if (lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z)
+                if (lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z) {
                     expected.emplace(a, b);
+                }
             }
         }
         EXPECT_EQ(found, expected) << count;

@@ -30,8 +30,9 @@ BooleanResult by(Method method, const csg::Scene& scene, const csg::solid::Geome
 Mesh closed_grid(int n, int m, Random& random, const std::function<glm::dvec3(int, int)>& at) {
     Mesh mesh;
     for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < m; ++j)
+        for (int j = 0; j < m; ++j) {
             mesh.points.push_back(at(i, j));
+        }
     }
     const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(i % n * m + j % m); };
     for (int i = 0; i < n; ++i) {
@@ -79,10 +80,13 @@ Mesh tetrahedra(Random& random) {
     Mesh mesh;
     const int count = random.whole(1, 10);
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(4 * count); i += 4) {
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < 4; ++k) {
             mesh.points.emplace_back(random.whole(0, 4), random.whole(0, 4), random.whole(0, 4));
-        for (const glm::uvec3 t : {glm::uvec3(0, 1, 2), glm::uvec3(0, 3, 1), glm::uvec3(1, 3, 2), glm::uvec3(0, 2, 3)})
+        }
+        for (const glm::uvec3 t :
+             {glm::uvec3(0, 1, 2), glm::uvec3(0, 3, 1), glm::uvec3(1, 3, 2), glm::uvec3(0, 2, 3)}) {
             mesh.triangles.push_back(t + i);
+        }
     }
     return mesh;
 }
@@ -94,11 +98,13 @@ Mesh boxes(Random& random) {
     for (int i = 0; i < count; ++i) {
         glm::dvec3 lo(random.whole(0, 5), random.whole(0, 5), random.whole(0, 5));
         glm::dvec3 hi = lo + glm::dvec3(random.whole(1, 3), random.whole(1, 3), random.whole(1, 3));
-        if (random.chance(0.25))
+        if (random.chance(0.25)) {
             std::swap(lo, hi);
+        }
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
-        for (unsigned k = 0; k < 8; ++k)
+        for (unsigned k = 0; k < 8; ++k) {
             mesh.points.emplace_back((k & 1) ? hi.x : lo.x, (k & 2) ? hi.y : lo.y, (k & 4) ? hi.z : lo.z);
+        }
         for (const glm::uvec4 f : {glm::uvec4(0, 2, 3, 1), glm::uvec4(4, 5, 7, 6), glm::uvec4(0, 1, 5, 4),
                                    glm::uvec4(2, 6, 7, 3), glm::uvec4(0, 4, 6, 2), glm::uvec4(1, 3, 7, 5)}) {
             mesh.triangles.push_back(glm::uvec3(f.x, f.y, f.z) + first);
@@ -112,8 +118,9 @@ void turn(Mesh& mesh, Random& random) {
     const double a = random.number(0, 3), b = random.number(0, 3);
     const glm::dmat3 x(1, 0, 0, 0, std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a));
     const glm::dmat3 z(std::cos(b), std::sin(b), 0, -std::sin(b), std::cos(b), 0, 0, 0, 1);
-    for (glm::dvec3& p : mesh.points)
+    for (glm::dvec3& p : mesh.points) {
         p = x * (z * p);
+    }
 }
 
 struct Kind {
@@ -130,8 +137,9 @@ TEST_P(RandomLeaves, HaveAMeshByWindingNumbers) {
         SCOPED_TRACE(seed);
         Random random(seed);
         std::vector<Mesh> leaves{GetParam().make(random)};
-        if (seed % 3 != 0)
+        if (seed % 3 != 0) {
             leaves.push_back(GetParam().make(random));
+        }
         if (seed % 4 == 3) {
             for (Mesh& leaf : leaves) {
                 Random same(seed);
@@ -198,13 +206,16 @@ TEST(FarReaching, HasAMesh) {
         Random random(seed);
         constexpr const char* operations[] = {"difference", "intersection", "union"};
         std::vector<std::string> parts{far_part(random)};
-        for (int i = random.whole(1, 3); i > 0; --i)
+        for (int i = random.whole(1, 3); i > 0; --i) {
             parts.push_back(small_part(random));
-        if (random.chance(0.5))
+        }
+        if (random.chance(0.5)) {
             std::swap(parts.front(), parts.back());
+        }
         std::string program = fmt::format("{}() {{", operations[random.whole(0, 2)]);
-        for (const std::string& part : parts)
+        for (const std::string& part : parts) {
             program += " " + part;
+        }
         program += " }";
         SCOPED_TRACE(program);
         const auto model = meshes::model_of(program);
@@ -256,8 +267,9 @@ TEST(Diagonals, AreEdgesWhereAnotherLeafStandsOnThem) {
     for (const auto& [program, volume] : models) {
         SCOPED_TRACE(program);
         const auto model = meshes::model_of(program);
-        for (const Method method : {Method::Planes, Method::Exact})
+        for (const Method method : {Method::Planes, Method::Exact}) {
             EXPECT_NEAR(by(method, model->scene, model->geometry).facts.volume, volume, 1e-9) << name(method);
+        }
     }
 }
 

@@ -45,8 +45,9 @@ Mesh prism(const std::vector<glm::dvec2>& outline) {
     Mesh mesh;
     const auto n = static_cast<std::uint32_t>(outline.size());
     for (const double z : {0.0, 1.0}) {
-        for (const glm::dvec2& p : outline)
+        for (const glm::dvec2& p : outline) {
             mesh.points.emplace_back(p, z);
+        }
     }
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t kind) {
         mesh.triangles.emplace_back(a, b, c);
@@ -66,16 +67,18 @@ Mesh prism(const std::vector<glm::dvec2>& outline) {
 
 TEST(FlatAreas, PointsOnStraightLinesGoOnBothSides) {
     std::vector<glm::dvec2> outline;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         outline.emplace_back(i * 0.125, 0.0);
+    }
     outline.insert(outline.end(), {{1, 0}, {1, 1}, {0, 1}});
     Mesh mesh = prism(outline);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (mesh.sources[t] == 2)  // The four walls.
+        if (mesh.sources[t] == 2) {  // The four walls.
             mesh.sources[t] += std::min(static_cast<std::uint32_t>(mesh.triangles[t].x % 11) / 8 +
                                             static_cast<std::uint32_t>(mesh.triangles[t].x % 11 > 8) *
                                                 (static_cast<std::uint32_t>(mesh.triangles[t].x % 11) - 8),
                                         3u);
+        }
     }
     const std::vector<glm::dvec3> normals{{0, 0, -1}, {0, 0, 1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
     csg::reference::merge_flat_areas(mesh, normals);
@@ -100,8 +103,9 @@ TEST(FlatAreas, LinesThatBendSlowlyKeepTheirShape) {
     const double volume = csg::reference::facts(mesh).volume;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::uint32_t first = mesh.triangles[t].x % (kPoints + 2);
-        if (mesh.sources[t] == 2 && first >= kPoints)
+        if (mesh.sources[t] == 2 && first >= kPoints) {
             mesh.sources[t] = first - kPoints + 3;
+        }
     }
     const std::vector<glm::dvec3> normals{{0, 0, -1}, {0, 0, 1}, {0, -1, 0}, {2, 1, 0}, {-2, 1, 0}};
     csg::reference::merge_flat_areas(mesh, normals);

@@ -27,8 +27,9 @@ std::shared_ptr<const ui::Model> load(const std::string& path) {
     request.path = path;
     request.preview = false;
     const auto evaluation = csg::scad::evaluate(request, [](const auto&, const auto&) {});
-    if (!evaluation.ok)
+    if (!evaluation.ok) {
         throw std::runtime_error(path + " has errors");
+    }
     return ui::ModelBuilder().build(evaluation.tree);
 }
 
@@ -67,8 +68,9 @@ TEST_P(LargerMeshes, AreClosedAndAsLargeAsOpenScads) {
     double expected = 0;
     for (std::string line; std::getline(volumes, line);) {
         std::istringstream words(line);
-        if (std::string name; words >> name && name == GetParam())
+        if (std::string name; words >> name && name == GetParam()) {
             words >> expected;
+        }
     }
     const ui::ModelMesh mesh = ui::make_mesh(*load(folder + GetParam() + ".scad"));
     EXPECT_NE(mesh.method, "exact") << mesh.reason;

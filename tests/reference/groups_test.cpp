@@ -15,8 +15,9 @@ namespace {
 std::size_t count_groups(const ui::Model& model) {
     std::vector<csg::LeafId> leaves;
     for (csg::LeafId i = 0; i < model.geometry.leaves.size(); ++i) {
-        if (!model.geometry.leaves[i].triangles.empty())
+        if (!model.geometry.leaves[i].triangles.empty()) {
             leaves.push_back(i);
+        }
     }
     return csg::reference::LeafGroups(model.scene, model.geometry, leaves, {}).size();
 }
@@ -77,7 +78,7 @@ constexpr Grouped kGrouped[] = {
      1, 5, "planes"},
     {"NothingInCommon", "intersection() { cube(1); translate([3, 0, 0]) cube(1); } translate([9, 0, 0]) cube(1);", 1, 1,
      "copy"},
-    {"Colours", "for (x = [0:9]) translate([2 * x, 0, 0]) color([x / 10, 0, 0, x / 10]) cube(1);", 10, 10, "copy"},
+    {"Colors", "for (x = [0:9]) translate([2 * x, 0, 0]) color([x / 10, 0, 0, x / 10]) cube(1);", 10, 10, "copy"},
     {"Mirrored", "for (x = [0:9]) translate([3 * x, 0, 0]) mirror([1, 1, 0]) cylinder(h = 2, r1 = 1, r2 = 0, $fn = 4);",
      10, 40.0 / 3, "copy"},
 };
@@ -121,8 +122,9 @@ INSTANTIATE_TEST_SUITE_P(Leaves, ShellGroups, testing::ValuesIn(kShells),
 TEST(Groups, EachLeafKeepsItsTriangles) {
     const auto model = meshes::model_of("for (x = [0:9]) translate([2 * x, 0, 0]) cube(1);");
     const ui::ModelMesh mesh = ui::make_mesh(*model);
-    for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
+    for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
         EXPECT_EQ(mesh.mesh.sources[t], t / 12);
+    }
 }
 
 TEST(Groups, OneBesideADifficultOneIsCopied) {
@@ -173,12 +175,14 @@ TEST(Groups, RandomScenesHoldThePointsTheyShould) {
                            shape);
     };
     const std::function<std::string(int)> tree = [&](int depth) -> std::string {
-        if (depth == 0 || random() % 6 == 0)
+        if (depth == 0 || random() % 6 == 0) {
             return leaf();
+        }
         static constexpr const char* kKinds[] = {"union", "union", "difference", "intersection"};
         std::string text = kKinds[random() % 4] + std::string("() {");
-        for (std::size_t i = 0, n = 2 + random() % 5; i < n; ++i)
+        for (std::size_t i = 0, n = 2 + random() % 5; i < n; ++i) {
             text += tree(depth - 1);
+        }
         return text + "}";
     };
     std::size_t solids = 0, several = 0;
@@ -186,8 +190,9 @@ TEST(Groups, RandomScenesHoldThePointsTheyShould) {
         const std::string program = tree(3) + tree(2) + tree(2);
         const auto model = meshes::model_of(program);
         const auto found = csg::reference::make_mesh(model->scene, model->geometry);
-        if (found.mesh.empty())
+        if (found.mesh.empty()) {
             continue;
+        }
         ++solids;
         several += count_groups(*model) > 1 ? 1 : 0;
         EXPECT_EQ(meshes::count_wrong_points(model->scene, model->geometry, found.mesh, model->geometry.box, 300), 0u)

@@ -26,15 +26,17 @@ std::size_t count_wrong_points(const csg::Scene& scene, const csg::solid::Geomet
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < count; ++i) {
         glm::dvec3 p;
-        for (int axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < 3; ++axis) {
             p[axis] = box.lo[axis] + box.size()[axis] * (static_cast<double>(random()) / 4294967296.0);
+        }
         const auto in_leaf = [&](csg::LeafId id) {
             const csg::solid::PlacedLeaf& leaf = geometry.leaves[id];
             return winding_number(leaf.points, leaf.triangles, p) != 0;
         };
         bool inside = false;
-        for (const csg::PartId part : csg::reference::solid_parts(scene))
+        for (const csg::PartId part : csg::reference::solid_parts(scene)) {
             inside |= csg::evaluate(scene, scene.parts[part], in_leaf, values);
+        }
         wrong += winding_number(mesh.points, mesh.triangles, p) != (inside ? 1 : 0) ? 1 : 0;
     }
     return wrong;

@@ -39,7 +39,7 @@ TEST(MeshFiles, SameBytes) {
     }
 }
 
-TEST(MeshFiles, ColoursArePartsOfTheFile) {
+TEST(MeshFiles, ColorsArePartsOfTheFile) {
     const auto model = meshes::model_of(kProgram);
     const ui::ModelMesh mesh = ui::make_mesh(*model);
     const std::string amf = ui::encode_mesh(*model, mesh, MeshFormat::Amf);
@@ -106,8 +106,9 @@ TEST(MeshFiles, BrokenFilesAreRefused) {
                                   "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n",
                                   "OFF\n99999999999999 1 0\n",
                                   "PNG"};
-    for (const char* text : broken)
+    for (const char* text : broken) {
         EXPECT_THROW((void)decode_mesh(text), std::runtime_error) << text;
+    }
 }
 
 }  // namespace

@@ -11,8 +11,9 @@ std::shared_ptr<const ui::Model> model_of(const std::string& program) {
     request.text = program;
     request.preview = false;
     const auto evaluation = csg::scad::evaluate(request, [](const auto&, const auto&) {});
-    if (!evaluation.ok)
+    if (!evaluation.ok) {
         throw std::runtime_error("the program has errors");
+    }
     return ui::ModelBuilder().build(evaluation.tree);
 }
 

@@ -99,11 +99,13 @@ TEST(Minkowski, OfCubesThatTouchAlongAnEdge) {
     for (const glm::dvec3& p : second.points) {
         const auto known = std::find(touching.points.begin(), touching.points.end(), p);
         index.push_back(static_cast<std::uint32_t>(known - touching.points.begin()));
-        if (known == touching.points.end())
+        if (known == touching.points.end()) {
             touching.points.push_back(p);
+        }
     }
-    for (const glm::uvec3& t : second.triangles)
+    for (const glm::uvec3& t : second.triangles) {
         touching.triangles.emplace_back(index[t.x], index[t.y], index[t.z]);
+    }
     touching.sources.resize(touching.triangles.size());
     ASSERT_EQ(touching.points.size(), 14U);
     const Mesh shared[] = {touching, operands[1]};
@@ -176,12 +178,14 @@ TEST(Minkowski, OfShellsThatOverlapAndOfAMeshInsideOut) {
     const Mesh second = mesh_of("translate([2, 2, 2]) cube(4);");
     const auto first = static_cast<std::uint32_t>(two.points.size());
     two.points.insert(two.points.end(), second.points.begin(), second.points.end());
-    for (const glm::uvec3& t : second.triangles)
+    for (const glm::uvec3& t : second.triangles) {
         two.triangles.push_back(t + first);
+    }
     two.sources.resize(two.triangles.size());
     Mesh turned = mesh_of("difference() { cube([4, 4, 1]); translate([2, 2, -1]) cube([3, 3, 3]); }");
-    for (glm::uvec3& t : turned.triangles)
+    for (glm::uvec3& t : turned.triangles) {
         std::swap(t.y, t.z);
+    }
     const Mesh one = mesh_of("cube(1);");
     const Mesh shells[] = {two, one}, inside_out[] = {turned, one};
     EXPECT_NEAR(volume(csg::reference::minkowski_sum(shells)), 125 + 125 - 27, 1e-9);
@@ -241,8 +245,9 @@ TEST(SelfIntersection, IsFound) {
     const Mesh other = mesh_of("translate([1, 0.9, 1.1]) cube(2);");
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-    for (const glm::uvec3& t : other.triangles)
+    for (const glm::uvec3& t : other.triangles) {
         mesh.triangles.push_back(t + first);
+    }
     mesh.sources.resize(mesh.triangles.size());
     EXPECT_GT(csg::reference::count_self_intersections(mesh, 1e-9), 0u);
 }

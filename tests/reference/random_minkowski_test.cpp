@@ -20,8 +20,9 @@ bool inside(const Mesh& mesh, const glm::dvec3& point) {
 
 Box box_of(const Mesh& mesh, const glm::uvec3& t) {
     Box box;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
         box = enclose(box, mesh.points[t[k]]);
+    }
     return box;
 }
 
@@ -30,8 +31,9 @@ bool segment_meets(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec
                    const glm::dvec3& c) {
     const glm::dvec3 d = to - from, u = b - a, v = c - a, p = glm::cross(d, v);
     const double determinant = glm::dot(u, p);
-    if (determinant == 0)
+    if (determinant == 0) {
         return false;
+    }
     const glm::dvec3 s = from - a, q = glm::cross(s, u);
     const double x = glm::dot(s, p) / determinant, y = glm::dot(d, q) / determinant, t = glm::dot(v, q) / determinant;
     return x >= 0 && y >= 0 && x + y <= 1 && t >= 0 && t <= 1;
@@ -44,22 +46,25 @@ class Membership {
 
     bool operator()(const glm::dvec3& x) const {
         Mesh moved = b_;
-        for (glm::dvec3& p : moved.points)
+        for (glm::dvec3& p : moved.points) {
             p = x - p;
+        }
         const auto in = [](const Mesh& mesh, const std::vector<glm::dvec3>& points) {
             return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& p) { return inside(mesh, p); });
         };
         std::vector<glm::dvec3> starts_b;
-        for (const glm::dvec3& p : components_b_)
+        for (const glm::dvec3& p : components_b_) {
             starts_b.push_back(x - p);
+        }
         return in(moved, components_a_) || in(a_, starts_b) || cross(a_, moved);
     }
 
   private:
     static std::vector<glm::dvec3> starts(const Mesh& mesh) {
         std::vector<glm::dvec3> points;
-        for (const Mesh& component : csg::reference::components_of(mesh))
+        for (const Mesh& component : csg::reference::components_of(mesh)) {
             points.push_back(component.points[0]);
+        }
         return points;
     }
 
@@ -67,14 +72,16 @@ class Membership {
         for (const glm::uvec3& s : a.triangles) {
             const Box box = box_of(a, s);
             for (const glm::uvec3& t : b.triangles) {
-                if (intersect(box, box_of(b, t)).empty())
+                if (intersect(box, box_of(b, t)).empty()) {
                     continue;
+                }
                 for (int k = 0; k < 3; ++k) {
                     if (segment_meets(a.points[s[k]], a.points[s[(k + 1) % 3]], b.points[t.x], b.points[t.y],
                                       b.points[t.z]) ||
                         segment_meets(b.points[t[k]], b.points[t[(k + 1) % 3]], a.points[s.x], a.points[s.y],
-                                      a.points[s.z]))
+                                      a.points[s.z])) {
                         return true;
+                    }
                 }
             }
         }
@@ -96,8 +103,9 @@ class Points {
         const std::size_t i = std::uniform_int_distribution<std::size_t>(0, mesh.triangles.size() - 1)(random_);
         const glm::uvec3& t = mesh.triangles[i];
         double u = number(), v = number();
-        if (u + v > 1)
+        if (u + v > 1) {
             u = 1 - u, v = 1 - v;
+        }
         const glm::dvec3 &a = mesh.points[t.x], &b = mesh.points[t.y], &c = mesh.points[t.z];
         const glm::dvec3 normal = glm::cross(b - a, c - a);
         const double length = glm::length(normal);
@@ -122,8 +130,9 @@ void check_sum(std::uint64_t seed) {
     const std::string program = "minkowski() { union() { " + a + " } union() { " + b + " } }";
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + program);
     const Mesh left = ui::make_mesh(*meshes::model_of(a)).mesh, right = ui::make_mesh(*meshes::model_of(b)).mesh;
-    if (left.empty() || right.empty())
+    if (left.empty() || right.empty()) {
         return;
+    }
     Mesh sum;
     ASSERT_NO_THROW(sum = ui::make_mesh(*meshes::model_of(program)).mesh);
     ASSERT_FALSE(sum.empty());
@@ -147,8 +156,9 @@ void check_sum(std::uint64_t seed) {
 TEST(RandomMinkowski, HoldsWhatMembershipSays) {
     const std::uint64_t first = setting("CSGSCOPE_MINKOWSKI_FIRST", 0);
     const std::uint64_t count = setting("CSGSCOPE_MINKOWSKI_SEEDS", 60);
-    for (std::uint64_t seed = first; seed < first + count && !testing::Test::HasFatalFailure(); ++seed)
+    for (std::uint64_t seed = first; seed < first + count && !testing::Test::HasFatalFailure(); ++seed) {
         check_sum(seed);
+    }
 }
 
 }  // namespace

@@ -86,8 +86,9 @@ class Maker {
     }
     std::string boxes(const char* operation, int count) {
         std::string text = std::string(operation) + "() {";
-        if (operation[0] == 'd')
+        if (operation[0] == 'd') {
             text += " cube(4, center = true);";
+        }
         for (int i = 0; i < count; ++i) {
             const char* turn = below(4) == 0 ? "rotate([10, 20, 30]) " : "";
             text += fmt::format(" translate({}) {}cube({});", position(), turn, size());
@@ -103,14 +104,16 @@ class Maker {
         std::string points, faces;
         for (int box = 0; box < 2; ++box) {
             const int x = below(4), y = below(4), z = below(4), size = 2 + below(3);
-            for (int i = 0; i < 8; ++i)
+            for (int i = 0; i < 8; ++i) {
                 points +=
                     fmt::format("[{}, {}, {}], ", x + size * (i & 1), y + size * (i >> 1 & 1), z + size * (i >> 2));
+            }
             constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
                                           {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
-            for (const auto& f : kFaces)
+            for (const auto& f : kFaces) {
                 faces +=
                     fmt::format("[{}, {}, {}, {}], ", f[0] + 8 * box, f[1] + 8 * box, f[2] + 8 * box, f[3] + 8 * box);
+            }
         }
         return fmt::format("polyhedron([{}], [{}]);", points, faces);
     }

@@ -14,19 +14,21 @@ struct Sample {
 Sample make_sample(std::uint64_t seed, random_tree::Model& model) {
     std::mt19937_64 random(seed);
     random_tree::Options options;
-    if (seed % 16 == 0)
+    if (seed % 16 == 0) {
         options = {60, 8, true};
+    }
     model = random_tree::make_model(random, options);
     // Some are tiny, huge, far from the origin, or turned.
     glm::dmat4 placed(1.0);
-    if (seed % 16 == 1)
+    if (seed % 16 == 1) {
         placed = glm::dmat4(glm::dmat3(1e6));
-    else if (seed % 16 == 2)
+    } else if (seed % 16 == 2) {
         placed = glm::dmat4(glm::dmat3(1e-4));
-    else if (seed % 16 == 3)
+    } else if (seed % 16 == 3) {
         placed[3] = {1000, -2000, 300, 1};
-    else if (seed % 16 < 8)
+    } else if (seed % 16 < 8) {
         placed = {{0.36, 0.48, -0.8, 0}, {-0.8, 0.6, 0, 0}, {0.48, 0.64, 0.6, 0}, {0, 0, 0, 1}};
+    }
     model = {csg::Operation::Transform, {}, {}, placed, {}, {model}};
     const csg::Tree tree = random_tree::make_tree(model);
     Sample sample{csg::make_scene(tree), csg::solid::Geometry()};
@@ -55,8 +57,9 @@ TEST_P(RandomMeshes, AreClosedAndWhatThePictureShows) {
                 << scad_text(model);
             EXPECT_NEAR(result.facts.volume, exact.facts.volume, 1e-9 * exact.facts.volume) << scad_text(model);
         }
-        if (result.mesh.empty())
+        if (result.mesh.empty()) {
             continue;
+        }
         ++solid;
         const auto facts = csg::reference::facts(result.mesh);
         EXPECT_TRUE(facts.manifold) << scad_text(model);

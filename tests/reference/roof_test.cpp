@@ -55,8 +55,9 @@ bool is_inside(const Loops& loops, const glm::dvec2& p) {
     for (const Loop& loop : loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const glm::dvec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
                 inside = !inside;
+            }
         }
     }
     return inside;
@@ -83,8 +84,9 @@ double integral(const Loops& loops) {
     for (int y = 0; y < kSteps; ++y) {
         for (int x = 0; x < kSteps; ++x) {
             const glm::dvec2 p = glm::dvec2(box.lo) + step * glm::dvec2(x + 0.5, y + 0.5);
-            if (is_inside(loops, p))
+            if (is_inside(loops, p)) {
                 sum += distance(loops, p);
+            }
         }
     }
     return sum * step.x * step.y;
@@ -109,8 +111,9 @@ TEST(VoronoiRoof, IsAsHighAsTheOutlineIsFar) {
     EXPECT_NEAR(volume(kPlus), integral(kPlus), 1e-3);
     EXPECT_NEAR(volume(kHoles), integral(kHoles), 1e-3);
     const Mesh mesh = voronoi_roof(kHoles, {});
-    for (const glm::dvec3& p : mesh.points)
+    for (const glm::dvec3& p : mesh.points) {
         EXPECT_NEAR(p.z, distance(kHoles, glm::dvec2(p)), 1e-8);
+    }
 }
 
 TEST(VoronoiRoof, IsDividedByFineness) {
@@ -146,8 +149,9 @@ TEST(VoronoiRoof, OfSeveralOutlinesThatTouch) {
 TEST(VoronoiRoof, KeepsTheOutlinesCorners) {
     const Loops odd{{{0.1, 0.2}, {1.0 / 3, 0.1}, {0.7, 0.9}}};
     const Mesh mesh = voronoi_roof(odd, {});
-    for (const glm::dvec2& p : odd[0])
+    for (const glm::dvec2& p : odd[0]) {
         EXPECT_NE(std::find(mesh.points.begin(), mesh.points.end(), glm::dvec3(p, 0)), mesh.points.end());
+    }
 }
 
 TEST(VoronoiRoof, OfRandomStars) {
@@ -173,8 +177,9 @@ TEST(VoronoiRoof, OfRandomOutlinesThatTouch) {
         SCOPED_TRACE(round);
         Loops loops(1 + static_cast<std::size_t>(round % 3));
         for (Loop& loop : loops) {
-            for (int i = 0; i < 4 + round % 5; ++i)
+            for (int i = 0; i < 4 + round % 5; ++i) {
                 loop.emplace_back(random() % 7, random() % 7);
+            }
         }
         const csg::solid::Outline outline = csg::solid::clean(loops, csg::solid::FillRule::EvenOdd);
         // Rounding makes some loops cross that touched where edges had crossed.
@@ -191,15 +196,18 @@ TEST(VoronoiRoof, OfRandomOutlinesThatTouch) {
         Loops bounds;
         for (const auto& loop : grid.loops()) {
             bounds.emplace_back();
-            for (const auto& p : loop)
+            for (const auto& p : loop) {
                 bounds.back().push_back(grid.corner(p));
+            }
         }
         double area = 0;
-        for (const Loop& loop : bounds)
+        for (const Loop& loop : bounds) {
             area += csg::solid::area2(loop) / 2;
+        }
         EXPECT_NEAR(area, outline.area(), 1e-6) << round;
-        for (const glm::dvec3& p : mesh.points)
+        for (const glm::dvec3& p : mesh.points) {
             ASSERT_NEAR(p.z, distance(bounds, glm::dvec2(p)), 1e-7) << round;
+        }
     }
     EXPECT_LE(refused, 1);
 }
@@ -208,8 +216,9 @@ TEST(VoronoiRoof, OfDegenerateOutlines) {
     EXPECT_TRUE(voronoi_roof({}, {}).empty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Loop& loop : {Loop{}, Loop{{1, 1}}, Loop{{1, 1}, {1, 1}, {1, 1}}, Loop{{0, 0}, {1, 0}},
-                             Loop{{0, 0}, {1, 1}, {2, 2}, {5, 5}}})
+                             Loop{{0, 0}, {1, 1}, {2, 2}, {5, 5}}}) {
         EXPECT_TRUE(voronoi_roof(Loops{loop}, {}).empty());
+    }
     const Loop crossing{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
     EXPECT_THROW((void)voronoi_roof(Loops{crossing}, {}), std::runtime_error);
     EXPECT_THROW((void)voronoi_roof(Loops{square(1)[0], square(1)[0]}, {}), std::runtime_error);

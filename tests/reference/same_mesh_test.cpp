@@ -17,12 +17,14 @@ class Clutter {
   public:
     explicit Clutter(std::uint32_t seed) {
         std::mt19937 random(seed);
-        for (int i = 0; i < 2000; ++i)
+        for (int i = 0; i < 2000; ++i) {
             blocks_.push_back(std::make_unique<char[]>(16 + random() % 600));
+        }
         for (std::size_t i = blocks_.size(); i > 1; --i) {
             std::swap(blocks_[i - 1], blocks_[random() % i]);
-            if (random() % 2 == 0)
+            if (random() % 2 == 0) {
                 blocks_[i - 1].reset();
+            }
         }
     }
 
@@ -39,8 +41,9 @@ std::string bytes_of(const std::string& program, std::uint32_t seed) {
 
 void expect_same(const std::string& program) {
     const std::string first = bytes_of(program, 0);
-    for (std::uint32_t run = 1; run < 10; ++run)
+    for (std::uint32_t run = 1; run < 10; ++run) {
         ASSERT_EQ(bytes_of(program, 10 * run), first) << program;
+    }
 }
 
 class SameMesh : public testing::TestWithParam<const char*> {};
@@ -78,8 +81,9 @@ TEST(SameMesh, OfTheGalleryAndTheCases) {
     for (const char* folder : {"/models", "/tests/reference/cases"}) {
         for (const auto& entry : std::filesystem::directory_iterator(std::string(CSGSCOPE_SOURCE_DIR) + folder)) {
             const std::string extension = entry.path().extension().string();
-            if (extension != ".scad" && extension != ".csg")
+            if (extension != ".scad" && extension != ".csg") {
                 continue;
+            }
             std::ifstream in(entry.path());
             std::stringstream text;
             text << in.rdbuf();

@@ -27,8 +27,9 @@ Points disc(int corners, double radius, double height, const glm::dmat3& turned)
     Points points;
     for (int i = 0; i < corners; ++i) {
         const double a = 2 * std::numbers::pi * i / corners;
-        for (const double z : {0.0, height})
+        for (const double z : {0.0, height}) {
             points.push_back(turned * glm::dvec3(radius * std::cos(a), radius * std::sin(a), z));
+        }
     }
     return points;
 }
@@ -47,8 +48,9 @@ glm::dmat3 turn(int axis, double degrees) {
 Mesh sum(const Points& a, const Points& b) {
     Points points;
     for (const glm::dvec3& p : a) {
-        for (const glm::dvec3& q : b)
+        for (const glm::dvec3& q : b) {
             points.push_back(p + q);
+        }
     }
     return csg::reference::hull(points);
 }
@@ -62,8 +64,9 @@ std::vector<Points> ring(int segments, int corners, double radius) {
     };
     std::vector<Points> faces;
     for (int i = 0; i < segments; ++i) {
-        for (int k = 0; k < corners; ++k)
+        for (int k = 0; k < corners; ++k) {
             faces.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)});
+        }
     }
     return faces;
 }
@@ -92,8 +95,9 @@ void expect_union(const std::vector<Mesh>& hulls) {
 TEST(ThinHulls, ARingWithATurnedDisc) {
     const Points turned = disc(3, 1, 1e-7, turn(2, 315) * turn(0, 270));
     std::vector<Mesh> hulls;
-    for (const Points& face : ring(9, 3, 2))
+    for (const Points& face : ring(9, 3, 2)) {
         hulls.push_back(sum(face, turned));
+    }
     expect_union(hulls);
 }
 
@@ -116,8 +120,9 @@ TEST(ThinHulls, RandomOnes) {
         std::vector<Mesh> hulls;
         for (const Points& face : faces) {
             Mesh hull = sum(face, with);
-            if (!hull.empty())
+            if (!hull.empty()) {
                 hulls.push_back(std::move(hull));
+            }
         }
         expect_union(hulls);
     }

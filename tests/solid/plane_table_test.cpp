@@ -38,14 +38,16 @@ TEST(PlaneTable, CoincidentAndOppositeFacesShareAnEntryAtAnyScale) {
         PlaneTable table(coincidence_tolerance(4 * scale));
         for (int round = 0; round < 2000; ++round) {
             const dvec3 u = scale * direction(), v = scale * direction(), origin = scale * direction();
-            if (glm::length(glm::cross(u, v)) < 0.3 * scale * scale)
+            if (glm::length(glm::cross(u, v)) < 0.3 * scale * scale) {
                 continue;
+            }
             // A wide triangle first, as csg::solid::place adds them.
             const PlaneRef first = add(table, {origin - u - v, origin + u - v, origin + v});
             for (int i = 0; i < 5; ++i) {
                 const Triangle t = on_plane(random, origin, u, v);
-                if (glm::length(glm::cross(t.b - t.a, t.c - t.a)) < 0.02 * scale * scale)
+                if (glm::length(glm::cross(t.b - t.a, t.c - t.a)) < 0.02 * scale * scale) {
                     continue;
+                }
                 const PlaneRef same = add(table, t), opposite = add(table, reversed(t));
                 ASSERT_EQ(same.index, first.index) << scale << ", round " << round;
                 ASSERT_EQ(same.flipped, first.flipped);
@@ -74,7 +76,7 @@ TEST(PlaneTable, NearlyEqualPlanesAreTwo) {
     }
 }
 
-/// Neighbouring cells of the hash hold coincident planes too: offsets and normals on their borders.
+/// Neighboring cells of the hash hold coincident planes too: offsets and normals on their borders.
 TEST(PlaneTable, BordersOfCellsDoNotMatter) {
     PlaneTable table(coincidence_tolerance(1.0));
     const double tolerance = table.tolerance();
@@ -121,8 +123,9 @@ TEST(PlaneTable, TrianglesWithoutAreaGetAFinitePlaneThroughThem) {
                               Triangle{{1, 2, 0}, {1, 2, 1}, {1, 2, 0}}}) {
         const csg::solid::Plane& plane = table.planes()[add(table, t).index];
         EXPECT_NEAR(glm::length(plane.normal), 1, 1e-12);
-        for (const dvec3& p : {t.a, t.b, t.c})
+        for (const dvec3& p : {t.a, t.b, t.c}) {
             EXPECT_NEAR(glm::dot(plane.normal, p), plane.offset, 1e-12);
+        }
     }
 }
 

@@ -24,9 +24,11 @@ using test::mesh_volume;
 /// Every directed edge is there as often as its opposite.
 bool closed(std::span<const glm::uvec3> triangles) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    for (const glm::uvec3& t : triangles)
-        for (int i = 0; i < 3; ++i)
+    for (const glm::uvec3& t : triangles) {
+        for (int i = 0; i < 3; ++i) {
             ++edges[{t[i], t[(i + 1) % 3]}];
+        }
+    }
     return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
         const auto opposite = edges.find({e.first.second, e.first.first});
         return opposite != edges.end() && opposite->second == e.second;
@@ -41,8 +43,9 @@ std::vector<glm::dvec3> golden(const std::string& name) {
     file >> off >> count >> faces >> edges;
     EXPECT_TRUE(file && off == "OFF") << name;
     std::vector<glm::dvec3> points(count);
-    for (glm::dvec3& p : points)
+    for (glm::dvec3& p : points) {
         file >> p.x >> p.y >> p.z;
+    }
     EXPECT_TRUE(file) << name;
     return points;
 }
@@ -62,10 +65,11 @@ TEST(Solid, VerticesAreOpenScads) {
         const auto solid = make_solid(shape);
         const std::vector<glm::dvec3> expected = golden(name);
         ASSERT_EQ(solid->points.size(), expected.size()) << name;
-        for (const glm::dvec3& p : expected)
+        for (const glm::dvec3& p : expected) {
             EXPECT_TRUE(std::any_of(solid->points.begin(), solid->points.end(), [&](const glm::dvec3& q) {
                 return glm::length(p - q) < 2e-5;
             })) << fmt::format("{} lacks {}, {}, {}", name, p.x, p.y, p.z);
+        }
     }
 }
 
@@ -87,9 +91,10 @@ TEST(Solid, SegmentsOfACircleAreOpenScads) {
         {7.5, {0, 12, 0.1}, 30},   {7.5, {0, 5, 1}, 48},       {7.5, {0, 0.5, 0.01}, 720}, {7.5, {0, 60, 50}, 5},
         {7.5, {0, 7, 0.3}, 52},    {25, {0, 12, 2}, 30},       {25, {0, 12, 0.1}, 30},     {25, {0, 5, 1}, 72},
         {25, {0, 0.5, 0.01}, 720}, {25, {0, 60, 50}, 5},       {25, {0, 7, 0.3}, 52}};
-    for (const auto& row : table)
+    for (const auto& row : table) {
         EXPECT_EQ(csg::solid::circle_segments(row.radius, row.fineness), row.segments) << fmt::format(
             "r = {}, $fn = {}, $fa = {}, $fs = {}", row.radius, row.fineness.fn, row.fineness.fa, row.fineness.fs);
+    }
 }
 
 TEST(Solid, SegmentsByErrorStayAsNearToTheCircle) {
@@ -109,13 +114,14 @@ TEST(Solid, SegmentsByErrorStayAsNearToTheCircle) {
 
 TEST(Solid, SegmentsAreBoundedForAnyInput) {
     const double nan = std::nan(""), infinity = HUGE_VAL;
-    for (const double r : {0.0, -1.0, 1e-300, 1e300, nan, infinity})
+    for (const double r : {0.0, -1.0, 1e-300, 1e300, nan, infinity}) {
         for (const double f : {0.0, -5.0, 1e-300, 1e300, nan, infinity}) {
             EXPECT_GE(csg::solid::circle_segments(r, {f, 12, 2}), 3);
             EXPECT_LE(csg::solid::circle_segments(r, {f, f, f}), 1 << 20);
             EXPECT_GE(csg::solid::circle_segments(r, {0, 12, 2, f}), 3);
             EXPECT_LE(csg::solid::circle_segments(r, {0, 12, 2, f}), 1 << 20);
         }
+    }
 }
 
 TEST(Solid, ShapesAreClosedConvexAndOfTheRightVolume) {
@@ -134,13 +140,15 @@ TEST(Solid, ShapesAreClosedConvexAndOfTheRightVolume) {
             EXPECT_TRUE(solid->closed && solid->convex && solid->warnings.empty());
             EXPECT_TRUE(closed(solid->triangles));
             const double v = mesh_volume(solid->points, solid->triangles);
-            if (expected > 0)
+            if (expected > 0) {
                 EXPECT_NEAR(v, expected, 1e-12 * expected);
-            else
+            } else {
                 EXPECT_TRUE(v > 0.2 && v < 4 * M_PI / 3);
+            }
             csg::Box box;
-            for (const glm::dvec3& p : solid->points)
+            for (const glm::dvec3& p : solid->points) {
                 box = csg::enclose(box, p);
+            }
             EXPECT_EQ(box, solid->box);
         }
     }
@@ -155,8 +163,9 @@ TEST(Solid, ShapesWithoutVolumeHaveNoTriangles) {
              csg::Cube{{1, 0, 1}, false}, csg::Cube{{1, -2, 1}, true}, csg::Cube{{1, nan, 1}, true}, csg::Sphere{0, {}},
              csg::Sphere{-1, {}}, csg::Sphere{HUGE_VAL, {}}, csg::Cylinder{0, 1, 1, false, {}},
              csg::Cylinder{1, 0, 0, false, {}}, csg::Cylinder{1, -1, 1, false, {}}, csg::Cylinder{nan, 1, 1, false, {}},
-             std::make_shared<const csg::Polyhedron>()})
+             std::make_shared<const csg::Polyhedron>()}) {
         EXPECT_TRUE(make_solid(shape)->triangles.empty());
+    }
 }
 
 csg::Polyhedron tetrahedron() {
@@ -178,8 +187,9 @@ TEST(Solid, PolyhedraAreCheckedNotBelieved) {
     EXPECT_FALSE(solid_of(open).warnings.empty());
 
     csg::Polyhedron inside_out = tetrahedron();
-    for (auto& face : inside_out.faces)
+    for (auto& face : inside_out.faces) {
         std::reverse(face.begin(), face.end());
+    }
     EXPECT_TRUE(solid_of(inside_out).closed);
     EXPECT_FALSE(solid_of(inside_out).convex);
     EXPECT_TRUE(solid_of(inside_out).warnings.empty());  // The same solid, as in OpenSCAD.
@@ -206,11 +216,13 @@ TEST(Solid, PolyhedraAreCheckedNotBelieved) {
 /// Two of `a`, the second moved.
 csg::Polyhedron two_shells(const csg::Polyhedron& a, const glm::dvec3& by) {
     csg::Polyhedron both = a;
-    for (const glm::dvec3& p : a.points)
+    for (const glm::dvec3& p : a.points) {
         both.points.push_back(p + by);
+    }
     for (std::vector<std::uint32_t> face : a.faces) {
-        for (std::uint32_t& i : face)
+        for (std::uint32_t& i : face) {
             i += static_cast<std::uint32_t>(a.points.size());
+        }
         both.faces.push_back(face);
     }
     return both;
@@ -268,8 +280,9 @@ TEST(Placed, TransformsKeepOrientation) {
         for (std::size_t i = 0; i < geometry.leaves.size(); ++i) {
             const csg::solid::PlacedLeaf& leaf = geometry.leaves[i];
             ASSERT_EQ(leaf.planes.size(), leaf.triangles.size());
-            if (leaf.triangles.empty())
+            if (leaf.triangles.empty()) {
                 continue;
+            }
             ++seen;
             const double before = mesh_volume(leaf.solid->points, leaf.solid->triangles);
             const double scale = std::abs(glm::determinant(glm::dmat3(scene.leaves[i].to_world)));
@@ -280,8 +293,9 @@ TEST(Placed, TransformsKeepOrientation) {
                 const csg::solid::Plane& plane = geometry.planes.planes()[leaf.planes[t].index];
                 const glm::dvec3 a = leaf.points[leaf.triangles[t].x], b = leaf.points[leaf.triangles[t].y],
                                  c = leaf.points[leaf.triangles[t].z];
-                for (const glm::dvec3& p : {a, b, c})
+                for (const glm::dvec3& p : {a, b, c}) {
                     EXPECT_LE(std::abs(glm::dot(plane.normal, p) - plane.offset), geometry.planes.tolerance());
+                }
                 EXPECT_EQ(glm::dot(plane.normal, glm::cross(b - a, c - a)) < 0, leaf.planes[t].flipped);
             }
         }
@@ -292,12 +306,13 @@ TEST(Placed, TransformsKeepOrientation) {
 TEST(Placed, MatricesThatAreNotAffineLeaveTheLeafOut) {
     for (int kind = 0; kind < 3; ++kind) {
         glm::dmat4 m(1.0);
-        if (kind == 0)
+        if (kind == 0) {
             m[0][0] = std::nan("");
-        else if (kind == 1)
+        } else if (kind == 1) {
             m[0][3] = 0.5;
-        else
+        } else {
             m[2] = glm::dvec4(0);
+        }
         const random_tree::Model leaf{csg::Operation::Leaf, {}, csg::Cube{}, glm::dmat4(1.0), {}, {}};
         const csg::Tree tree = random_tree::make_tree({csg::Operation::Transform, {}, csg::Cube{}, m, {}, {leaf}});
         const csg::Scene scene = csg::make_scene(tree);

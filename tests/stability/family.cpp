@@ -17,8 +17,8 @@ std::vector<Family> families() {
     return all;
 }
 
-Maker::Id Maker::sphere(const glm::dvec3& centre, double radius, double sides) {
-    return at(centre, leaf(csg::Sphere{radius, {sides, 12, 2}}));
+Maker::Id Maker::sphere(const glm::dvec3& center, double radius, double sides) {
+    return at(center, leaf(csg::Sphere{radius, {sides, 12, 2}}));
 }
 
 Maker::Id Maker::cylinder(const glm::dvec3& base, double height, double radius, double sides) {
@@ -44,8 +44,8 @@ Maker::Id Maker::turn(double degrees, const glm::dvec3& axis, Id child) {
     return place(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis), child);
 }
 
-Case Maker::seen(Id root, const glm::dvec3& eye, const glm::dvec3& centre, double fov) {
-    base::Camera camera = base::camera_between(eye, centre);
+Case Maker::seen(Id root, const glm::dvec3& eye, const glm::dvec3& center, double fov) {
+    base::Camera camera = base::camera_between(eye, center);
     camera.fov = fov;
     return {builder_.finish(root), camera};
 }

@@ -44,7 +44,7 @@ class Maker {
 
     Id leaf(csg::LeafShape shape) { return builder_.leaf(std::move(shape), {}); }
     Id box(const glm::dvec3& lo, const glm::dvec3& size) { return at(lo, leaf(csg::Cube{size, false})); }
-    Id sphere(const glm::dvec3& centre, double radius, double sides = 24);
+    Id sphere(const glm::dvec3& center, double radius, double sides = 24);
     /// Upright, from `base` on.
     Id cylinder(const glm::dvec3& base, double height, double radius, double sides = 24);
     Id mesh(std::vector<glm::dvec3> points, std::vector<std::vector<std::uint32_t>> faces);
@@ -61,7 +61,7 @@ class Maker {
     Id turn(double degrees, const glm::dvec3& axis, Id child);
 
     /// The finished model seen from `eye`; `fov` in degrees.
-    Case seen(Id root, const glm::dvec3& eye, const glm::dvec3& centre, double fov = 30);
+    Case seen(Id root, const glm::dvec3& eye, const glm::dvec3& center, double fov = 30);
 
   private:
     csg::TreeBuilder builder_;

@@ -44,21 +44,21 @@ class Shells {
         };
         loft({ring(0), ring(size.z)}, turned);
     }
-    void ball(const glm::dvec3& centre, double radius, bool turned = false) {
+    void ball(const glm::dvec3& center, double radius, bool turned = false) {
         std::vector<Ring> rings;
         for (int k = 0; k < kSides / 2; ++k) {
             const double polar = std::numbers::pi * (k + 0.5) / (kSides / 2);
-            rings.push_back(circle(centre - glm::dvec3(0, 0, radius * std::cos(polar)), radius * std::sin(polar),
+            rings.push_back(circle(center - glm::dvec3(0, 0, radius * std::cos(polar)), radius * std::sin(polar),
                                    {1, 0, 0}, {0, 1, 0}));
         }
         loft(rings, turned);
     }
     /// Counter-clockwise where u × v faces the eye.
-    static Ring circle(const glm::dvec3& centre, double radius, const glm::dvec3& u, const glm::dvec3& v) {
+    static Ring circle(const glm::dvec3& center, double radius, const glm::dvec3& u, const glm::dvec3& v) {
         Ring ring;
         for (int i = 0; i < kSides; ++i) {
             const double angle = 2 * std::numbers::pi * i / kSides;
-            ring.push_back(centre + radius * (std::cos(angle) * u + std::sin(angle) * v));
+            ring.push_back(center + radius * (std::cos(angle) * u + std::sin(angle) * v));
         }
         return ring;
     }

@@ -32,8 +32,9 @@ void GlTest::SetUp() {
 }
 
 void GlTest::TearDown() {
-    if (!context_ || HasFailure())
+    if (!context_ || HasFailure()) {
         return;
+    }
     EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 

@@ -29,8 +29,9 @@ namespace suite {
 }
 
 inline void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
         text.replace(at, from.size(), to);
+    }
 }
 
 /// Some programs name files by the folder that the suite had where it was recorded: names them in `root`.
@@ -38,8 +39,9 @@ inline void move_to(std::string& program, std::string_view root) {
     constexpr std::string_view kRecordedIn = "/tmp/tmp";  // and some letters
     for (std::size_t at = program.find(kRecordedIn); at != std::string::npos; at = program.find(kRecordedIn, at)) {
         const std::size_t end = program.find("/tests/", at);
-        if (end == std::string::npos)
+        if (end == std::string::npos) {
             return;
+        }
         program.replace(at, end - at, root);
         at += root.size();
     }

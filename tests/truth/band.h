@@ -1,4 +1,4 @@
-// Where a picture may rightly differ from the truth: the errors of rasterisation and of float depth, as bounds.
+// Where a picture may rightly differ from the truth: the errors of rasterization and of float depth, as bounds.
 #pragma once
 
 #include <array>
@@ -38,12 +38,12 @@ class Band {
 
   private:
     struct Vertex {
-        glm::dvec3 at, error;  ///< Homogeneous: x and y in pixels from the centre of the picture times w, and w.
+        glm::dvec3 at, error;  ///< Homogeneous: x and y in pixels from the center of the picture times w, and w.
     };
     struct Edge {
         glm::dvec3 line;    ///< line · (x, y, 1): distance in pixels.
         glm::dvec3 error;   ///< error · (|x|, |y|, 1): bound of its error.
-        glm::dvec2 lo, hi;  ///< Where the edge is, in pixels from the centre of the picture.
+        glm::dvec2 lo, hi;  ///< Where the edge is, in pixels from the center of the picture.
     };
     [[nodiscard]] Vertex project(const glm::dvec3& world) const;
     void add_edge(const Vertex& p, const Vertex& q);
@@ -52,8 +52,8 @@ class Band {
 
     const csg::solid::Geometry& geometry_;
     base::View view_;
-    glm::dmat4 to_pixels_;  ///< Local (world minus the centre of the scene's box) to homogeneous pixels.
-    glm::dvec3 local_centre_;
+    glm::dmat4 to_pixels_;  ///< Local (world minus the center of the scene's box) to homogeneous pixels.
+    glm::dvec3 local_center_;
     std::vector<Edge> edges_;
     std::vector<base::View::PlaneDepth> planes_;
 };

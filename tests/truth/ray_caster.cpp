@@ -30,12 +30,14 @@ struct Hit {
 
 std::optional<Hit> hit(const base::View::Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const bool ab = left_of(ray, a, b), bc = left_of(ray, b, c), ca = left_of(ray, c, a);
-    if (ab != bc || bc != ca)
+    if (ab != bc || bc != ca) {
         return {};
+    }
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     const double slope = glm::dot(normal, ray.direction);
-    if (slope == 0)
+    if (slope == 0) {
         return {};
+    }
     return Hit{glm::dot(normal, a - ray.origin) / slope, !ab};
 }
 
@@ -60,16 +62,19 @@ std::vector<Due> attribute(const csg::Scene& scene, const csg::Part& part, Value
     while (!open.empty()) {
         const Open at = open.back();
         open.pop_back();
-        if (value(at.node) == at.complement)
+        if (value(at.node) == at.complement) {
             continue;
+        }
         const csg::Expression& e = scene.expressions[at.node];
         const bool strongly = at.strongly && switches(at.node);
-        if (e.kind == csg::ExpressionKind::Leaf && switches(at.node))
+        if (e.kind == csg::ExpressionKind::Leaf && switches(at.node)) {
             due.push_back({e.leaf, at.complement, strongly});
+        }
         const auto children = scene.children(e);
-        for (std::size_t i = 0; i < children.size(); ++i)
+        for (std::size_t i = 0; i < children.size(); ++i) {
             open.push_back(
                 {children[i], at.complement != (e.kind == csg::ExpressionKind::Difference && i > 0), strongly});
+        }
     }
     std::sort(due.begin(), due.end());
     return due;
@@ -116,10 +121,12 @@ RayCaster::RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geomet
 void RayCaster::find_crossings(int x, int y, std::vector<Crossing>& crossings) const {
     const base::View::Ray ray = view_.ray(x, y);
     for (const Triangle& t : triangles_) {
-        if (x < t.box.x0 || x >= t.box.x1 || y < t.box.y0 || y >= t.box.y1)
+        if (x < t.box.x0 || x >= t.box.x1 || y < t.box.y0 || y >= t.box.y1) {
             continue;
-        if (const auto at = hit(ray, t.a, t.b, t.c))
+        }
+        if (const auto at = hit(ray, t.a, t.b, t.c)) {
             crossings.push_back({at->t, t.leaf, t.plane, at->into ? 1 : -1});
+        }
     }
 }
 
@@ -128,8 +135,9 @@ std::vector<RayCaster::Event> RayCaster::make_events(std::vector<Crossing> cross
     // Crossings on one plane are one event, whatever the rounding of their distances. Different planes at one depth are
     // nearer than float depth can tell.
     std::map<std::uint32_t, double> plane_distance;
-    for (Crossing& c : crossings)
+    for (Crossing& c : crossings) {
         c.t = plane_distance.try_emplace(c.plane, c.t).first->second;
+    }
     std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
         return std::tie(a.t, a.plane, a.leaf) < std::tie(b.t, b.plane, b.leaf);
     });
@@ -176,10 +184,12 @@ void RayCaster::add_surfaces(csg::PartId id, std::span<const Event> events, std:
                          return values_before[e - part.first_expression] != values_after[e - part.first_expression];
                      })) {
                 surface.leaves.push_back(due.leaf);
-                if (due.complement)
+                if (due.complement) {
                     surface.reversed.push_back(due.leaf);
-                if (due.strongly)
+                }
+                if (due.strongly) {
                     break;
+                }
             }
             surface.leaving = was;
             by_event[i].push_back(std::move(surface));
@@ -194,29 +204,37 @@ Ray RayCaster::cast(int x, int y) const {
     result.decided = !band_.near_edge(x, y);
     std::vector<Crossing> crossings;
     find_crossings(x, y, crossings);
-    if (crossings.empty())
+    if (crossings.empty()) {
         return result;
+    }
     std::erase_if(crossings, [&](const Crossing& c) { return part_enabled_[scene_.leaves[c.leaf].part] == 0; });
     result.hit = true;
     // Winding numbers at the near plane: what undoes that of the surfaces behind it. Open meshes count from the eye,
     // which sees them from outside.
     std::vector<int> windings(scene_.leaves.size(), 0);
     const double near = view_.near_distance();
-    for (const Crossing& c : crossings)
-        if (c.t >= near && geometry_.leaves[c.leaf].solid->closed)
+    for (const Crossing& c : crossings) {
+        if (c.t >= near && geometry_.leaves[c.leaf].solid->closed) {
             windings[c.leaf] -= c.winding;
+        }
+    }
     std::erase_if(crossings, [&](const Crossing& c) { return c.t < near && view_.depth(c.t) > 1.0001; });
-    if (!view_.orthographic())
+    if (!view_.orthographic()) {
         std::erase_if(crossings, [](const Crossing& c) { return c.t <= 0; });
+    }
     const std::vector<Event> events = make_events(std::move(crossings), x, y, result.decided);
     std::vector<std::vector<Surface>> by_event(events.size());
     // At one event highlighted parts come first, then the others, each in order of their ids.
-    for (const bool highlight : {true, false})
-        for (csg::PartId p = 0; p < scene_.parts.size(); ++p)
-            if (part_enabled_[p] != 0 && (scene_.parts[p].kind == csg::PartKind::Highlight) == highlight)
+    for (const bool highlight : {true, false}) {
+        for (csg::PartId p = 0; p < scene_.parts.size(); ++p) {
+            if (part_enabled_[p] != 0 && (scene_.parts[p].kind == csg::PartKind::Highlight) == highlight) {
                 add_surfaces(p, events, windings, by_event);
-    for (auto& surfaces : by_event)
+            }
+        }
+    }
+    for (auto& surfaces : by_event) {
         std::move(surfaces.begin(), surfaces.end(), std::back_inserter(result.surfaces));
+    }
     return result;
 }
 

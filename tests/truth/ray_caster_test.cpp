@@ -72,12 +72,13 @@ TEST(RayCaster, TheDiagonalOfAFaceIsHitOnce) {
     camera.target = {0, 0, 0};
     const base::View view = subject.view(camera);
     const truth::RayCaster caster(subject.scene, subject.geometry, view);
-    for (int i = 6; i < 26; ++i)
+    for (int i = 6; i < 26; ++i) {
         for (const int x : {i, 31 - i}) {
             const truth::Ray ray = caster.cast(x, i);
             EXPECT_TRUE(ray.decided);
             EXPECT_EQ(ray.surfaces.size(), 2U) << x << ", " << i;
         }
+    }
 }
 
 TEST(RayCaster, SamplesOnABorderAreInTheBand) {
@@ -87,9 +88,11 @@ TEST(RayCaster, SamplesOnABorderAreInTheBand) {
     camera.target = {0, 0, 0};
     const base::View view = subject.view(camera);
     const truth::RayCaster caster(subject.scene, subject.geometry, view);
-    for (int y = 6; y < 26; ++y)
-        for (int x = 0; x < 32; ++x)
+    for (int y = 6; y < 26; ++y) {
+        for (int x = 0; x < 32; ++x) {
             EXPECT_EQ(caster.cast(x, y).decided, x != 28) << x << ", " << y;
+        }
+    }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ const csg::Box kBox{{0, 0, 0}, {10, 20, 30}};
 
 TEST(ChooseCamera, WithoutAnyEverythingIsInView) {
     const base::Camera camera = choose_camera({}, {}, kBox);
-    EXPECT_EQ(camera.target, kBox.centre());
+    EXPECT_EQ(camera.target, kBox.center());
     EXPECT_EQ(camera.rotation, base::Camera{}.rotation);
     EXPECT_GT(camera.distance, kBox.diagonal());
 }
@@ -49,7 +49,7 @@ TEST(ChooseCamera, TheUsersCameraWinsAndViewAllMovesIt) {
     EXPECT_GT(choose_camera(request, file, kBox).distance, kBox.diagonal());
     EXPECT_EQ(choose_camera(request, file, kBox).target, mine.target);
     request.autocenter = true;
-    EXPECT_EQ(choose_camera(request, file, kBox).target, kBox.centre());
+    EXPECT_EQ(choose_camera(request, file, kBox).target, kBox.center());
 }
 
 TEST(ChooseCamera, AnEmptyBoxMovesNothing) {

@@ -146,8 +146,9 @@ TEST_F(Cli, RenderDrawsOutlinesFlat) {
     };
     std::map<int, int> counts;
     for (int y = 0; y < 101; ++y) {
-        for (int x = 0; x < 101; ++x)
+        for (int x = 0; x < 101; ++x) {
             ++counts[color(x, y)];
+        }
     }
     EXPECT_EQ(counts.size(), 3U) << "background, face and line, without shades between";
     EXPECT_EQ(color(50, 50), 0x00bf99);
@@ -177,19 +178,21 @@ TEST_F(Cli, LoopsOfLinksEnd) {
 TEST_F(Cli, RenderShowsTheResultAlone) {
     folder_.write("parts.scad", "difference() { cube(10); #translate([5, -1, -1]) cube(12); } %sphere(20);\n");
     folder_.write("alone.scad", "cube([5, 10, 10]);\n");
-    for (const std::string name : {"parts", "alone"})
+    for (const std::string name : {"parts", "alone"}) {
         ASSERT_EQ(run(name + ".scad --render -o " + name + ".png --summary-file " + name + ".json").status, 0);
+    }
     const auto box = nlohmann::json::parse(folder_.read("parts.json"))["bounding_box"];
     EXPECT_EQ(box["max"], nlohmann::json({5.0, 10.0, 10.0}));
     EXPECT_EQ(box["min"], nlohmann::json({0.0, 0.0, 0.0}));
     const base::Image a = base::read_png(folder_.path("parts.png")), b = base::read_png(folder_.path("alone.png"));
     const auto covered = [](const base::Image& image) {
         int count = 0;
-        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
             count += std::equal(image.rgba.begin() + static_cast<std::ptrdiff_t>(i),
                                 image.rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3, image.rgba.begin())
                          ? 0
                          : 1;
+        }
         return count;
     };
     EXPECT_GT(covered(a), 10000);

@@ -17,8 +17,9 @@ namespace {
 
 std::shared_ptr<const Model> row_of_holes() {
     std::vector<random_tree::Model> all{random_tree::box({0, 0, 0}, {20, 4, 2})};
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 9; ++i) {
         all.push_back(random_tree::box({2.0 * i + 1, 1, -1}, {1, 2, 4}));
+    }
     return ModelBuilder().build(std::make_shared<const csg::Tree>(
         random_tree::make_tree(random_tree::combine(csg::Operation::Difference, all))));
 }
@@ -26,8 +27,9 @@ std::shared_ptr<const Model> row_of_holes() {
 class EditableModels : public testing::TestWithParam<const goldfeather::EngineInfo*> {
   protected:
     [[nodiscard]] std::unique_ptr<Renderer> renderer() {
-        if (!GetParam()->capabilities.needs_opengl)
+        if (!GetParam()->capabilities.needs_opengl) {
             return std::make_unique<Renderer>(GetParam(), Painter::Cpu);
+        }
         if (!context_) {
             auto made = test_support::try_context(gl::ContextKind::Egl);
             if (!made.context) {
@@ -46,8 +48,9 @@ TEST_P(EditableModels, AreDrawnAsTheyAreNow) {
     const auto model = row_of_holes();
     EditableModel edited(*model);
     const auto told = renderer();
-    if (!told)
+    if (!told) {
         return;
+    }
     PictureRequest request;
     request.size = {48, 48};
     request.samples = 1;

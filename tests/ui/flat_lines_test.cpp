@@ -25,8 +25,9 @@ std::string drawn(const std::vector<Loop>& loops) {
     ui::draw_flat_lines(image, {loops}, camera, {1, 0, 0});
     std::string text;
     for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x)
+        for (int x = 0; x < kWidth; ++x) {
             text += image.pixel(x, y)[0] == 255 && image.pixel(x, y)[3] == 255 ? '#' : '.';
+        }
         text += '\n';
     }
     return text;
@@ -60,8 +61,9 @@ TEST(FlatLines, SlantedOnesHaveTwoPixelsInEveryColumn) {
     const std::string picture = drawn({{{1.2, 1.2}, {14.2, 5.2}, {14.2, 5.2}}});
     for (int x = 1; x < 14; ++x) {
         int covered = 0;
-        for (int y = 0; y < kHeight; ++y)
+        for (int y = 0; y < kHeight; ++y) {
             covered += picture[static_cast<std::size_t>(y * (kWidth + 1) + x)] == '#' ? 1 : 0;
+        }
         EXPECT_EQ(covered, 2) << x;
     }
 }

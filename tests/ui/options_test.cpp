@@ -118,7 +118,7 @@ TEST(Options, SevenNumbersAreAGimbalCamera) {
     EXPECT_EQ(o.camera->projection, base::Projection::Orthographic);
 }
 
-TEST(Options, SixNumbersAreEyeAndCentre) {
+TEST(Options, SixNumbersAreEyeAndCenter) {
     const Options o = read({"--camera=10,0,0,1,0,0", "m.scad"});
     ASSERT_TRUE(o.camera);
     EXPECT_NEAR(glm::distance(o.camera->eye(), glm::dvec3(10, 0, 0)), 0, 1e-9);

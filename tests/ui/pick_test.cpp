@@ -26,10 +26,11 @@ class Pick : public test_support::ProgramTest {
     /// "name@file:line:column"
     static std::vector<std::string> calls(const Json& surface) {
         std::vector<std::string> calls;
-        for (const Json& call : surface.at("calls"))
+        for (const Json& call : surface.at("calls")) {
             calls.push_back(fmt::format("{}@{}:{}:{}", call.at("name").get<std::string>(),
                                         call.at("file").get<std::string>(), call.at("line").get<int>(),
                                         call.at("column").get<int>()));
+        }
         return calls;
     }
 };
@@ -70,8 +71,9 @@ TEST_F(Pick, TellsEverySurfaceBehindAPixel) {
     EXPECT_EQ(s[0].at("behind"), Json({"model"}));
     EXPECT_EQ(calls(s[0]), (Calls{"plate@plate.scad:9:1", "difference@plate.scad:5:16", "color@plate.scad:6:3",
                                   "cube@plate.scad:6:20"}));
-    for (const Json& call : s[0].at("calls"))
+    for (const Json& call : s[0].at("calls")) {
         EXPECT_EQ(call.at("module"), call.at("name") == "plate");
+    }
 }
 
 TEST_F(Pick, NamesACutAfterTheCutter) {
@@ -122,8 +124,9 @@ TEST_F(Pick, IsTheSameByEveryEngine) {
     folder_.write("lib.scad", kLib);
     const std::string one = look("plate.scad", 20, 10, "--engine lists-cpu").out;
     EXPECT_NE(one.find("cut by cylinder"), std::string::npos) << one;
-    for (const char* engine : {"goldfeather", "lists"})
+    for (const char* engine : {"goldfeather", "lists"}) {
         EXPECT_EQ(look("plate.scad", 20, 10, std::string("--engine ") + engine).out, one) << engine;
+    }
 }
 
 TEST_F(Pick, BeginsInsideWhereTheEyeIs) {
@@ -151,7 +154,7 @@ TEST_F(Pick, TellsTheMaterialOnEitherSide) {
         EXPECT_EQ(s[i].at("behind"), Json({"body"}));
     }
     EXPECT_EQ(s[3].at("in_front"), Json({"body"}));
-    // A cut face: made by what has no colour, of what is red.
+    // A cut face: made by what has no color, of what is red.
     const Json cut = surfaces("two.scad", 1, 3, "--parts module=lid,body");
     ASSERT_EQ(cut.size(), 4u);
     EXPECT_EQ(cut[1].at("shape"), "cube");
@@ -169,8 +172,9 @@ TEST_F(Pick, ModifiersAndTranslucentPartsAreTold) {
                   "color(\"blue\", 0.25) translate([0, 0, 9]) cube(3);\n%translate([0, 0, 5]) cube(3);\n#cube(3);\n");
     const Json s = surfaces("parts.scad", 1, 1);
     std::vector<std::string> kinds;
-    for (const Json& surface : s)
+    for (const Json& surface : s) {
         kinds.push_back(surface.at("part").at("kind"));
+    }
     EXPECT_EQ(kinds, (std::vector<std::string>{"translucent", "translucent", "background", "background", "highlight",
                                                "solid", "highlight", "solid"}));
     EXPECT_EQ(s[0].at("color"), "#0000ff40");

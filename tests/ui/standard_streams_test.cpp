@@ -14,7 +14,7 @@ class StandardStreams : public test_support::ProgramTest {
   protected:
     StandardStreams() : ProgramTest(60) {
         folder_.write("echo.scad", "for (i = [0:99]) echo(i);\necho(undeclared);\nsquare(3);\n");
-        folder_.write("warn.scad", "cube(1);\ncolor(\"nocolour\") cube(2);\nimport(\"none.stl\");\n");
+        folder_.write("warn.scad", "cube(1);\ncolor(\"nocolor\") cube(2);\nimport(\"none.stl\");\n");
         folder_.write("bad.scad", "cube(;\n");
     }
     [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path(name)); }

@@ -226,7 +226,7 @@ TEST_F(SessionTest, LayersGoFromOneToAll) {
     EXPECT_EQ(session_->layer_count(), 1) << "of another model";
 }
 
-TEST_F(SessionTest, LookingAtAPointCentresItAtItsSize) {
+TEST_F(SessionTest, LookingAtAPointCentersItAtItsSize) {
     open("good");
     ASSERT_TRUE(reach(DocumentState::Good));
     const glm::dvec3 point{0, 10, 10};

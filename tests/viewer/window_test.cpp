@@ -118,7 +118,7 @@ class Window : public testing::Test {
             return std::abs(p[0] - color.r) <= 2 && std::abs(p[1] - color.g) <= 2 && std::abs(p[2] - color.b) <= 2;
         });
     }
-    /// Waits until the screen shows so many pixels of a colour; frames are logged a moment before they are seen.
+    /// Waits until the screen shows so many pixels of a color; frames are logged a moment before they are seen.
     testing::AssertionResult shows(const Color& color, std::size_t least, std::size_t most = ~std::size_t{0}) const {
         std::size_t found = 0;
         for (int i = 0; i < 50; ++i) {
@@ -208,16 +208,16 @@ TEST_F(Window, MouseAndKeysChangeTheView) {
     EXPECT_EQ(all.at("camera").at("projection"), "orthographic");
 }
 
-TEST_F(Window, ADoubleClickCentresThePointOfTheModel) {
+TEST_F(Window, ADoubleClickCentersThePointOfTheModel) {
     open({"--camera", "0,0,0,0,0,0,100", "--projection", "o"});
     const Json first = wait_for_picture();
     const std::size_t from = frames().size();
     // From the top the corner at (9, 9) of the cube's upper face is right of and above the middle.
     robot("mousemove 600 180 click 1 click 1");
-    const Json centred = wait_for(from, [&](const Json& frame) {
+    const Json centered = wait_for(from, [&](const Json& frame) {
         return frame.at("camera").at("translation") != first.at("camera").at("translation");
     });
-    const Json at = centred.at("camera").at("translation");
+    const Json at = centered.at("camera").at("translation");
     EXPECT_NEAR(at[2].get<double>(), 10, 0.01) << "on the upper face";
     EXPECT_GT(at[0].get<double>(), 2);
     EXPECT_GT(at[1].get<double>(), 2);

@@ -24,7 +24,7 @@ double rounding_of_openscad(const csg::reference::MeshFacts& facts) {
     return facts.area * std::sqrt(way2);
 }
 
-/// Which pixels are not background (the colour of the first pixel, a corner).
+/// Which pixels are not background (the color of the first pixel, a corner).
 std::size_t pixels_that_differ_in_coverage(const base::Image& a, const base::Image& b) {
     const auto covered = [](const base::Image& image, std::size_t i) {
         int most = 0;

@@ -91,7 +91,7 @@ std::string report_page(const std::string& title, const std::string& summary, co
             "<figcaption>left of the line the picture, right of it the reference</figcaption></figure>\n"
             "<figure>{}<figcaption>the picture</figcaption></figure>\n"
             "<figure>{}<figcaption>the reference</figcaption></figure>\n"
-            "<figure>{}<figcaption>grey: agrees; blue: differs within the band; red: outside it; the darker, the more "
+            "<figure>{}<figcaption>gray: agrees; blue: differs within the band; red: outside it; the darker, the more "
             "layers"
             "</figcaption></figure>\n<table><tr><th></th><th>all pixels</th><th>without the band</th></tr>\n",
             html(view.title), picture(view.expected, "reference"), picture(view.drawn, "picture"),

@@ -22,7 +22,7 @@ glm::dvec3 shade(const glm::dvec3& normal, const base::View& view) {
     return glm::dvec3(0.95, 0.8, 0.35) * (0.3 + 0.7 * light);
 }
 
-/// Grey where all agrees; blue in the band, red outside it, the darker the more layers differ.
+/// Gray where all agrees; blue in the band, red outside it, the darker the more layers differ.
 glm::dvec3 heat(const Comparison& comparison, std::size_t pixel) {
     if (comparison.wrong[pixel] == 0) {
         return glm::dvec3(0.85);

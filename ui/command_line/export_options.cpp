@@ -54,7 +54,7 @@ Value text(Place place) {
             }};
 }
 
-/// `as`: makes what is stored of the colour's components, 0 to 1.
+/// `as`: makes what is stored of the color's components, 0 to 1.
 template <typename Place, typename As>
 Value color(Place place, As as) {
     return {"a CSS name or #rrggbb", [place, as](ExportOptions& o, const std::string& value) {
@@ -112,16 +112,16 @@ void add_pdf(std::vector<Entry>& entries, const ExportOptions& otherwise) {
     const auto add = [&](const char* key, const char* value, Value how) {
         entries.push_back({section, key, value, std::move(how)});
     };
-    const auto millimetres = [](double x, double y) { return glm::dvec2(x, y); };
+    const auto millimeters = [](double x, double y) { return glm::dvec2(x, y); };
     add("paper-size", "a4",
         choice<glm::dvec2>(
-            {{"a6", millimetres(105, 148)},
-             {"a5", millimetres(148, 210)},
-             {"a4", millimetres(210, 297)},
-             {"a3", millimetres(297, 420)},
-             {"letter", millimetres(215.9, 279.4)},
-             {"legal", millimetres(215.9, 355.6)},
-             {"tabloid", millimetres(279.4, 431.8)}},
+            {{"a6", millimeters(105, 148)},
+             {"a5", millimeters(148, 210)},
+             {"a4", millimeters(210, 297)},
+             {"a3", millimeters(297, 420)},
+             {"letter", millimeters(215.9, 279.4)},
+             {"legal", millimeters(215.9, 355.6)},
+             {"tabloid", millimeters(279.4, 431.8)}},
             [](auto& o) -> auto& { return o.pdf.paper; }));
     add("orientation", "portrait",
         choice<PageTurn>(

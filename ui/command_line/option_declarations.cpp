@@ -59,7 +59,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
     text("--style", o.picture_texts.style, styles.c_str(), "STYLE", picture);
     list("--set", raw.settings, "Set a parameter of the style; may be repeated", "NAME=VALUE", picture);
-    text("--colorscheme", raw.scheme, "OpenSCAD's colour scheme (Cornfield)", "NAME", picture);
+    text("--colorscheme", raw.scheme, "OpenSCAD's color scheme (Cornfield)", "NAME", picture);
     text("--layers", raw.layers, "The first N surfaces behind each pixel, or all (what the style needs)", "N|all",
          picture);
     text("--parts", raw.parts,
@@ -77,7 +77,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--camera", raw.camera, "x,y,z,rotx,roty,rotz,distance or eyex,y,z,centerx,y,z", "NUMBERS", camera);
     text("--projection", raw.projection, "o (orthographic) or p (perspective, default)", "o|p", camera);
     flag("--viewall", o.view_all, "Move the camera so that all is seen", camera);
-    flag("--autocenter", o.autocenter, "Look at the centre of the model", camera);
+    flag("--autocenter", o.autocenter, "Look at the center of the model", camera);
 
     const char* const engine = "Engine";
     const std::string engines = "auto, " + goldfeather::engine_names() + " (auto)";

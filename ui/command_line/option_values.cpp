@@ -40,7 +40,7 @@ base::Camera read_camera(std::string_view text) {
                                 "6 numbers eye_x,y,z,center_x,y,z or 7 numbers translate_x,y,z,rot_x,y,z,distance");
     if (n.size() == 6) {
         if (n[0] == n[3] && n[1] == n[4] && n[2] == n[5]) {
-            throw UsageError(fmt::format("--camera {}: the eye and the centre are the same point", text));
+            throw UsageError(fmt::format("--camera {}: the eye and the center are the same point", text));
         }
         return base::camera_between({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
     }

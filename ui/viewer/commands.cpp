@@ -21,7 +21,7 @@ constexpr std::array kActions{
 
     ActionInfo{Action::ViewAll, "View", "View all", {{GLFW_KEY_V}, {GLFW_KEY_HOME}, {GLFW_KEY_V, kCtrl | kShift}}},
     ActionInfo{Action::ResetView, "View", "Reset view", {{GLFW_KEY_HOME, kShift}}},
-    ActionInfo{Action::LookAtOrigin, "View", "Centre on the origin", {{GLFW_KEY_0, kCtrl | kShift}}},
+    ActionInfo{Action::LookAtOrigin, "View", "Center on the origin", {{GLFW_KEY_0, kCtrl | kShift}}},
     ActionInfo{Action::Top, "View", "Top", {{GLFW_KEY_4, kCtrl}, {GLFW_KEY_4}}, glm::dvec3(0, 0, 0)},
     ActionInfo{Action::Bottom, "View", "Bottom", {{GLFW_KEY_5, kCtrl}, {GLFW_KEY_5}}, glm::dvec3(180, 0, 0)},
     ActionInfo{Action::Left, "View", "Left", {{GLFW_KEY_6, kCtrl}, {GLFW_KEY_6}}, glm::dvec3(90, 0, 270)},

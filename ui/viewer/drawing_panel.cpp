@@ -69,7 +69,7 @@ void swatch(const glm::vec3& color) {
 }
 
 void scheme_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
-    heading("Colour scheme", fonts);
+    heading("Color scheme", fonts);
     ImGui::SetNextItemWidth(-1);
     const std::string shown(view.picture.scheme.name);
     if (!ImGui::BeginCombo("##scheme", shown.c_str(), ImGuiComboFlags_HeightLarge)) {

@@ -22,7 +22,7 @@ class GlfwWindow {
 
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
     [[nodiscard]] glm::ivec2 size() const;              ///< Units of the window, those of the pointer.
-    [[nodiscard]] glm::ivec2 framebuffer_size() const;  ///< Pixels; 0 while minimised.
+    [[nodiscard]] glm::ivec2 framebuffer_size() const;  ///< Pixels; 0 while minimized.
     /// How much larger than on a common display text should be, in units of the window.
     [[nodiscard]] float interface_scale() const;
     [[nodiscard]] bool close_requested() const;

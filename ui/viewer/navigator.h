@@ -1,4 +1,4 @@
-// From the mouse to the camera: dragging turns and shifts, the wheel comes nearer, a double click chooses the centre.
+// From the mouse to the camera: dragging turns and shifts, the wheel comes nearer, a double click chooses the center.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ struct PictureInfo {
 /// Gives its height.
 float draw_menu_bar(const Session& session, const PictureInfo& picture, Commands& commands);
 
-/// Style, parameters, colours, layers, samples, camera, figures of the model and of the picture.
+/// Style, parameters, colors, layers, samples, camera, figures of the model and of the picture.
 void draw_panel(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
                 Commands& commands);
 

@@ -65,7 +65,7 @@ class PictureView {
     [[nodiscard]] std::vector<PictureResult> take();
 
     /// Fills a rectangle (pixels, from the lower left) of the framebuffer `target` (0: the window) with the picture; or
-    /// all of it with the colour, where nothing has been drawn yet.
+    /// all of it with the color, where nothing has been drawn yet.
     void show(GLuint target, glm::ivec2 corner, glm::ivec2 size, const glm::vec3& empty_color) const;
 
   private:

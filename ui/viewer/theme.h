@@ -1,4 +1,4 @@
-// Colours and fonts of the interface.
+// Colors and fonts of the interface.
 #pragma once
 
 #include <imgui.h>
@@ -25,7 +25,7 @@ struct Fonts {
     ImFont* mono = nullptr;
 };
 
-/// Colours and measures for the current ImGui context, `scale` times those of a common display.
+/// Colors and measures for the current ImGui context, `scale` times those of a common display.
 void apply_theme(float scale);
 
 /// Replaces the context's fonts: the system's where there are any known, else ImGui's own.

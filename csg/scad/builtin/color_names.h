@@ -1,4 +1,4 @@
-// The colours of CSS by name and by hexadecimal digits.
+// The colors of CSS by name and by hexadecimal digits.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Built-in modules that combine, move and colour their children.
+// Built-in modules that combine, move and color their children.
 #include <algorithm>
 #include <array>
 #include <cmath>

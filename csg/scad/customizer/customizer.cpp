@@ -89,10 +89,10 @@ std::optional<CustomizerParameter::Initial> initial_of(const Program& program, E
 }
 
 CustomizerParameter::Option option_of(const CommentValue& item) {
-    const bool labelled = item.kind == Kind::List && item.items.size() == 2;
-    const CommentValue& value = labelled ? item.items[0] : item;
+    const bool labeled = item.kind == Kind::List && item.items.size() == 2;
+    const CommentValue& value = labeled ? item.items[0] : item;
     const auto text_of = [](const CommentValue& v) { return v.kind == Kind::Number ? number_text(v.number) : v.text; };
-    CustomizerParameter::Option option{text_of(labelled ? item.items[1] : item), value.text};
+    CustomizerParameter::Option option{text_of(labeled ? item.items[1] : item), value.text};
     if (value.kind == Kind::Number) {
         option.value = value.number;
     }

@@ -9,7 +9,7 @@ namespace csg::scad {
 /// Without ".", "a/.." and double slashes, as std::filesystem's lexically_normal makes it.
 [[nodiscard]] std::string normal_path(std::string_view path);
 
-/// `name` in `folder`; `name` itself where it is absolute or the folder is "". Not normalised.
+/// `name` in `folder`; `name` itself where it is absolute or the folder is "". Not normalized.
 [[nodiscard]] std::string path_in(std::string_view folder, std::string_view name);
 
 /// Up to the last slash, without it; "" where there is none, "/" for a file in the root.

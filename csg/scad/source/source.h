@@ -111,7 +111,7 @@ using FileMaker = std::function<void(const std::string& path)>;
 /// Where `name`, written in an include or use of the file `from`, is looked for: the path that is tried first, second,
 /// …
 /// (`index` counts from 0), as long as there are more. As it is when absolute; else beside `from`, then in each of
-/// `search_path`. Paths are normalised lexically ("a/../b" is "b").
+/// `search_path`. Paths are normalized lexically ("a/../b" is "b").
 [[nodiscard]] std::optional<std::string> source_candidate(std::size_t index, std::string_view name,
                                                           std::string_view from,
                                                           std::span<const std::string> search_path);

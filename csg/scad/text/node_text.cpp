@@ -56,8 +56,9 @@ void put_one(std::string& out, const glm::dvec2& v) {
 }
 void put_one(std::string& out, const Fineness& f) {
     put(out, "$fn = ", f.fn);
-    if (f.fe)
+    if (f.fe) {
         put(out, ", $fe = ", *f.fe);
+    }
     put(out, ", $fa = ", f.fa, ", $fs = ", f.fs);
 }
 

@@ -239,8 +239,8 @@ Value Value::list_of(std::size_t count, F&& make) {
 /// the lists too large to compare.
 [[nodiscard]] bool equal(const Value& a, const Value& b);
 
-/// Whether nothing can tell the two apart, as far as is quickly seen: false for lists and texts that are equal but large
-/// or deep and no copies of each other.
+/// Whether nothing can tell the two apart, as far as is quickly seen: false for lists and texts that are equal but
+/// large or deep and no copies of each other.
 [[nodiscard]] bool identical(const Value& a, const Value& b);
 
 /// A number as OpenSCAD prints it: six significant digits, ("0.1", "1e+6", "inf", "nan", "0" for -0).

@@ -52,7 +52,7 @@ class Comparer {
         }
     }
 
-    /// Pixels with a silhouette or crease between them and a neighbour, in any layer.
+    /// Pixels with a silhouette or crease between them and a neighbor, in any layer.
     [[nodiscard]] std::vector<char> band(const Field& truth) const {
         std::vector<char> found(truth.size(), 0);
         for (int y = 0; y < size_.y; ++y) {

@@ -8,7 +8,7 @@ namespace ui {
 
 struct LayerVolume {
     double volume = 0;       ///< World units, cubed.
-    double uncertainty = 0;  ///< What may lie between the samples: half of what neighbouring samples differ by.
+    double uncertainty = 0;  ///< What may lie between the samples: half of what neighboring samples differ by.
 };
 
 /// Adds up how long the rays run inside. `stack` holds all layers of an orthographic view of all of the solid. Rays

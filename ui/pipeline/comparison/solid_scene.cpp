@@ -43,8 +43,13 @@ SolidScene solid_scene(const csg::Scene& scene, const csg::solid::Geometry& geom
         to.expression_children.insert(to.expression_children.end(), roots.begin(), roots.end());
         to.expressions.push_back(all);
     }
-    to.parts.push_back({csg::PartKind::Solid, 0, static_cast<std::uint32_t>(to.expressions.size() - 1), 0,
-                        static_cast<csg::LeafId>(to.leaves.size()), "model", {}});
+    to.parts.push_back({csg::PartKind::Solid,
+                        0,
+                        static_cast<std::uint32_t>(to.expressions.size() - 1),
+                        0,
+                        static_cast<csg::LeafId>(to.leaves.size()),
+                        "model",
+                        {}});
     return result;
 }
 

@@ -55,7 +55,7 @@ std::string part_name(const Model& model, std::size_t number, csg::LeafId leaf) 
 
 std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format,
                         const csg::reference::ThreeMfOptions& three_mf, const std::stop_token& stop) {
-    // One part of the file for each colour, in the order of the leaves.
+    // One part of the file for each color, in the order of the leaves.
     csg::reference::MeshDocument document{mesh.mesh, {}, {}, three_mf};
     std::map<std::array<float, 4>, std::uint32_t> known;
     const csg::reference::MeshPart plain;

@@ -13,7 +13,7 @@
 
 namespace ui {
 
-/// 128 bits over the placed leaves and expressions; places in the source and colours left out.
+/// 128 bits over the placed leaves and expressions; places in the source and colors left out.
 using MeshKey = std::array<std::uint64_t, 2>;
 
 [[nodiscard]] MeshKey mesh_key(const Model& model);

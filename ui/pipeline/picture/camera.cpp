@@ -42,7 +42,7 @@ base::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSe
     if (view_all) {
         base::view_all(camera, box.lo, box.hi, autocenter);
     } else if (autocenter && !box.empty()) {
-        camera.target = box.centre();
+        camera.target = box.center();
     }
     return camera;
 }

@@ -16,7 +16,7 @@ namespace {
 /// Pixels along the longer side of the first picture, and of the others: odd, so that a sample lies in the middle.
 constexpr int kFirstSide = 513, kNextSide = 33;
 constexpr double kClose = 0x1p-20;  // Of the diagonal.
-constexpr double kSteep = 128;      // Slopes beside a corner that are recognised.
+constexpr double kSteep = 128;      // Slopes beside a corner that are recognized.
 
 /// A direction along an axis to look from, and what is right and up in that picture.
 struct Side {
@@ -33,7 +33,7 @@ constexpr Side kSides[]{
 
 /// A rectangle across the direction of view, in the coordinates of the picture (right, up).
 struct Window {
-    glm::dvec2 centre, size;
+    glm::dvec2 center, size;
 };
 
 struct Sighting {
@@ -49,8 +49,8 @@ class Lookout {
     /// The largest sign * coordinate of the result along the side's axis.
     [[nodiscard]] std::optional<double> height(const Side& side) {
         const double up_sign = side.rotation.x == 180 ? -1 : 1;
-        const glm::dvec3 size = box_.size(), centre = box_.centre();
-        Window window{{side.right_sign * centre[side.right], up_sign * centre[side.up]},
+        const glm::dvec3 size = box_.size(), center = box_.center();
+        Window window{{side.right_sign * center[side.right], up_sign * center[side.up]},
                       {size[side.right], size[side.up]}};
         const double close = kClose * glm::length(size);
         const double highest = side.sign * (side.sign > 0 ? box_.hi : box_.lo)[side.axis];
@@ -59,7 +59,7 @@ class Lookout {
             const auto seen = look(side, up_sign, window, pixels);
             if (seen && (!best || seen->height > *best)) {
                 best = seen->height;
-                window.centre = seen->at;
+                window.center = seen->at;
             }
             if (!best || *best > highest - close || pixel_ < close) {
                 break;
@@ -79,9 +79,9 @@ class Lookout {
         base::Camera camera;
         camera.projection = base::Projection::Orthographic;
         camera.rotation = side.rotation;
-        camera.target = box_.centre();
-        camera.target[side.right] = side.right_sign * window.centre.x;
-        camera.target[side.up] = up_sign * window.centre.y;
+        camera.target = box_.center();
+        camera.target[side.right] = side.right_sign * window.center.x;
+        camera.target[side.up] = up_sign * window.center.y;
         camera.distance = box_.diagonal();  // Before the box, however little of it is seen.
         camera.fov = std::atan(0.5 * count.y * pixel_ / camera.distance) * 360 / std::acos(-1.0);
         const base::View view(camera, count, box_.lo, box_.hi);
@@ -97,7 +97,7 @@ class Lookout {
         }
         const auto index = static_cast<int>(nearest - depth.begin());
         const glm::dvec2 pixel(index % count.x, index / count.x);
-        return Sighting{window.centre + (pixel + 0.5 - 0.5 * glm::dvec2(count)) * pixel_,
+        return Sighting{window.center + (pixel + 0.5 - 0.5 * glm::dvec2(count)) * pixel_,
                         side.sign * camera.eye()[side.axis] - view.distance(*nearest)};
     }
 

@@ -37,7 +37,7 @@ class Canvas {
         }
     }
 
-    /// In pixels from the upper left corner. A pixel belongs to the line that leaves the diamond about its centre.
+    /// In pixels from the upper left corner. A pixel belongs to the line that leaves the diamond about its center.
     void line(const glm::dvec2& a, const glm::dvec2& b) {
         const int major = std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? 0 : 1, minor = 1 - major;
         const double way = b[major] - a[major];
@@ -67,8 +67,8 @@ class Canvas {
     /// Where a line that goes on `forwards` begins (`start`) or ends at `p`.
     static double column(const glm::dvec2& p, int major, bool forwards, bool start) {
         const double whole = std::floor(p[major]), part = p[major] - whole;
-        const bool past_centre = forwards ? part > 0.5 : part < 0.5;
-        const bool drawn = start ? !past_centre || in_diamond(p) : past_centre && !in_diamond(p);
+        const bool past_center = forwards ? part > 0.5 : part < 0.5;
+        const bool drawn = start ? !past_center || in_diamond(p) : past_center && !in_diamond(p);
         return drawn ? whole : whole + (forwards == start ? 1 : -1);
     }
 

@@ -36,7 +36,7 @@ void GlRenderer::update(const Model& model, const csg::solid::SceneChange& chang
         scene_.reset();  // It is made anew for the next picture.
         return;
     }
-    const bool all = !rows_ || change.structure || change.centre || change.all_planes;
+    const bool all = !rows_ || change.structure || change.center || change.all_planes;
     if (!rows_) {
         rows_ = goldfeather::surface_table(model.scene, model.geometry);
     } else {

@@ -11,7 +11,7 @@ bool is_flat_picture(const Model& model, const npr::Picture& picture) {
 npr::Picture flat_picture(npr::Picture picture, bool lines) {
     picture.draw_as(*npr::find_style("edges"));
     npr::Parameters& parameters = picture.parameters;
-    parameters.set("width", lines ? 2 : 0.25F);  // Those that are none are thin and of the faces' colour.
+    parameters.set("width", lines ? 2 : 0.25F);  // Those that are none are thin and of the faces' color.
     parameters.set("edge-color", lines ? picture.scheme.edge_2d : picture.scheme.face_2d);
     parameters.set("light", 0.0F);
     parameters.set("inner", 0.0F);
