@@ -22,8 +22,11 @@ std::atomic<TemporaryName::Entry*>& first_entry() {
     return first;
 }
 
+/// The default action comes back only when all is removed: the signal may come a second time, to another thread, as
+/// timeout(1) sends it to the program and to its group.
 void remove_and_end(int signal) {
     remove_temporary_names();
+    std::signal(signal, SIG_DFL);
     raise(signal);  // Its default action follows when this returns.
 }
 
@@ -56,7 +59,6 @@ void remove_temporary_names_at_signals() {
             continue;  // As nohup ignores SIGHUP.
         }
         action.sa_handler = remove_and_end;
-        action.sa_flags = SA_RESETHAND;
         sigfillset(&action.sa_mask);
         sigaction(signal, &action, nullptr);
     }

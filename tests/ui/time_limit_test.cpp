@@ -224,11 +224,18 @@ TEST_F(TimeLimit, CountsBeforeTheRunIsHandedOver) {
     folder_.write(
         "model.scad",
         "function f(n) = n == 0 ? 0 : f(n - 1); x = [for (i = [0:200000]) f(100)]; echo(textmetrics(\"a\"));");
-    // Both halves evaluate x: the second alone would be done in three quarters of the time of both.
-    const auto start = std::chrono::steady_clock::now();
-    ASSERT_EQ(run("model.scad -o out.echo").status, 0);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const Result limited = run(fmt::format("model.scad -o out.echo --time-limit {:.3f}", 0.75 * seconds));
+    // Both halves evaluate x: the second alone would be done in three quarters of the time of both. Where other work
+    // slows down the run that is measured, the next one is not held to it.
+    Result limited;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        const auto start = std::chrono::steady_clock::now();
+        ASSERT_EQ(run("model.scad -o out.echo").status, 0);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        limited = run(fmt::format("model.scad -o out.echo --time-limit {:.3f}", 0.75 * seconds));
+        if (limited.status == 1) {
+            break;
+        }
+    }
     EXPECT_EQ(limited.status, 1);
     EXPECT_NE(limited.err.find("csgscope: error: --time-limit: not done after"), std::string::npos) << limited.err;
 }
