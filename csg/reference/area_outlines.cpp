@@ -3,24 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/reference/disjoint_sets.h"
 #include "csg/reference/face_planes.h"
 
 namespace csg::reference {
 
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 /// How far a point may lie off the line between its neighbors, of the largest coordinate: some times the rounding of a
 /// point in which three planes meet at usual angles.
 constexpr double kRounding = 0x1p-44;
-
-double largest_coordinate(std::span<const glm::dvec3> points) {
-    double largest = 0;
-    for (const glm::dvec3& p : points) {
-        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    }
-    return largest;
-}
 
 }  // namespace
 
@@ -35,26 +27,19 @@ AreaOutlines::AreaOutlines(const Mesh& mesh) : mesh_(mesh), twins_(twins_of(mesh
 }
 
 void AreaOutlines::find_areas() {
-    area_.assign(mesh_.triangles.size(), kNone);
-    std::vector<std::uint32_t> waiting;
-    for (std::uint32_t first = 0; first < area_.size(); ++first) {
-        if (area_[first] != kNone) {
-            continue;
+    const auto count = static_cast<std::uint32_t>(mesh_.triangles.size());
+    DisjointSets sets(count);
+    for (std::uint32_t e = 0; e < 3 * count; ++e) {
+        if (mesh_.sources[e / 3] == mesh_.sources[twins_[e] / 3]) {
+            sets.unite(e / 3, twins_[e] / 3);
         }
-        const std::uint32_t area = areas();
-        first_triangle_.push_back(first);
-        area_[first] = area;
-        waiting.push_back(first);
-        while (!waiting.empty()) {
-            const std::uint32_t t = waiting.back();
-            waiting.pop_back();
-            for (std::uint32_t e = 3 * t; e < 3 * t + 3; ++e) {
-                const std::uint32_t next = twins_[e] / 3;
-                if (area_[next] == kNone && mesh_.sources[next] == mesh_.sources[t]) {
-                    area_[next] = area;
-                    waiting.push_back(next);
-                }
-            }
+    }
+    SetNumbers area_of(sets);
+    area_.resize(count);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        area_[t] = area_of(t);
+        if (area_[t] == areas()) {
+            first_triangle_.push_back(t);
         }
     }
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "csg/solid/used_points.h"
+
 namespace csg::reference {
 namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 class Collapser {
   public:
@@ -77,27 +77,15 @@ class Collapser {
 
     void drop_unused() {
         std::size_t count = 0;
-        std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
-        std::vector<glm::dvec3> points;
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            if (gone_[t] != 0) {
-                continue;
+            if (gone_[t] == 0) {
+                mesh_.triangles[count] = mesh_.triangles[t];
+                mesh_.sources[count++] = mesh_.sources[t];
             }
-            glm::uvec3 corners = mesh_.triangles[t];
-            for (int k = 0; k < 3; ++k) {
-                std::uint32_t& n = number[corners[k]];
-                if (n == kNone) {
-                    n = static_cast<std::uint32_t>(points.size());
-                    points.push_back(mesh_.points[corners[k]]);
-                }
-                corners[k] = n;
-            }
-            mesh_.triangles[count] = corners;
-            mesh_.sources[count++] = mesh_.sources[t];
         }
         mesh_.triangles.resize(count);
         mesh_.sources.resize(count);
-        mesh_.points = std::move(points);
+        mesh_.points = solid::used_points(mesh_.points, mesh_.triangles);
     }
 
     Mesh& mesh_;

@@ -17,14 +17,6 @@ constexpr std::size_t kFewSums = 2048;
 constexpr std::size_t kFewPoints = 24;
 constexpr double kBeyond = 0x1p-40;
 
-double largest_coordinate(std::span<const glm::dvec3> points) {
-    double largest = 0;
-    for (const glm::dvec3& p : points) {
-        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    }
-    return largest;
-}
-
 class Summer {
   public:
     Summer(const Convex& a, const Convex& b)

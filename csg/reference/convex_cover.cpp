@@ -79,17 +79,13 @@ bool ConvexCover::holds(const glm::dvec3& point) const {
 
 void grow(ConvexCover& cover, const std::stop_token& stop) {
     std::vector<std::vector<glm::dvec3>> facets;
-    double largest = 0;
     for (const Mesh& mesh : cover.meshes) {
         for (std::vector<glm::dvec3>& facet : convex_facets(mesh)) {
             facets.push_back(std::move(facet));
         }
-        for (const glm::dvec3& p : mesh.points) {
-            largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        }
     }
     cover.pieces = grown(
-        std::move(cover.pieces), facets, solid::coincidence_tolerance(largest),
+        std::move(cover.pieces), facets, solid::coincidence_tolerance(largest_coordinate(cover.meshes)),
         [&](const glm::dvec3& point) { return cover.holds(point); }, stop);
 }
 

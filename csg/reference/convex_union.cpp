@@ -20,16 +20,6 @@ namespace {
 /// As for other results (boolean.cpp), of the diagonal.
 constexpr double kCrossing = 1e-8;
 
-double largest_coordinate(std::span<const Mesh> meshes) {
-    double largest = 0;
-    for (const Mesh& mesh : meshes) {
-        for (const glm::dvec3& p : mesh.points) {
-            largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        }
-    }
-    return largest;
-}
-
 /// A polyhedron by its planes.
 struct Body {
     Box box;

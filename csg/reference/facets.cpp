@@ -15,10 +15,7 @@ constexpr double kBent = 0x1p-44;
 class Merger {
   public:
     explicit Merger(const Mesh& mesh) : mesh_(mesh), twins_(twins_of(mesh.triangles)) {
-        double largest = 0;
-        for (const glm::dvec3& p : mesh.points) {
-            largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        }
+        const double largest = largest_coordinate(mesh.points);
         bent_ = kBent * largest;
         solid::PlaneTable table(solid::coincidence_tolerance(largest));
         planes_ = face_planes(mesh.points, mesh.triangles, table);

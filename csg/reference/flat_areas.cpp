@@ -7,6 +7,7 @@
 #include "csg/reference/area_outlines.h"
 #include "csg/reference/face_planes.h"
 #include "csg/reference/plane_cells.h"
+#include "csg/solid/used_points.h"
 
 namespace csg::reference {
 namespace {
@@ -96,24 +97,9 @@ class AreaMerger {
             }
         }
         if (good) {
-            number_points(result);
+            result.points = solid::used_points(mesh_.points, result.triangles);
         }
         return good;
-    }
-
-    void number_points(Mesh& result) const {
-        constexpr std::uint32_t kNone = ~std::uint32_t{0};
-        std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
-        for (glm::uvec3& t : result.triangles) {
-            for (int k = 0; k < 3; ++k) {
-                std::uint32_t& n = number[t[k]];
-                if (n == kNone) {
-                    n = static_cast<std::uint32_t>(result.points.size());
-                    result.points.push_back(mesh_.points[t[k]]);
-                }
-                t[k] = n;
-            }
-        }
     }
 
     const Mesh& mesh_;

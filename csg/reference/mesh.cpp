@@ -1,6 +1,7 @@
 #include "csg/reference/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "csg/reference/disjoint_sets.h"
@@ -42,6 +43,22 @@ bool every_edge_has_its_opposite(const Mesh& mesh) {
 }
 
 }  // namespace
+
+double largest_coordinate(std::span<const glm::dvec3> points) {
+    double largest = 0;
+    for (const glm::dvec3& p : points) {
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    return largest;
+}
+
+double largest_coordinate(std::span<const Mesh> meshes) {
+    double largest = 0;
+    for (const Mesh& mesh : meshes) {
+        largest = std::max(largest, largest_coordinate(mesh.points));
+    }
+    return largest;
+}
 
 MeshFacts facts(const Mesh& mesh) {
     MeshFacts result;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Mesh {
 
     [[nodiscard]] bool empty() const { return triangles.empty(); }
 };
+
+/// The largest absolute value of the coordinates of points; 0 of none.
+[[nodiscard]] double largest_coordinate(std::span<const glm::dvec3> points);
+[[nodiscard]] double largest_coordinate(std::span<const Mesh> meshes);
 
 /// What a mesh is, for summaries and checks.
 struct MeshFacts {

@@ -12,7 +12,6 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
     MeshScene result;
     auto& [scene, geometry] = result;
     const auto count = static_cast<std::uint32_t>(operands.size());
-    double largest = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         auto shape = std::make_shared<solid::Solid>();
         shape->points = operands[i].points;
@@ -24,7 +23,6 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
         leaf.triangles = operands[i].triangles;
         for (const glm::dvec3& p : leaf.points) {
             leaf.box = enclose(leaf.box, p);
-            largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         }
         geometry.box = enclose(geometry.box, leaf.box);
         geometry.leaves.push_back(std::move(leaf));
@@ -41,7 +39,7 @@ MeshScene make_mesh_scene(ExpressionKind operation, std::span<const Mesh> operan
     if (count > 0) {
         scene.parts.push_back({PartKind::Solid, 0, count, 0, count, "", {}});
     }
-    geometry.planes = solid::PlaneTable(solid::coincidence_tolerance(largest));
+    geometry.planes = solid::PlaneTable(solid::coincidence_tolerance(largest_coordinate(operands)));
     for (solid::PlacedLeaf& leaf : geometry.leaves) {
         for (const glm::uvec3& t : leaf.triangles) {
             leaf.planes.push_back(geometry.planes.add(leaf.points[t.x], leaf.points[t.y], leaf.points[t.z]));

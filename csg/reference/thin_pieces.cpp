@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csg/reference/disjoint_sets.h"
+#include "csg/solid/used_points.h"
 
 namespace csg::reference {
 
@@ -61,20 +62,7 @@ void drop_thin_pieces(Mesh& mesh) {
     }
     mesh.triangles.resize(count);
     mesh.sources.resize(count);
-    constexpr std::uint32_t kNone = ~std::uint32_t{0};
-    std::vector<std::uint32_t> number(mesh.points.size(), kNone);
-    std::vector<glm::dvec3> points;
-    for (glm::uvec3& t : mesh.triangles) {
-        for (int k = 0; k < 3; ++k) {
-            std::uint32_t& n = number[t[k]];
-            if (n == kNone) {
-                n = static_cast<std::uint32_t>(points.size());
-                points.push_back(mesh.points[t[k]]);
-            }
-            t[k] = n;
-        }
-    }
-    mesh.points = std::move(points);
+    mesh.points = solid::used_points(mesh.points, mesh.triangles);
 }
 
 }  // namespace csg::reference

@@ -45,8 +45,8 @@ glm::dvec3 view_normal(std::span<const glm::dvec3> points, Face face) {
 }
 
 /// The face seen along the axis that its normal is nearest to, counter-clockwise.
-Loop seen_along_axis(std::span<const glm::dvec3> points, Face face) {
-    const glm::dvec3 size = glm::abs(view_normal(points, face));
+Loop seen_along_axis(std::span<const glm::dvec3> points, Face face, const glm::dvec3& normal) {
+    const glm::dvec3 size = glm::abs(normal);
     int axis = size.y > size.x ? 1 : 0;
     axis = size.z > size[axis] ? 2 : axis;
     Loop loop;
@@ -187,14 +187,9 @@ class Flipping {
     std::vector<Edge> pending_;
 };
 
-}  // namespace
-
-bool is_bent(std::span<const glm::dvec3> points, std::span<const std::uint32_t> face) {
-    if (face.size() < 4) {
-        return false;
-    }
+/// Whether corners lie off the plane of the face so far that it shows how the face is split.
+bool is_bent(std::span<const glm::dvec3> points, Face face, const glm::dvec3& normal) {
     constexpr double kFlat = 1e-9;  // Of the face's size.
-    const glm::dvec3 normal = view_normal(points, face);
     const double length = glm::length(normal);
     if (!(length > 0) || !std::isfinite(length)) {
         return false;
@@ -208,9 +203,15 @@ bool is_bent(std::span<const glm::dvec3> points, std::span<const std::uint32_t> 
     return height > kFlat * size;
 }
 
+}  // namespace
+
 bool triangulate_bent(std::span<const glm::dvec3> points, std::span<const std::uint32_t> face,
                       std::vector<glm::uvec3>& triangles) {
-    const Loop loop = seen_along_axis(points, face);
+    const glm::dvec3 normal = view_normal(points, face);
+    if (!is_bent(points, face, normal)) {
+        return false;
+    }
+    const Loop loop = seen_along_axis(points, face, normal);
     std::optional<std::vector<glm::uvec3>> flat = sweep(loop);
     if (!flat) {
         std::vector<std::uint32_t> around(loop.size());

@@ -3,8 +3,12 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "csg/solid/edge_crossings.h"
+#include "csg/solid/used_points.h"
 
 namespace csg::solid {
 namespace {
@@ -15,15 +19,27 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array<std::array<std::uint32_t, 4>, 6> kFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
+std::vector<glm::dvec3> corners_of(const Box& box) {
+    std::vector<glm::dvec3> corners;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        corners.emplace_back((i & 1U) != 0 ? box.hi.x : box.lo.x, (i & 2U) != 0 ? box.hi.y : box.lo.y,
+                             (i & 4U) != 0 ? box.hi.z : box.lo.z);
+    }
+    return corners;
+}
+
+std::vector<double> depths_of(std::span<const glm::dvec3> points, const Plane& plane) {
+    std::vector<double> depths;
+    for (const glm::dvec3& p : points) {
+        depths.push_back(plane.offset - glm::dot(plane.normal, p));
+    }
+    return depths;
+}
+
 class BoxCutter {
   public:
-    BoxCutter(const Box& box, const Plane& plane) {
-        for (std::uint32_t i = 0; i < 8; ++i) {
-            points_.emplace_back((i & 1U) != 0 ? box.hi.x : box.lo.x, (i & 2U) != 0 ? box.hi.y : box.lo.y,
-                                 (i & 4U) != 0 ? box.hi.z : box.lo.z);
-            depths_[i] = plane.offset - glm::dot(plane.normal, points_.back());
-        }
-    }
+    BoxCutter(const Box& box, const Plane& plane)
+        : points_(corners_of(box)), crossings_(points_, depths_of(points_, plane)) {}
 
     CutBox cut() {
         for (const auto& face : kFaces) {
@@ -40,17 +56,9 @@ class BoxCutter {
         }
         result.face_triangles = static_cast<std::uint32_t>(solid->triangles.size());
         solid->triangles.insert(solid->triangles.end(), triangles_.begin(), triangles_.end());
-        std::vector<std::uint32_t> place(points_.size(), kNone);
-        for (glm::uvec3& t : solid->triangles) {
-            for (int i = 0; i < 3; ++i) {
-                std::uint32_t& at = place[t[i]];
-                if (at == kNone) {
-                    at = static_cast<std::uint32_t>(solid->points.size());
-                    solid->points.push_back(points_[t[i]]);
-                    solid->box = enclose(solid->box, points_[t[i]]);
-                }
-                t[i] = at;
-            }
+        solid->points = used_points(points_, solid->triangles);
+        for (const glm::dvec3& p : solid->points) {
+            solid->box = enclose(solid->box, p);
         }
         solid->convex = solid->closed = solid->simple = true;
         result.solid = std::move(solid);
@@ -69,13 +77,14 @@ class BoxCutter {
         };
         for (std::size_t i = 0; i < 4; ++i) {
             const std::uint32_t p = face[i], q = face[(i + 1) % 4];
-            if (inside(p)) {
+            const bool from_inside = crossings_.inside(p), to_inside = crossings_.inside(q);
+            if (from_inside) {
                 add(p);
             }
-            if (inside(p) && !inside(q)) {
-                add(leaving = crossing(p, q));
-            } else if (!inside(p) && inside(q)) {
-                add(entering = crossing(q, p));
+            if (from_inside && !to_inside) {
+                add(leaving = crossings_.crossing(p, q));
+            } else if (!from_inside && to_inside) {
+                add(entering = crossings_.crossing(q, p));
             }
         }
         if (count > 1 && polygon[count - 1] == polygon[0]) {
@@ -89,23 +98,8 @@ class BoxCutter {
         }
     }
 
-    [[nodiscard]] bool inside(std::uint32_t corner) const { return depths_[corner] >= 0; }
-
-    std::uint32_t crossing(std::uint32_t in, std::uint32_t out) {
-        if (depths_[in] == 0) {
-            return in;
-        }
-        const auto [at, is_new] = crossings_.try_emplace({in, out}, static_cast<std::uint32_t>(points_.size()));
-        if (is_new) {
-            const glm::dvec3 p = points_[in], q = points_[out];
-            points_.push_back(p + (q - p) * (depths_[in] / (depths_[in] - depths_[out])));
-        }
-        return at->second;
-    }
-
     std::vector<glm::dvec3> points_;
-    std::array<double, 8> depths_{};  ///< Of the corners, below the plane.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
+    EdgeCrossings crossings_;
     std::map<std::uint32_t, std::uint32_t> next_;  ///< Around the cut.
     std::vector<glm::uvec3> triangles_;
 };

@@ -23,24 +23,6 @@ bool reaches_beyond(const Box& box, const std::optional<Box>& limit) {
     return limit && !box.empty() && enclose(box, *limit) != *limit;
 }
 
-/// The least power of two that is not less.
-double power_of_two(double x) {
-    return std::exp2(std::ceil(std::log2(x)));
-}
-
-/// A box with some room about it. That of a scene that has not grown much is that of the room.
-Box with_room(const Box& bounded, const Room& room) {
-    const double margin = std::max(room.box.diagonal() / 8, std::numeric_limits<double>::min());
-    const Box usual{room.box.lo - margin, room.box.hi + margin};
-    // Strictly within, or faces would coincide.
-    const double least = margin / 4;
-    if (bounded.empty() || enclose(usual, {bounded.lo - least, bounded.hi + least}) == usual) {
-        return usual;
-    }
-    const double cell = power_of_two(bounded.diagonal()) / 4;
-    return {(glm::floor(bounded.lo / cell) - 1.0) * cell, (glm::ceil(bounded.hi / cell) + 1.0) * cell};
-}
-
 Plane moved(const Plane& plane, const glm::dmat4& motion) {
     if (motion == glm::dmat4(1.0)) {
         return plane;
@@ -227,8 +209,8 @@ void EditableScene::settle() {
     }
     const std::size_t moved = touched_.size();
     for (PartId part = 0; part < scene_.parts.size(); ++part) {
-        if (std::exchange(part_touched_[part], char{0}) != 0) {
-            touch_trimmed(part);
+        if (part_touched_[part] != 0) {
+            touch_trimmed(part);  // Touches the part, too.
             part_touched_[part] = 0;
             change_.parts.push_back(part);
         }
@@ -329,7 +311,7 @@ void EditableScene::place_half_spaces(const Box& bounded) {
     if (!any) {
         return;
     }
-    const Box box = with_room(bounded, room_);
+    const Box box = room_.around(bounded);
     if (box.empty()) {
         return;  // Nothing that they could be put to has a surface.
     }

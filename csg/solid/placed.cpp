@@ -61,25 +61,6 @@ std::vector<std::string> once(std::vector<std::string> texts) {
 
 }  // namespace
 
-double Room::reach_for(double largest) const {
-    if (reach == 0) {
-        return largest;
-    }
-    return largest <= reach ? reach : std::exp2(std::ceil(std::log2(largest)));
-}
-
-std::optional<glm::dvec3> Room::center_for(const Box& scene) const {
-    if (box.empty() || scene.empty()) {
-        return {};
-    }
-    const double margin = box.diagonal();
-    if (enclose(scene, {box.lo - margin, box.hi + margin}) == Box{box.lo - margin, box.hi + margin}) {
-        return box.center();
-    }
-    const double cell = std::exp2(std::ceil(std::log2(scene.diagonal())));
-    return glm::round(scene.center() / cell) * cell;
-}
-
 Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat, const std::stop_token& stop,
                const Room& room) {
     Geometry geometry;

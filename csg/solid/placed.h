@@ -10,6 +10,7 @@
 #include "csg/solid/mesh_operations.h"
 #include "csg/solid/plane_table.h"
 #include "csg/solid/remarks.h"
+#include "csg/solid/room.h"
 #include "csg/solid/solid.h"
 #include "csg/tree/dimension.h"
 #include "csg/tree/scene.h"
@@ -37,20 +38,6 @@ struct Geometry {
     double flat = 1;                    ///< Thickness of outlines.
     std::vector<std::string> warnings;  ///< With file:line where known.
     std::vector<std::string> failures;  ///< Objects that are left out, or less than was asked for; as above.
-};
-
-/// What a scene had before it was edited, and keeps as far as it goes: numbers that concern all leaves then stay as
-/// they are while one of them moves. A default room keeps nothing.
-struct Room {
-    Box box;           ///< Of all leaves.
-    double reach = 0;  ///< The largest coordinate.
-
-    /// What the tolerance of coincidence is made of, for a scene with that largest coordinate: the room's, or, where
-    /// that is less, the next power of two.
-    [[nodiscard]] double reach_for(double largest) const;
-    /// Of what becomes floats, for a scene with that box: the middle of the room, unless the scene lies far outside;
-    /// then its own, on a coarse grid. None: the box's.
-    [[nodiscard]] std::optional<glm::dvec3> center_for(const Box& box) const;
 };
 
 struct NodeGeometry;

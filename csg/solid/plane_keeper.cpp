@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 #include "csg/solid/assign_planes.h"
@@ -45,7 +46,8 @@ struct PlaneKeeper::Update {
     std::vector<Key> items;               ///< The triangles of these leaves, in order, and …
     std::vector<std::uint32_t> entries;   ///< … the entry of each.
     std::uint32_t first_made = 0;
-    std::vector<Made> made;  ///< In order.
+    std::vector<Made> made;              ///< In order.
+    std::vector<std::uint32_t> revived;  ///< Entries of those that stand where they did, in order.
 };
 
 PlaneKeeper::PlaneKeeper(Geometry& geometry) : geometry_(geometry) {
@@ -100,7 +102,7 @@ void PlaneKeeper::update(std::span<const Changed> leaves, SceneChange& change) {
         assign_all(geometry_.planes.tolerance(), change);
         return;
     }
-    Update update{leaves, {}, {}, {}, static_cast<std::uint32_t>(keys_.size()), {}};
+    Update update{leaves, {}, {}, {}, static_cast<std::uint32_t>(keys_.size()), {}, {}};
     take_back(update);
     find_entries(update);
     revive(update);
@@ -172,18 +174,16 @@ void PlaneKeeper::revive(Update& update) const {
         if (at != update.given_up.end() && keys_[*at] == made.key && geometry_.planes.planes()[*at] == made.plane) {
             made.entry = *at;
             made.revived = true;
+            update.revived.push_back(*at);
         }
     }
 }
 
 bool PlaneKeeper::concerns_others(const Update& update) const {
-    std::vector<std::uint32_t> lost = update.given_up;
-    for (const Made& made : update.made) {
-        if (made.revived) {
-            std::erase(lost, made.entry);
-        }
-    }
-    if (std::any_of(lost.begin(), lost.end(), [&](std::uint32_t entry) { return users_[entry] > 0; })) {
+    const auto lost_to_others = [&](std::uint32_t entry) {
+        return users_[entry] > 0 && !std::binary_search(update.revived.begin(), update.revived.end(), entry);
+    };
+    if (std::any_of(update.given_up.begin(), update.given_up.end(), lost_to_others)) {
         return true;
     }
     // Triangles that come later, and may lie in an entry that is made now.
@@ -229,15 +229,9 @@ bool PlaneKeeper::any_would_share(const Update& update, std::span<const Made* co
 
 /// Gives entries that are made now places in order. False where there are not enough holes.
 bool PlaneKeeper::find_holes(Update& update) {
-    std::vector<std::uint32_t> occupied;  // Holes that are to be filled.
-    for (const Made& made : update.made) {
-        if (made.revived) {
-            occupied.push_back(made.entry);
-        }
-    }
+    std::unordered_set<std::size_t> occupied(update.revived.begin(), update.revived.end());  // Holes to be filled.
     const auto is_free = [&](std::size_t entry) {
-        return entry < users_.size() && users_[entry] == 0 &&
-               std::find(occupied.begin(), occupied.end(), entry) == occupied.end();
+        return entry < users_.size() && users_[entry] == 0 && !occupied.contains(entry);
     };
     for (std::size_t m = 0; m < update.made.size(); ++m) {
         Made& made = update.made[m];
@@ -256,7 +250,7 @@ bool PlaneKeeper::find_holes(Update& update) {
             if (at == 0 || !is_free(at - 1)) {
                 return false;
             }
-            occupied.push_back(static_cast<std::uint32_t>(at - 1));
+            occupied.insert(at - 1);
             for (std::size_t i = last_new; i <= m; ++i) {
                 update.made[i].entry = static_cast<std::uint32_t>(at - 1 + (i - last_new));
                 keys_[update.made[i].entry] = update.made[i].key;
@@ -264,7 +258,7 @@ bool PlaneKeeper::find_holes(Update& update) {
             continue;
         }
         made.entry = static_cast<std::uint32_t>(at);
-        occupied.push_back(made.entry);
+        occupied.insert(at);
         keys_[at] = made.key;
     }
     return true;

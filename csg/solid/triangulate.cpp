@@ -88,7 +88,7 @@ void triangulate(std::span<const glm::dvec3> points, std::span<const std::uint32
         triangles.emplace_back(face[0], face[1], face[2]);
         return;
     }
-    if (is_bent(points, face) && triangulate_bent(points, face, triangles)) {
+    if (triangulate_bent(points, face, triangles)) {
         return;
     }
     const std::vector<glm::dvec2> loop = project(points, face, newell_normal(points, face));

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
+
+#include "csg/solid/edge_crossings.h"
+#include "csg/solid/place_leaf.h"
+#include "csg/solid/used_points.h"
 
 namespace csg::solid {
 namespace {
@@ -19,14 +22,19 @@ struct Half {
     [[nodiscard]] double depth(const glm::dvec3& p) const { return bound - sign * p[axis]; }
 };
 
+std::vector<double> depths_of(std::span<const glm::dvec3> points, const Half& half) {
+    std::vector<double> depths;
+    for (const glm::dvec3& p : points) {
+        depths.push_back(half.depth(p));
+    }
+    return depths;
+}
+
 /// Cuts a closed mesh and closes the cut.
 class Cutter {
   public:
-    Cutter(PlacedLeaf& leaf, const Half& half) : leaf_(leaf), half_(half) {
-        for (const glm::dvec3& p : leaf.points) {
-            depths_.push_back(half.depth(p));
-        }
-    }
+    Cutter(PlacedLeaf& leaf, const Half& half)
+        : leaf_(leaf), half_(half), crossings_(leaf.points, depths_of(leaf.points, half)) {}
 
     void cut() {
         for (const glm::uvec3& t : leaf_.triangles) {
@@ -36,20 +44,19 @@ class Cutter {
     }
 
   private:
-    [[nodiscard]] bool inside(std::uint32_t p) const { return depths_[p] >= 0; }
-
     void cut(const glm::uvec3& t) {
         std::array<std::uint32_t, 4> polygon{};
         std::size_t count = 0;
         std::uint32_t leaving = kNone, entering = kNone;
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t p = t[i], q = t[(i + 1) % 3];
-            if (inside(p)) {
+            const bool from_inside = crossings_.inside(p), to_inside = crossings_.inside(q);
+            if (from_inside) {
                 polygon[count++] = p;
             }
-            if (inside(p) && !inside(q)) {
+            if (from_inside && !to_inside) {
                 leaving = polygon[count++] = crossing(p, q);
-            } else if (!inside(p) && inside(q)) {
+            } else if (!from_inside && to_inside) {
                 entering = polygon[count++] = crossing(q, p);
             }
         }
@@ -71,47 +78,21 @@ class Cutter {
         }
     }
 
-    /// The point where an edge leaves: one for both triangles that share the edge.
+    /// Exactly in the plane.
     std::uint32_t crossing(std::uint32_t in, std::uint32_t out) {
-        if (depths_[in] == 0) {
-            return in;
+        const std::uint32_t at = crossings_.crossing(in, out);
+        if (at != in) {
+            leaf_.points[at][half_.axis] = half_.sign * half_.bound;
         }
-        const auto [at, is_new] = crossings_.try_emplace({in, out}, static_cast<std::uint32_t>(leaf_.points.size()));
-        if (is_new) {
-            const glm::dvec3 p = leaf_.points[in], q = leaf_.points[out];
-            glm::dvec3 middle = p + (q - p) * (depths_[in] / (depths_[in] - depths_[out]));
-            middle[half_.axis] = half_.sign * half_.bound;
-            leaf_.points.push_back(middle);
-        }
-        return at->second;
+        return at;
     }
 
     PlacedLeaf& leaf_;
     Half half_;
-    std::vector<double> depths_;  ///< Of the points before the cut.
+    EdgeCrossings crossings_;
     std::vector<glm::uvec3> kept_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
     std::uint32_t apex_ = kNone;
 };
-
-/// Leaves out points that no triangle has, and measures the box again.
-void compact(PlacedLeaf& leaf) {
-    std::vector<std::uint32_t> place(leaf.points.size(), kNone);
-    std::vector<glm::dvec3> points;
-    leaf.box = {};
-    for (glm::uvec3& t : leaf.triangles) {
-        for (int i = 0; i < 3; ++i) {
-            std::uint32_t& at = place[t[i]];
-            if (at == kNone) {
-                at = static_cast<std::uint32_t>(points.size());
-                points.push_back(leaf.points[t[i]]);
-                leaf.box = enclose(leaf.box, points.back());
-            }
-            t[i] = at;
-        }
-    }
-    leaf.points = std::move(points);
-}
 
 }  // namespace
 
@@ -129,12 +110,13 @@ void trim_leaf(PlacedLeaf& leaf, const Box& limit) {
     if (!cut) {
         return;
     }
-    compact(leaf);
-    const glm::dvec3 size = leaf.box.size();
-    if (leaf.box.empty() || std::min({size.x, size.y, size.z}) <= 0) {  // It only touched what it was cut to.
-        leaf.points.clear();
-        leaf.triangles.clear();
-        leaf.box = {};
+    leaf.points = used_points(leaf.points, leaf.triangles);
+    leaf.box = {};
+    for (const glm::dvec3& p : leaf.points) {
+        leaf.box = enclose(leaf.box, p);
+    }
+    if (!has_volume(leaf.box)) {  // It only touched what it was cut to.
+        leave_out(leaf);
     }
 }
 

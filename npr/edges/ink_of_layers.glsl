@@ -6,11 +6,7 @@ void find_ink(ivec2 pixel, float width, float hidden_width, float profile_streng
     lines_near = layers_near(vec2(pixel), width) != 0u;
     if (!lines_near)
         return;
-#ifdef LINE_TYPES
-    typed_edges_at(vec2(pixel), width, ink_of_layers);
-#else
-    all_edges_at(vec2(pixel), width, hidden_width, profile_strength, inner_strength, ink_of_layers);
-#endif
+    all_edges_at(vec2(pixel), Pens(width, hidden_width, profile_strength, inner_strength), ink_of_layers);
 }
 
 bool line_near(int layer) {

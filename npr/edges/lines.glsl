@@ -52,28 +52,19 @@ Edge edge_at(vec2 at, int layer, float width) {
     return edge_at(at, layer, width, false);
 }
 
-// Lines of all layers in one search: the ink of each, by the strengths of its edges. `hidden_width` is that of all
-// layers but the first, and not above `width`.
-void all_edges_at(vec2 at, float width, float hidden_width, float profile_strength, float inner_strength,
-                  out float ink[kLayersApart]) {
-    for (int i = 0; i < kLayersApart; ++i)
-        ink[i] = 0.0;
-    ivec4 links = links_near(at, width);
-    for (int y = links.y; y <= links.w; ++y)
-        for (int x = links.x; x <= links.z; ++x) {
-            uint marks = texelFetch(edge_marks, ivec2(x, y), 0).x;
-            while (marks != 0u) {
-                int bit = findLSB(marks);
-                marks &= marks - 1u;
-                int axis = bit / kLayersApart, layer = bit % kLayersApart;
-                uint bits = texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x;
-                EdgePoint e = unpack_edge(bits);
-                vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);
-                float coverage = e.strength * piece(from_point, e.across, layer == 0 ? width : hidden_width);
-                ink[layer] = max(ink[layer], (e.kind == kProfileEdge ? profile_strength : inner_strength) * coverage);
-            }
-        }
-}
+// How wide lines are drawn, and with how strong an ink, where only layers and kinds of edges tell them apart.
+struct Pens {
+    float width;         // of the first layer; of all, as far as links are looked for
+    float hidden_width;  // of the others, not above `width`
+    float profile_strength;
+    float inner_strength;
+};
+
+// Of one line.
+struct Pen {
+    float width;
+    float strength;
+};
 
 #ifdef LINE_TYPES
 #include "npr/edges/line_facts.glsl"
@@ -89,11 +80,25 @@ LineFacts facts_at(ivec2 lower, int layer, int axis) {
     return unpack_facts(uvec2(texelFetch(edge_facts, first, 0).x, texelFetch(edge_facts, first + ivec3(0, 0, 1), 0).x));
 }
 
-// Lines of all layers by their types. `width`: that of the style.
-void typed_edges_at(vec2 at, float width, out float ink[kLayersApart]) {
+// By the line's type. `pens`: of all lines, by the style.
+Pen pen_of(EdgePoint e, ivec2 lower, int layer, int axis, Pens pens) {
+    LineFacts facts = facts_at(lower, layer, axis);
+    LineType type = line_types[type_of_line(facts)];
+    return Pen(type.width * pens.width, type.strength * pattern_ink(type, facts, line_unit));
+}
+#else
+// By layer and kind of edge.
+Pen pen_of(EdgePoint e, ivec2 lower, int layer, int axis, Pens pens) {
+    return Pen(layer == 0 ? pens.width : pens.hidden_width,
+               e.kind == kProfileEdge ? pens.profile_strength : pens.inner_strength);
+}
+#endif
+
+// Lines of all layers in one search: the ink of each.
+void all_edges_at(vec2 at, Pens pens, out float ink[kLayersApart]) {
     for (int i = 0; i < kLayersApart; ++i)
         ink[i] = 0.0;
-    ivec4 links = links_near(at, width);
+    ivec4 links = links_near(at, pens.width);
     for (int y = links.y; y <= links.w; ++y)
         for (int x = links.x; x <= links.z; ++x) {
             uint marks = texelFetch(edge_marks, ivec2(x, y), 0).x;
@@ -102,15 +107,13 @@ void typed_edges_at(vec2 at, float width, out float ink[kLayersApart]) {
                 marks &= marks - 1u;
                 int axis = bit / kLayersApart, layer = bit % kLayersApart;
                 EdgePoint e = unpack_edge(texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x);
-                LineFacts facts = facts_at(ivec2(x, y), layer, axis);
-                LineType type = line_types[type_of_line(facts)];
+                Pen pen = pen_of(e, ivec2(x, y), layer, axis, pens);
                 vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);
-                float coverage = e.strength * piece(from_point, e.across, type.width * width);
-                ink[layer] = max(ink[layer], type.strength * pattern_ink(type, facts, line_unit) * coverage);
+                float coverage = e.strength * piece(from_point, e.across, pen.width);
+                ink[layer] = max(ink[layer], pen.strength * coverage);
             }
         }
 }
-#endif
 
 #ifdef OVERSHOOT
 layout(binding = 5) uniform usampler2DArray overshoot_points;
