@@ -94,6 +94,7 @@ void FileWriter::open_temporary() {
     for (int i = 0; i < kMostTries && fd_ < 0; ++i) {
         temporary_ = (target_.parent_path() / temporary_name(target_.filename().string())).string();
         name_.emplace(temporary_);
+        const MakingOfFile making;
         fd_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
         if (fd_ < 0 && errno != EEXIST) {
             break;

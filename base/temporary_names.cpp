@@ -1,5 +1,6 @@
 #include "base/temporary_names.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -22,11 +23,22 @@ std::atomic<TemporaryName::Entry*>& first_entry() {
     return first;
 }
 
-/// The default action comes back only when all is removed: the signal may come a second time, to another thread, as
-/// timeout(1) sends it to the program and to its group.
+std::atomic<int>& files_being_made() {
+    static constinit std::atomic<int> count = 0;
+    return count;
+}
+
+std::atomic<bool>& removal_begun() {
+    static constinit std::atomic<bool> begun = false;
+    return begun;
+}
+
 void remove_and_end(int signal) {
     remove_temporary_names();
-    std::signal(signal, SIG_DFL);
+    // Not before: the same signal may come once more, to another thread (`timeout` sends it twice).
+    struct sigaction action {};
+    action.sa_handler = SIG_DFL;
+    sigaction(signal, &action, nullptr);
     raise(signal);  // Its default action follows when this returns.
 }
 
@@ -43,8 +55,31 @@ void TemporaryName::release() {
     entry_->there = false;
 }
 
+MakingOfFile::MakingOfFile() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+    ++files_being_made();
+    if (removal_begun()) {
+        --files_being_made();
+        while (true) {
+            pause();
+        }
+    }
+}
+
+MakingOfFile::~MakingOfFile() {
+    --files_being_made();
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
 /// Calls nothing that a signal handler may not.
 void remove_temporary_names() {
+    removal_begun() = true;
+    // Not for ever: what makes a file may hang, as on a network's disk.
+    for (int i = 0; i < 1000 && files_being_made() > 0; ++i) {
+        poll(nullptr, 0, 1);
+    }
     for (const auto* entry = first_entry().load(); entry != nullptr; entry = entry->next) {
         if (entry->there) {
             unlink(entry->name.c_str());
@@ -59,6 +94,7 @@ void remove_temporary_names_at_signals() {
             continue;  // As nohup ignores SIGHUP.
         }
         action.sa_handler = remove_and_end;
+        action.sa_flags = 0;
         sigfillset(&action.sa_mask);
         sigaction(signal, &action, nullptr);
     }

@@ -1,6 +1,7 @@
 // The names of files that are being written, which are not to outlive the program.
 #pragma once
 
+#include <csignal>
 #include <string>
 
 namespace base {
@@ -21,6 +22,19 @@ class TemporaryName {
 
   private:
     Entry* entry_;
+};
+
+/// Held while a file of a temporary name is made: who removes such files waits for it, so that none is made behind
+/// their back. Where the removal has begun, the constructor does not return: the program ends.
+class MakingOfFile {
+  public:
+    MakingOfFile();
+    ~MakingOfFile();
+    MakingOfFile(const MakingOfFile&) = delete;
+    MakingOfFile& operator=(const MakingOfFile&) = delete;
+
+  private:
+    sigset_t before_{};  ///< Signals that the thread had blocked; all are while this is held.
 };
 
 /// Removes all files of temporary names, for a program that ends without its destructors. From any thread, or a signal
