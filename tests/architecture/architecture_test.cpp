@@ -303,6 +303,22 @@ TEST(Architecture, FilesAreShort) {
     }
 }
 
+/// A test of one folder of the program is where that folder's path leads below tests/; the others concern several.
+TEST(Architecture, TestsMirrorTheProgram) {
+    const Names concern_several = {"architecture", "bench", "fuzz",   "gallery",   "models",  "opencsg", "outlines",
+                                   "pictures",     "plot",  "random", "stability", "support", "truth"};
+    int mirrored = 0;
+    for (const std::string& file : files_of({"tests"}, {".cpp", ".h"})) {
+        const fs::path folder = fs::path(file).parent_path().lexically_relative("tests");
+        if (folder == "." || concern_several.contains(folder.begin()->string())) {
+            continue;
+        }
+        EXPECT_TRUE(fs::is_directory(kRoot / folder)) << file << " tests a folder that is not there";
+        ++mirrored;
+    }
+    EXPECT_GT(mirrored, 100);
+}
+
 TEST(Architecture, TheManifestNamesEveryModel) {
     const std::string manifest = read_file(kRoot / "models/manifest.json");
     for (const std::string& file : files_of({"models"}, {".scad"})) {

@@ -8,7 +8,7 @@
 #include "csg/scad/customizer/customizer.h"
 #include "csg/scad/syntax/parser.h"
 #include "csg/scad/text/ast_text.h"
-#include "tests/scad/build_bodies.h"
+#include "tests/csg/scad/build_bodies.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace csg::scad;

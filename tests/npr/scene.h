@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "npr/accumulate.h"
-#include "tests/engine/comparison.h"
+#include "tests/goldfeather/comparison.h"
 #include "tests/random/build_model.h"
 
 namespace scene {

@@ -9,8 +9,8 @@
 #include "csg/solid/extrude.h"
 #include "csg/solid/indexed_outline.h"
 #include "csg/solid/triangulate_region.h"
+#include "tests/csg/solid/mesh_volume.h"
 #include "tests/outlines/even_odd.h"
-#include "tests/solid/mesh_volume.h"
 
 namespace outlines {
 namespace {

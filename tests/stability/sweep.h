@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/engine/engine_test.h"
+#include "tests/goldfeather/engine_test.h"
 #include "tests/opencsg/opencsg.h"
 #include "tests/stability/family.h"
 

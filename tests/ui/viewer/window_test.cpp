@@ -1,0 +1,374 @@
+// The window from outside: a real X server, a real keyboard and mouse as far as the program can tell, pixels and the
+// log of frames as evidence.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/support/gl_test.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/ui/viewer/x_display.h"
+
+namespace ui {
+namespace {
+
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+
+const std::string kModel =
+    "difference() {\n"
+    "    cube(20, center = true);\n"
+    "    cylinder(r = 7, h = 40, center = true, $fn = 32);\n"
+    "}\n";
+constexpr auto kPatience = 60s;  // Software renderers on busy machines.
+
+struct Color {
+    int r, g, b;
+};
+constexpr Color kCornfield{255, 255, 229}, kBlueprint{27, 63, 139}, kErrorBanner{189, 38, 38},
+    kGoneBanner{179, 115, 15}, kForm{38, 42, 48};
+
+/// Yellow of added leaves and green of subtracted ones, in any light.
+bool is_face(const std::uint8_t* p) {
+    return p[0] > p[1] && p[1] > 80 && p[2] < p[1] / 2;
+}
+bool is_cut(const std::uint8_t* p) {
+    return p[1] > p[0] && p[0] > 50 && p[2] < p[1] * 3 / 4 && p[1] > 80;
+}
+
+class Window : public testing::Test {
+  protected:
+    void SetUp() override {
+        const std::string missing = XDisplay::missing_program();
+        if (!missing.empty()) {
+            test_support::skip_or_fail(missing + " is not installed");
+            return;
+        }
+        display_ = std::make_unique<XDisplay>(folder_.path(""));
+        folder_.write("model.scad", kModel);
+    }
+
+    void open(const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{CSGSCOPE_PROGRAM, folder_.path("model.scad"), "--log-frames",
+                                           folder_.path("frames.json")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        program_ = std::make_unique<Process>(
+            arguments,
+            std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY", "HOME=" + folder_.path("")},
+            folder_.path("output.txt"));
+        robot("mousemove 480 300");  // Without a window manager the keyboard follows the pointer.
+    }
+    void robot(const std::string& commands) const { display_->robot(commands); }
+
+    std::vector<Json> frames() const {
+        std::vector<Json> all;
+        std::istringstream lines(folder_.read("frames.json"));
+        for (std::string line; std::getline(lines, line);) {
+            if (!lines.eof()) {  // The last line may be half written.
+                all.push_back(Json::parse(line));
+            }
+        }
+        return all;
+    }
+    /// Waits for a frame after the first `from` that is as wanted, and gives it; fails where none comes.
+    Json wait_for(std::size_t from, const std::function<bool(const Json&)>& wanted) {
+        const auto end = std::chrono::steady_clock::now() + kPatience;
+        do {
+            const auto all = frames();
+            for (std::size_t i = from; i < all.size(); ++i) {
+                if (wanted(all[i])) {
+                    return all[i];
+                }
+            }
+            if (const auto status = program_->wait(0s)) {
+                ADD_FAILURE() << "the program has ended with " << *status << ": " << folder_.read("output.txt");
+                return {};
+            }
+            std::this_thread::sleep_for(50ms);
+        } while (std::chrono::steady_clock::now() < end);
+        ADD_FAILURE() << "no such frame; the last: " << (frames().empty() ? Json() : frames().back());
+        return {};
+    }
+    /// A whole picture of a good model, after the first `from` frames.
+    Json wait_for_picture(std::size_t from = 0) {
+        return wait_for(from, [](const Json& frame) { return finished(frame) && frame.at("state") == "good"; });
+    }
+    static bool finished(const Json& frame) {
+        return frame.at("current") == true && frame.at("divisor") == 1 &&
+               frame.at("samples") == frame.at("wanted_samples");
+    }
+
+    /// How many pixels of the screen are so.
+    template <typename Wanted>
+    std::size_t count(Wanted&& wanted) const {
+        const base::Image image = display_->screenshot();
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+            found += wanted(&image.rgba[i]) ? 1 : 0;
+        }
+        return found;
+    }
+    std::size_t count(const Color& color) const {
+        return count([&](const std::uint8_t* p) {
+            return std::abs(p[0] - color.r) <= 2 && std::abs(p[1] - color.g) <= 2 && std::abs(p[2] - color.b) <= 2;
+        });
+    }
+    /// Waits until the screen shows so many pixels of a color; frames are logged a moment before they are seen.
+    testing::AssertionResult shows(const Color& color, std::size_t least, std::size_t most = ~std::size_t{0}) const {
+        std::size_t found = 0;
+        for (int i = 0; i < 50; ++i) {
+            found = count(color);
+            if (found >= least && found <= most) {
+                return testing::AssertionSuccess();
+            }
+            std::this_thread::sleep_for(100ms);
+        }
+        return testing::AssertionFailure() << found << " pixels instead of " << least << " to " << most;
+    }
+
+    test_support::TemporaryFolder folder_;
+    std::unique_ptr<XDisplay> display_;
+    std::unique_ptr<Process> program_;
+};
+
+TEST_F(Window, ShowsTheModelAndRests) {
+    open();
+    const Json frame = wait_for_picture();
+    EXPECT_EQ(frame.at("samples"), 4);
+    EXPECT_EQ(frame.at("style"), "shaded");
+    EXPECT_TRUE(shows(kCornfield, 100'000));
+    EXPECT_GT(count(is_face), 20'000U);
+    EXPECT_GT(count(is_cut), 1'000U);
+
+    std::this_thread::sleep_for(500ms);
+    const std::size_t before = frames().size();
+    const double busy = program_->processor_seconds();
+    std::this_thread::sleep_for(2s);
+    EXPECT_EQ(frames().size(), before) << "nothing changes, nothing is drawn";
+    EXPECT_LT(program_->processor_seconds() - busy, 0.1);
+
+    robot("key q");
+    EXPECT_EQ(program_->wait(kPatience), 0);
+}
+
+TEST_F(Window, MouseAndKeysChangeTheView) {
+    open();
+    const Json first = wait_for_picture();
+    std::size_t from = frames().size();
+    robot("mousemove 400 300 mousedown 1");
+    for (int i = 0; i < 10; ++i) {
+        robot("mousemove_relative 6 4");
+    }
+    robot("mouseup 1");
+    // 0.7 degrees per pixel.
+    const Json turned = wait_for(from, [&](const Json& frame) {
+        return std::abs(frame.at("camera").at("rotation")[0].get<double>() - (55 - 0.7 * 40)) < 0.01;
+    });
+    EXPECT_NEAR(turned.at("camera").at("rotation")[2].get<double>(), 360 + 25 - 0.7 * 60, 0.01);
+    EXPECT_EQ(turned.at("camera").at("translation"), first.at("camera").at("translation"));
+    const Json rested =
+        wait_for(from, [&](const Json& frame) { return finished(frame) && frame.at("camera") == turned.at("camera"); });
+    EXPECT_EQ(rested.at("samples"), 4);
+    const std::vector<Json> all_frames = frames();
+    for (std::size_t i = from; i < all_frames.size(); ++i) {
+        if (all_frames[i].at("camera") != all_frames[i - 1].at("camera")) {
+            EXPECT_TRUE(all_frames[i].at("current") == false || all_frames[i].at("samples") == 1)
+                << "a picture of a new camera begins with one sample";
+        }
+    }
+
+    from = frames().size();
+    robot("click 4 click 4");
+    const double distance = turned.at("camera").at("distance");
+    wait_for(from, [&](const Json& frame) {
+        return std::abs(frame.at("camera").at("distance").get<double>() * 1.15 * 1.15 - distance) < 1e-6;
+    });
+
+    from = frames().size();
+    robot("mousemove 400 300 mousedown 3 mousemove_relative 50 0 mouseup 3");
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("camera").at("rotation") == turned.at("camera").at("rotation") &&
+               frame.at("camera").at("translation") != turned.at("camera").at("translation");
+    });
+
+    from = frames().size();
+    robot("key ctrl+4");
+    wait_for(from, [](const Json& frame) { return frame.at("camera").at("rotation") == Json({0, 0, 0}); });
+    robot("key p");
+    wait_for(from, [](const Json& frame) { return frame.at("camera").at("projection") == "orthographic"; });
+    robot("key Home");
+    const Json all = wait_for(from, [&](const Json& frame) {
+        return finished(frame) && frame.at("camera").at("translation") == first.at("camera").at("translation");
+    });
+    EXPECT_EQ(all.at("camera").at("projection"), "orthographic");
+}
+
+TEST_F(Window, ADoubleClickCentersThePointOfTheModel) {
+    open({"--camera", "0,0,0,0,0,0,100", "--projection", "o"});
+    const Json first = wait_for_picture();
+    const std::size_t from = frames().size();
+    // From the top the corner at (9, 9) of the cube's upper face is right of and above the middle.
+    robot("mousemove 600 180 click 1 click 1");
+    const Json centered = wait_for(from, [&](const Json& frame) {
+        return frame.at("camera").at("translation") != first.at("camera").at("translation");
+    });
+    const Json at = centered.at("camera").at("translation");
+    EXPECT_NEAR(at[2].get<double>(), 10, 0.01) << "on the upper face";
+    EXPECT_GT(at[0].get<double>(), 2);
+    EXPECT_GT(at[1].get<double>(), 2);
+}
+
+TEST_F(Window, AKeyChangesTheStyle) {
+    open();
+    wait_for_picture();
+    const std::size_t from = frames().size();
+    for (int i = 0; i < 20; ++i) {
+        const std::size_t now = frames().size();
+        robot("key s");
+        const Json frame = wait_for(now, [](const Json& each) { return finished(each); });
+        if (frame.at("style") == "blueprint") {
+            break;
+        }
+    }
+    wait_for(from, [](const Json& frame) { return finished(frame) && frame.at("style") == "blueprint"; });
+    EXPECT_TRUE(shows(kBlueprint, 100'000));
+    EXPECT_TRUE(shows(kCornfield, 0, 1'000));
+}
+
+TEST_F(Window, TheMenuChoosesTheEngine) {
+    open();
+    EXPECT_EQ(wait_for_picture().at("engine"), "lists-cpu") << "the quickest where the processor computes OpenGL";
+    const std::size_t faces = count(is_face);
+    robot("mousemove 222 12 click 1");
+    std::this_thread::sleep_for(1s);
+    const std::size_t from = frames().size();
+    robot("mousemove 250 83 click 1");
+    wait_for(from, [](const Json& frame) { return finished(frame) && frame.at("engine") == "lists"; });
+    std::this_thread::sleep_for(1s);
+    EXPECT_NEAR(static_cast<double>(count(is_face)), static_cast<double>(faces), 0.01 * static_cast<double>(faces));
+}
+
+TEST_F(Window, FollowsTheFileThroughAnErrorAndBack) {
+    open({"--camera", "0,0,0,50,0,30,90"});
+    const Json first = wait_for_picture();
+    robot("mousemove 400 300 mousedown 1 mousemove_relative 60 0 mouseup 1");
+    const Json turned =
+        wait_for(0, [&](const Json& frame) { return finished(frame) && frame.at("camera") != first.at("camera"); });
+
+    std::size_t from = frames().size();
+    folder_.replace("model.scad", "cube(20, center = true);\ncube([1, 2, 3;\n");
+    const Json failed = wait_for(from, [](const Json& frame) { return frame.at("state") == "failed"; });
+    EXPECT_EQ(failed.at("generation"), turned.at("generation")) << "the last good model";
+    EXPECT_EQ(failed.at("camera"), turned.at("camera"));
+    EXPECT_TRUE(shows(kErrorBanner, 10'000));
+    EXPECT_GT(count(is_cut), 1'000U) << "the hole of the last good model";
+
+    from = frames().size();
+    folder_.write("model.scad", "cube(20, center = true);\n");
+    const Json repaired = wait_for_picture(from);
+    EXPECT_NE(repaired.at("generation"), turned.at("generation"));
+    EXPECT_EQ(repaired.at("camera"), turned.at("camera"));
+    EXPECT_TRUE(shows(kErrorBanner, 0, 100));
+    EXPECT_LT(count(is_cut), 200U) << "the hole is gone";
+    EXPECT_GT(count(is_face), 20'000U);
+}
+
+TEST_F(Window, FollowsAFileThatIsUsed) {
+    folder_.write("part.scad", "size = 20;\n");
+    folder_.write("model.scad", "include <part.scad>\ncube(size, center = true);\n");
+    open();
+    const Json first = wait_for_picture();
+    const std::size_t from = frames().size();
+    folder_.replace("part.scad", "size = 10;\n");
+    const Json second = wait_for(
+        from, [&](const Json& frame) { return finished(frame) && frame.at("generation") != first.at("generation"); });
+    EXPECT_EQ(second.at("camera"), first.at("camera"));
+}
+
+TEST_F(Window, AFileThatGoesAndComesBack) {
+    open();
+    wait_for_picture();
+    std::size_t from = frames().size();
+    folder_.remove("model.scad");
+    wait_for(from, [](const Json& frame) { return frame.at("state") == "gone"; });
+    EXPECT_TRUE(shows(kGoneBanner, 10'000));
+    EXPECT_GT(count(is_face), 10'000U);
+    from = frames().size();
+    folder_.write("model.scad", kModel);
+    wait_for_picture(from);
+    EXPECT_TRUE(shows(kGoneBanner, 0, 100));
+}
+
+TEST_F(Window, DoesNotWaitForTheEvaluation) {
+    open();
+    const Json first = wait_for_picture();
+    std::size_t from = frames().size();
+    folder_.replace("model.scad",
+                    "function f(n, s = 0) = n == 0 ? s : f(n - 1, s + sin(n));\n"
+                    "for (i = [0 : 10000]) echo(f(900000 + i));\ncube(5);\n");
+    wait_for(from, [](const Json& frame) { return frame.at("evaluating") == true; });
+    from = frames().size();
+    robot("mousemove 400 300 mousedown 1 mousemove_relative 30 0 mouseup 1");
+    const Json turned = wait_for(from, [&](const Json& frame) {
+        return frame.at("camera") != first.at("camera") && frame.at("evaluating") == true;
+    });
+    EXPECT_EQ(turned.at("generation"), first.at("generation"));
+
+    from = frames().size();
+    folder_.replace("model.scad", "cube(5);\n");  // Stops the long evaluation.
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("generation") != first.at("generation") && frame.at("evaluating") == false;
+    });
+}
+
+TEST_F(Window, DoesNotWaitForThePicture) {
+    open();
+    const Json first = wait_for_picture();
+    std::size_t from = frames().size();
+    // Thousands of surfaces in every pixel: one sample takes longer than all that follows.
+    folder_.replace("model.scad", "for (i = [0 : 4000]) cube([20, 20, 20 + i / 1000], center = true);\n");
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("generation") != first.at("generation") && frame.at("current") == false;
+    });
+    from = frames().size();
+    robot("mousemove 400 300 mousedown 1 mousemove_relative 30 0 mouseup 1");
+    wait_for(from, [&](const Json& frame) {
+        return frame.at("camera") != first.at("camera") && frame.at("current") == false && frame.at("picture_ms") == 0;
+    });
+    robot("key q");
+    EXPECT_EQ(program_->wait(kPatience), 0);
+}
+
+TEST_F(Window, SavesThePicture) {
+    open({"--style", "blueprint"});
+    wait_for_picture();
+    const std::string path = folder_.path("saved.png");
+    robot("key ctrl+s");
+    ASSERT_TRUE(shows(kForm, 20'000));  // With the proposed name selected, so that typing replaces it.
+    robot("type --delay 40 '" + path + "'");
+    robot("key Return");
+    for (int i = 0; i < 600 && !std::filesystem::exists(path); ++i) {
+        std::this_thread::sleep_for(100ms);
+    }
+    const base::Image image = base::read_png(path);  // Complete as soon as it is there.
+    const Json frame = frames().back();
+    EXPECT_EQ(image.width, frame.at("width"));
+    EXPECT_EQ(image.height, frame.at("height"));
+    EXPECT_EQ(image.pixel(2, 2)[2], kBlueprint.b);
+}
+
+TEST_F(Window, WithoutDisplayItSaysWhatToDo) {
+    program_ =
+        std::make_unique<Process>(std::vector<std::string>{CSGSCOPE_PROGRAM, folder_.path("model.scad")},
+                                  std::vector<std::string>{"DISPLAY", "WAYLAND_DISPLAY"}, folder_.path("output.txt"));
+    EXPECT_EQ(program_->wait(kPatience), 1);
+    EXPECT_NE(folder_.read("output.txt").find("-o picture.png"), std::string::npos) << folder_.read("output.txt");
+}
+
+}  // namespace
+}  // namespace ui
