@@ -31,8 +31,9 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
     table.leaves.clear();
     table.leaves.reserve(scene.leaves.size());
     for (const csg::LeafInstance& leaf : scene.leaves) {
-        table.leaves.push_back({{leaf.color.r, leaf.color.g, leaf.color.b, leaf.color.a},
-                                {leaf.part, static_cast<std::uint32_t>(kind_of(scene.parts[leaf.part])), 0, 0}});
+        table.leaves.push_back(
+            {{leaf.color.r, leaf.color.g, leaf.color.b, leaf.color.a},
+             {leaf.part, static_cast<std::uint32_t>(kind_of(scene.parts[leaf.part])), leaf.hatching, 0}});
     }
     table.planes.clear();
     table.planes.reserve(geometry.planes.planes().size());

@@ -30,8 +30,9 @@ void FrameProgram::use(const Frame& frame) {
     view_block_.update(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal);
     view_block_.bind();
     layers::bind(frame.layers);
-    FrameValues::table().set_uniforms(
-        program_, frame_values(frame.picture, frame.view, frame.layers.table->local_center, frame.layers.layers));
+    FrameValues::table().set_uniforms(program_,
+                                      frame_values(frame.picture, frame.view, frame.layers.table->local_center,
+                                                   frame.layers.table->diagonal, frame.layers.layers));
     program_.use();
 }
 

@@ -1,19 +1,49 @@
 #include "npr/frame_values.h"
 
+#include <cmath>
+
 namespace npr {
+namespace {
+
+/// 0 where there is none. That of the model's own is 1, 2 or 5 times a power of ten.
+float section_spacing(const Sections& sections, double diagonal) {
+    if (sections.cuts.empty()) {
+        return 0;
+    }
+    if (sections.spacing != Sections::kOwnSpacing) {
+        return static_cast<float>(sections.spacing);
+    }
+    constexpr double kLinesAcross = 90;
+    const double wanted = diagonal / kLinesAcross;
+    if (!(wanted > 0) || !std::isfinite(wanted)) {
+        return 0;
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+    const double step = wanted <= power ? 1 : wanted <= 2 * power ? 2 : wanted <= 5 * power ? 5 : 10;
+    return static_cast<float>(step * power);
+}
+
+}  // namespace
 
 const SettingsTable<FrameValues>& FrameValues::table() {
     static const SettingsTable<FrameValues> all{
-        setting<&FrameValues::layer_count>(),     setting<&FrameValues::center_in_eye>(),
-        setting<&FrameValues::jitter>(),          setting<&FrameValues::background_color>(),
-        setting<&FrameValues::background_stop>(), setting<&FrameValues::face_color>(),
-        setting<&FrameValues::cut_color>(),       setting<&FrameValues::highlight_color>(),
-        setting<&FrameValues::ghost_color>(),     setting<&FrameValues::transparent_background>(),
+        setting<&FrameValues::layer_count>(),
+        setting<&FrameValues::center_in_eye>(),
+        setting<&FrameValues::jitter>(),
+        setting<&FrameValues::background_color>(),
+        setting<&FrameValues::background_stop>(),
+        setting<&FrameValues::face_color>(),
+        setting<&FrameValues::cut_color>(),
+        setting<&FrameValues::highlight_color>(),
+        setting<&FrameValues::ghost_color>(),
+        setting<&FrameValues::section_spacing>(),
+        setting<&FrameValues::transparent_background>(),
     };
     return all;
 }
 
-FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& center, int layers) {
+FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& center, double diagonal,
+                         int layers) {
     FrameValues v;
     v.layer_count = layers;
     // In double precision, since the world's origin may be far away.
@@ -25,6 +55,7 @@ FrameValues frame_values(const Picture& picture, const base::View& view, const g
     v.cut_color = picture.scheme.cut;
     v.highlight_color = picture.scheme.highlight;
     v.ghost_color = picture.scheme.ghost;
+    v.section_spacing = section_spacing(picture.sections, diagonal);
     v.transparent_background = picture.transparent_background;
     return v;
 }

@@ -16,13 +16,14 @@ struct FrameValues {
     glm::vec3 cut_color{};
     glm::vec4 highlight_color{};
     glm::vec4 ghost_color{};
+    float section_spacing{};  ///< Of hatching, in world units; 0: none.
     bool transparent_background{};
 
     static const SettingsTable<FrameValues>& table();
 };
 
-/// `center`: the origin of plane_rows, in the world.
+/// `center`: the origin of plane_rows, in the world; `diagonal`: of the scene's box.
 [[nodiscard]] FrameValues frame_values(const Picture& picture, const base::View& view, const glm::dvec3& center,
-                                       int layers);
+                                       double diagonal, int layers);
 
 }  // namespace npr

@@ -7,6 +7,7 @@
 #include "layers/limits.h"
 #include "npr/color_scheme.h"
 #include "npr/parameter.h"
+#include "npr/section.h"
 
 namespace npr {
 
@@ -30,6 +31,7 @@ struct Picture {
     glm::ivec2 size{512, 512};            ///< Pixels.
     int samples = 4;                      ///< Per pixel, as npr::sample_offsets takes them.
     int layers = kLayersOfStyle;          ///< The first so many, or one of the constants above.
+    Sections sections;                    ///< What is cut away.
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
 
     /// Another style, with its parameters' defaults.

@@ -3,7 +3,8 @@
 namespace npr::shader {
 
 Frame::Frame(const CpuFrame& frame)
-    : FrameValues(frame_values(frame.picture, frame.view, frame.layers.table->local_center, frame.layers.layers)),
+    : FrameValues(frame_values(frame.picture, frame.view, frame.layers.table->local_center,
+                               frame.layers.table->diagonal, frame.layers.layers)),
       view(base::view_values(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal)),
       leaf_rows(frame.layers.table->leaves.data()),
       plane_rows(frame.layers.table->planes.data()),
@@ -24,6 +25,9 @@ bool Frame::same_surfaces(ivec2 p, ivec2 q) const {
         }
         if (a.x == kNoSurface) {
             break;
+        }
+        if (section_spacing > 0.0F && leaf_rows[a.x >> 1U].part.z != 0) {
+            return false;  // Its hatching differs.
         }
     }
     return true;

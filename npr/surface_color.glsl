@@ -1,5 +1,6 @@
 // Colors of surfaces as in OpenSCAD's preview. Valid in shaders and, within a struct with the same names, in C++.
 
+#include "npr/section_lines.glsl"
 #include "peel/composite.glsl"
 
 // Ambient light and two lights from opposite sides, fixed to the eye; flat, as the facets are.
@@ -28,7 +29,10 @@ vec4 seen_color(Surface s) {
 // Lit, sRGB with straight alpha.
 vec4 surface_color(Surface s) {
     vec4 color = seen_color(s);
-    return vec4(min(vec3(color) * light(s.normal), 1.0f), color.a);
+    float lit = light(s.normal);
+    if (is_section(s.leaf))
+        lit = mix(lit, 1.0f, 0.6f);  // Nearly flat, as in drawings: hatching is as clear on all of them.
+    return vec4(min(vec3(color) * lit, 1.0f), color.a);
 }
 
 // What lies before the background, as the picture's linear light. `color` is premultiplied; so much light comes

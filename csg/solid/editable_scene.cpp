@@ -65,24 +65,25 @@ EditableScene::EditableScene(Scene& scene, Geometry& geometry)
 }
 
 AddedId EditableScene::add(const Site& site, ExpressionKind operation, std::shared_ptr<const Solid> solid,
-                           const glm::dmat4& to_world, const Rgba& color) {
+                           const glm::dmat4& to_world, const AddedLook& look) {
     PlacedLeaf placed;
     placed.solid = std::move(solid);
-    return insert(site, operation, color, to_world, std::move(placed), {});
+    return insert(site, operation, look, to_world, std::move(placed), {});
 }
 
-AddedId EditableScene::add(const Site& site, ExpressionKind operation, const Plane& half_space, const Rgba& color) {
+AddedId EditableScene::add(const Site& site, ExpressionKind operation, const Plane& half_space, const AddedLook& look) {
     PlacedLeaf placed;
     placed.solid = std::make_shared<const Solid>();
-    return insert(site, operation, color, glm::dmat4(1.0), std::move(placed), {0, half_space, half_space});
+    return insert(site, operation, look, glm::dmat4(1.0), std::move(placed), {0, half_space, half_space});
 }
 
-AddedId EditableScene::insert(const Site& site, ExpressionKind operation, const Rgba& color, const glm::dmat4& to_world,
-                              PlacedLeaf placed, Added added) {
+AddedId EditableScene::insert(const Site& site, ExpressionKind operation, const AddedLook& look,
+                              const glm::dmat4& to_world, PlacedLeaf placed, Added added) {
     settle();
     LeafInstance instance;
     instance.to_world = to_world;
-    instance.color = color;
+    instance.color = look.color;
+    instance.hatching = look.hatching;
     const LeafId id = insert_leaf(scene_, site, operation, instance);
     for (Added& other : added_) {
         other.leaf += other.leaf >= id ? 1 : 0;

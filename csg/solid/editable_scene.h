@@ -22,6 +22,12 @@ namespace csg::solid {
 /// A leaf that was added, as long as it is there. Leaves have other numbers whenever one comes or goes; this stays.
 using AddedId = std::uint32_t;
 
+/// What an added leaf looks like: as LeafInstance has it.
+struct AddedLook {
+    Rgba color;
+    std::uint8_t hatching = 0;
+};
+
 class EditableScene {
   public:
     /// `geometry`: of `scene`, from place() or another edit. Both must outlive it, and nobody else may change them.
@@ -35,11 +41,11 @@ class EditableScene {
     /// Adds a leaf at the site, where something must be: united with what is there, subtracted from it or intersected
     /// with it. `solid`: in leaf coordinates.
     AddedId add(const Site& site, ExpressionKind operation, std::shared_ptr<const Solid> solid,
-                const glm::dmat4& to_world, const Rgba& color = {});
+                const glm::dmat4& to_world, const AddedLook& look = {});
     /// The same for the half-space of points p with dot(normal, p) ≤ offset. Its face has exactly that plane, unless it
     /// coincides with another exact one. It ends outside of everything else (cut_box.h), where it counts for the bounds
     /// of the scene.
-    AddedId add(const Site& site, ExpressionKind operation, const Plane& half_space, const Rgba& color = {});
+    AddedId add(const Site& site, ExpressionKind operation, const Plane& half_space, const AddedLook& look = {});
     void remove(AddedId added);
     /// The number that it has until leaves come or go.
     [[nodiscard]] LeafId leaf(AddedId added) const { return added_[added].leaf; }
@@ -64,7 +70,7 @@ class EditableScene {
         std::optional<Plane> rest, plane;  ///< Of a half-space: as it was put; as its part has moved it.
         bool there = true;
     };
-    AddedId insert(const Site& site, ExpressionKind operation, const Rgba& color, const glm::dmat4& to_world,
+    AddedId insert(const Site& site, ExpressionKind operation, const AddedLook& look, const glm::dmat4& to_world,
                    PlacedLeaf placed, Added added);
     void touch(LeafId leaf);
     void move_from_rest(LeafId leaf, const glm::dmat4& motion);

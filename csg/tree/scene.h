@@ -36,6 +36,9 @@ struct LeafInstance {
     Rgba color;  ///< As given by the outermost color(); `given()` is false where there is none.
     SourceLocation where;
     PartId part = 0;
+    /// What faces of it are: 0 surfaces like all others; else faces that a section has cut, with a hatching that tells
+    /// their part from its neighbors.
+    std::uint8_t hatching = 0;
 };
 
 enum class ExpressionKind : std::uint8_t { Leaf, Union, Intersection, Difference };

@@ -89,6 +89,73 @@ LeafId insert_leaf(Scene& scene, const Site& site, ExpressionKind operation, Lea
     return id;
 }
 
+namespace {
+
+/// Appends the leaves and expressions of parts of another scene to one that is being made.
+class PartCopier {
+  public:
+    PartCopier(const Scene& from, Scene& to) : from_(from), to_(to) {}
+
+    /// Gives the number of the copied root. `look`: null where leaves keep theirs.
+    std::uint32_t append(const Part& part, PartId into, const LeafInstance* look) {
+        const auto first_leaf = static_cast<LeafId>(to_.leaves.size());
+        for (LeafId leaf = part.first_leaf; leaf < part.first_leaf + part.leaf_count; ++leaf) {
+            LeafInstance copy = from_.leaves[leaf];
+            copy.part = into;
+            if (look != nullptr) {
+                copy.color = look->color;
+                copy.hatching = look->hatching;
+            }
+            to_.leaves.push_back(std::move(copy));
+        }
+        const auto first = static_cast<std::uint32_t>(to_.expressions.size());
+        for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {
+            Expression copy = from_.expressions[i];
+            copy.leaf = copy.kind == ExpressionKind::Leaf ? copy.leaf - part.first_leaf + first_leaf : copy.leaf;
+            copy.first_child = static_cast<std::uint32_t>(to_.expression_children.size());
+            for (const std::uint32_t child : from_.children(from_.expressions[i])) {
+                to_.expression_children.push_back(child - part.first_expression + first);
+            }
+            to_.expressions.push_back(copy);
+        }
+        return static_cast<std::uint32_t>(to_.expressions.size()) - 1;
+    }
+
+  private:
+    const Scene& from_;
+    Scene& to_;
+};
+
+}  // namespace
+
+void subtract_part(Scene& scene, PartId tool, std::span<const char> cut) {
+    Scene made;
+    made.parts = scene.parts;
+    made.occurrences = std::move(scene.occurrences);
+    PartCopier copier(scene, made);
+    for (PartId id = 0; id < scene.parts.size(); ++id) {
+        Part& part = made.parts[id];
+        part.first_expression = static_cast<std::uint32_t>(made.expressions.size());
+        part.first_leaf = static_cast<LeafId>(made.leaves.size());
+        part.root = copier.append(scene.parts[id], id, nullptr);
+        if (cut[id] != 0) {
+            LeafInstance look;
+            look.color = part.color;
+            look.hatching = 1;
+            const std::uint32_t subtracted = copier.append(scene.parts[tool], id, &look);
+            Expression whole;
+            whole.kind = ExpressionKind::Difference;
+            whole.first_child = static_cast<std::uint32_t>(made.expression_children.size());
+            whole.child_count = 2;
+            made.expression_children.insert(made.expression_children.end(), {part.root, subtracted});
+            part.root = static_cast<std::uint32_t>(made.expressions.size());
+            made.expressions.push_back(whole);
+        }
+        part.leaf_count = static_cast<LeafId>(made.leaves.size()) - part.first_leaf;
+    }
+    scene = std::move(made);
+}
+
 void erase_leaf(Scene& scene, LeafId inserted) {
     const PartId part = scene.leaves[inserted].part;
     std::uint32_t at = scene.parts[part].first_expression;

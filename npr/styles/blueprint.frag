@@ -1,6 +1,7 @@
 #include "npr/color.glsl"
 #include "npr/frame.glsl"
 #include "npr/edges/lines.glsl"
+#include "npr/section_lines.glsl"
 #include "npr/settings.glsl"
 
 out vec4 result;

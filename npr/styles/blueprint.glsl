@@ -19,6 +19,10 @@ vec4 blueprint(ivec2 pixel) {
     }
     float bare = 1.0f;  // of the paper, not yet covered by lines
     float strength = 1.0f;
+    if (seen > 0) {
+        uvec2 ids = surface_ids(pixel, 0);
+        bare -= 0.5f * section_lines(leaf_of(ids), plane_of(ids), pixel);
+    }
     for (int i = 0; i < min(layers, kLayersApart) && line_near(i); ++i) {
         bare *= 1.0f - strength * line_ink(i);
         strength = i == 0 ? hidden_strength : strength * hidden_falloff;

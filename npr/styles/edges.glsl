@@ -6,6 +6,8 @@ vec4 edges(ivec2 pixel) {
         Surface s = layer_surface(pixel, seen.layer, ray);
         vec4 c = s.hit ? mix(seen_color(s), surface_color(s), light_strength) : vec4(0.0f);
         c = vec4(mix(vec3(1.0f), vec3(c), shade), c.a);
+        if (s.hit)
+            c = hatched(c, s.leaf, s.plane, pixel);
         if (line_near(seen.layer) && !(s.hit && c.a == 0.0f))
             c = with_line(c, edge_color, line_ink(seen.layer));
         seen = behind(seen, s.hit, c);

@@ -7,7 +7,7 @@ vec4 shaded(ivec2 pixel) {
         Surface s = layer_surface(pixel, seen.layer, ray);
         vec4 c = vec4(0.0f);
         if (s.hit)
-            c = surface_color(s);
+            c = hatched(surface_color(s), s.leaf, s.plane, pixel);
         seen = behind(seen, s.hit, c);
     }
     return before_background(seen.color, seen.through, pixel);

@@ -124,7 +124,7 @@ Shade shade_of(ivec2 pixel, vec4 noise, float grain) {
             vec2 at = vec2(pixel) + 0.5f + jitter + 0.5f * wobble * vec2(noise.z, noise.w);
             float strokes_here = hatch > 0.0f ? hatching(at, s.normal, shadow) : 0.0f;
             shade.ink = max(shade.ink, seen.through * hatch * deposit(strokes_here, 0.75f + 0.35f * noise.w, grain));
-            tint = vec4(min(lit_tint, 1.0f), tint.a);
+            tint = hatched(vec4(min(lit_tint, 1.0f), tint.a), s.leaf, s.plane, shade_at);
         }
         seen = behind(seen, s.hit, tint);
     }

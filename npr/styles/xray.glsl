@@ -38,6 +38,7 @@ vec4 xray(ivec2 pixel) {
             ink = 0.22f * vec3(base);
             c = vec4(mix(min(vec3(base) * light(s.normal), 1.0f), background_color, fog),
                      base.a * wall_opacity(s, direction));
+            c = hatched(c, s.leaf, s.plane, pixel);
         }
         if (line_near(seen.layer))
             c = with_line(c, ink, strength * (1.0f - fog) * line_ink(seen.layer));

@@ -64,8 +64,18 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          picture);
     text("--parts", raw.parts,
          "What is a part: model (all of it), top (children of the top-level union), color, depth=N or "
-         "module=NAME[,NAME] (model)",
+         "module=NAME[,NAME] (model; with --section color)",
          "RULE", picture);
+    list(
+        "--section", raw.sections,
+        "Cut away what is on the eye's side of a plane (z=12), on one side of it (z>12, z<12), where the normal points "
+        "(plane([x,y,z],[nx,ny,nz])), inside box([x,y,z],[x,y,z]) or part:NAME, or half, quarter or eighth of the "
+        "model before its middle; may be repeated",
+        "WHAT", picture);
+    list("--uncut", raw.uncut, "Parts that sections leave whole; may be repeated", "NAME[,NAME]", picture);
+    text("--hatching", raw.hatching,
+         "Distance of the lines of hatching on cut faces, in units of the model; 0: none (by the model's size)",
+         "LENGTH", picture);
     text("--samples", raw.samples,
          "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
     flag("--transparent-background", o.picture.transparent_background, "No background", picture);

@@ -10,6 +10,7 @@
 #include "layers/limits.h"
 #include "ui/command_line/option_declarations.h"
 #include "ui/command_line/option_values.h"
+#include "ui/command_line/section_text.h"
 #include "ui/pipeline/suggestion.h"
 
 namespace ui {
@@ -207,6 +208,10 @@ void interpret(Options& o, const RawOptions& raw) {
     }
     if (!raw.parts.empty()) {
         o.parts = read_parts(raw.parts);
+    }
+    o.picture.sections = read_sections(raw.sections, raw.uncut, raw.hatching);
+    if (raw.parts.empty() && !o.picture.sections.cuts.empty()) {
+        o.parts.kind = csg::PartRule::Kind::Color;  // Cut faces have the color of what was cut.
     }
     if (!raw.at.empty()) {
         o.pick = read_pick(raw, o.picture.size);

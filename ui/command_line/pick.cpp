@@ -46,6 +46,10 @@ std::string_view name_of(const Step& step) {
     return step.statement != nullptr ? std::string_view(step.statement->name) : name_of(step.node.operation);
 }
 
+std::string_view shape_of(const csg::LeafInstance& leaf, const std::vector<Step>& steps) {
+    return leaf.hatching != 0 ? "section" : steps.empty() ? "leaf" : name_of(steps.back());
+}
+
 bool is_loop(const Step& step) {
     const std::string_view name = name_of(step);
     return name == "for" || name == "intersection_for";
@@ -194,8 +198,8 @@ std::string pick_text(const PickReport& report) {
         out += fmt::format("\n{:<3}{} away, at [{}, {}, {}]\n", s.layer + 1, number_text(s.distance, scale),
                            number_text(s.point.x, scale), number_text(s.point.y, scale), number_text(s.point.z, scale));
         out += fmt::format("   {} {} (leaf {}, {}), {}\n", s.surface.reversed ? "cut by" : "face of",
-                           steps.empty() ? "leaf" : name_of(steps.back()), s.surface.leaf,
-                           s.surface.reversed ? "subtracts" : "adds", color_text(leaf.color));
+                           shape_of(leaf, steps), s.surface.leaf, s.surface.reversed ? "subtracts" : "adds",
+                           color_text(leaf.color));
         out += fmt::format(
             "   part {}{}{}: from {} into {}\n", part.name,
             part.kind == csg::PartKind::Solid ? "" : fmt::format(" ({})", csg::name(part.kind)),
@@ -224,7 +228,7 @@ Json pick_json(const PickReport& report) {
              {"point", array(s.point)},
              {"normal", array(s.normal)},
              {"leaf", s.surface.leaf},
-             {"shape", steps.empty() ? "leaf" : name_of(steps.back())},
+             {"shape", shape_of(leaf, steps)},
              {"operation", s.surface.reversed ? "subtracts" : "adds"},
              {"leaving", s.surface.leaving},
              {"color", color_json(leaf.color)},

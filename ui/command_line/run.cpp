@@ -25,6 +25,7 @@
 #include "ui/pipeline/picture/flat_lines.h"
 #include "ui/pipeline/picture/renderer.h"
 #include "ui/pipeline/plain_text.h"
+#include "ui/pipeline/sections.h"
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/window.h"
 
@@ -105,6 +106,9 @@ class Run {
                 fmt::format("only one of {} can go to standard output", fmt::join(to_standard_output, ", ")));
         }
         picture_ = picture_of(options_.picture, options_.picture_texts);
+        if (!picture_.sections.cuts.empty() && needs_geometry(options_)) {
+            throw UsageError("--section is of pictures; in a mesh or a drawing, cut with difference() in the file");
+        }
     }
 
     void build() {
@@ -113,6 +117,7 @@ class Run {
             builder_.show(csg::Showing::Result);
         }
         builder_.divide(options_.parts);
+        builder_.cut(picture_.sections);
         model_ = builder_.build(language_.evaluation().tree, limit_.token(), language_.evaluation().program);
         for (const std::string& warning : model_->warnings) {
             language_.messages().warn(warning);
@@ -132,6 +137,19 @@ class Run {
         // As OpenSCAD: previews go by the boxes of products, results by what is left.
         box_ = framed && !options_.preview ? exact_bounds(*model_, limit_.token()) : model_->box;
         picture_.camera = choose_camera(request, language_.evaluation().view, box_);
+        cut();
+    }
+
+    /// What is drawn and picked: the camera is chosen for the whole model, so that a section moves nothing.
+    void cut() {
+        CutModel cut = cut_away(model_, picture_.sections, picture_.camera);
+        model_ = std::move(cut.model);
+        for (const std::string& warning : cut.warnings) {
+            language_.messages().warn(warning);
+        }
+        if (options_.hard_warnings && !cut.warnings.empty()) {
+            throw ModelError("stopped at a warning");
+        }
     }
 
     /// Null where a picture is not to wait for OpenGL before it is known to need it.
@@ -278,7 +296,9 @@ int open_window(const Options& options) {
     window.source.hard_warnings = options.hard_warnings;
     window.source.by_error = options.by_error;
     window.source.parts = options.parts;
+    window.source.sections = options.picture.sections;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
+    window.source.first_camera = window.camera;
     window.picture = PictureRequest(picture_of(options.picture, options.picture_texts));  // Told before a window opens.
     window.picture.engine = options.engine.engine;
     window.engine = options.engine;

@@ -7,6 +7,7 @@
 
 #include "base/stop.h"
 #include "ui/pipeline/model_parts.h"
+#include "ui/pipeline/sections.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -34,6 +35,7 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
     const bool result = showing_ == csg::Showing::Result;
     model->flat = result && csg::is_flat(*model->tree);
     model->scene = csg::make_scene(*model->tree, showing_, parts_);
+    cut_by_parts(model->scene, sections_);
     model->geometry = csg::solid::place(*model->tree, model->scene, solids_, result ? kFlat : kPreviewThickness, stop);
     solids_.trim();
     statistics.place_ms = watch.lap();
@@ -52,6 +54,7 @@ std::shared_ptr<const Model> ModelBuilder::build(std::shared_ptr<const csg::Tree
             model->over_budget = std::move(made.over_budget);
         }
     }
+    set_hatchings(*model, sections_);
     statistics.normalize_ms = watch.lap();
     statistics.leaves = model->scene.leaves.size();
     statistics.parts = model->scene.parts.size();

@@ -12,6 +12,7 @@
 #include "csg/tree/scene.h"
 #include "goldfeather/choice.h"
 #include "goldfeather/products.h"
+#include "npr/section.h"
 #include "ui/pipeline/mesh/exact_operations.h"
 
 namespace csg::scad {
@@ -69,6 +70,9 @@ class ModelBuilder {
     /// What is a part of the models to come; the whole solid, unless something else is said.
     void divide(csg::PartRule parts) { parts_ = std::move(parts); }
 
+    /// Cuts the models to come by parts of them, as far as sections say so; for what else they say see sections.h.
+    void cut(npr::Sections sections) { sections_ = std::move(sections); }
+
     /// A part with more products than the budget allows is left to the engines that need none. Throws base::Stopped
     /// where `stop` asked for it.
     [[nodiscard]] std::shared_ptr<const Model> build(std::shared_ptr<const csg::Tree> tree,
@@ -88,6 +92,7 @@ class ModelBuilder {
     goldfeather::Budget budget_;
     csg::Showing showing_ = csg::Showing::Preview;
     csg::PartRule parts_;
+    npr::Sections sections_;
     csg::solid::SolidCache solids_{exact_operations()};
 };
 

@@ -6,6 +6,7 @@
 #include "csg/tree/out_of_memory.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/program_runner.h"
+#include "ui/pipeline/sections.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -38,14 +39,20 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     }
     Stopwatch watch;
     builder.divide(source.parts);
-    auto model = builder.build(evaluation.tree, stop, evaluation.program);
+    builder.cut(source.sections);
+    std::shared_ptr<const Model> model = builder.build(evaluation.tree, stop, evaluation.program);
+    CutModel cut = cut_away(model, source.sections, choose_camera(source.first_camera, revision.view, model->box));
+    model = std::move(cut.model);
+    for (const std::string& warning : cut.warnings) {
+        revision.messages.add(LineKind::Warning, "WARNING: " + warning);
+    }
     revision.build_ms = watch.lap();
     for (const auto* texts : {&model->warnings, &model->failures}) {
         for (const std::string& text : *texts) {
             revision.messages.add(LineKind::Warning, "WARNING: " + text);
         }
     }
-    if (source.hard_warnings && !(model->warnings.empty() && model->failures.empty())) {
+    if (source.hard_warnings && !(model->warnings.empty() && model->failures.empty() && cut.warnings.empty())) {
         revision.messages.add(LineKind::Error, "stopped at a warning");
         return;
     }
