@@ -26,8 +26,8 @@ struct Source {
     bool hard_warnings = false;            ///< A warning is an error.
     bool by_error = false;                 ///< $fe has its meaning.
     csg::PartRule parts{};
-    npr::Sections sections{};    ///< What is cut away, …
-    CameraRequest first_camera;  ///< … and with it the camera whose eye they go by, whatever looks at them later.
+    npr::Sections sections{};      ///< What is cut away, …
+    CameraRequest first_camera{};  ///< … and with it the camera whose eye they go by, whatever looks at them later.
 };
 
 struct Revision {
