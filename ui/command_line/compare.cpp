@@ -16,18 +16,21 @@
 #include "ui/command_line/compare_options.h"
 #include "ui/command_line/compare_picture.h"
 #include "ui/command_line/compare_report.h"
+#include "ui/command_line/compare_table.h"
 #include "ui/command_line/compare_views.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/time_limit.h"
 #include "ui/pipeline/comparison/errors.h"
 #include "ui/pipeline/comparison/layer_volume.h"
 #include "ui/pipeline/measures.h"
+#include "ui/pipeline/plain_text.h"
 
 namespace ui {
 
 namespace {
 
 namespace fs = std::filesystem;
+
 /// Those that an engine finds which finds `most` (goldfeather::kAllLayers: all).
 MeshLayers first_layers(MeshLayers layers, int most) {
     if (most != goldfeather::kAllLayers) {
@@ -83,7 +86,7 @@ int compare_with_mesh(const CompareOptions& o) {
         base::end_if_asked(o.stop);
         const base::Camera camera =
             o.camera ? *o.camera : spread_camera(i, o.views, facts.box.empty() ? box : facts.box);
-        const base::View view(camera, {o.size, o.size}, box.lo, box.hi);
+        const base::View view(camera, o.size, box.lo, box.hi);
         const auto stack = drawer.layers(view);
         const MeshLayers truth = first_layers(mesh_layers(mesh, view), drawer.most_layers());
         const Comparison comparison = compare_layers(*stack, solid.geometry, mesh, truth, view, box.diagonal());
@@ -99,8 +102,7 @@ int compare_with_mesh(const CompareOptions& o) {
         }
     }
     if (!volume.known() && drawer.most_layers() == goldfeather::kAllLayers) {
-        const base::View view(spread_camera(1, 2, facts.box.empty() ? box : facts.box), {o.size, o.size}, box.lo,
-                              box.hi);
+        const base::View view(spread_camera(1, 2, facts.box.empty() ? box : facts.box), o.size, box.lo, box.hi);
         volume.look(*drawer.layers(view), view);
     }
     const double worst = std::max({outside.coverage(), outside.layers(), outside.order(), outside.normals()});
@@ -117,6 +119,7 @@ int compare_with_mesh(const CompareOptions& o) {
                  {"engine", o.engine->name},
                  {"layers", drawer.most_layers() == goldfeather::kAllLayers ? Json("all") : Json(drawer.most_layers())},
                  {"views", o.views},
+                 {"size", {o.size.x, o.size.y}},
                  {"mesh", {{"triangles", mesh.triangles.size()}, {"volume", facts.volume}}},
                  {"volume", volume.to_json(facts.volume, o.tolerance)},
                  {"all", to_json(all)},
@@ -126,7 +129,7 @@ int compare_with_mesh(const CompareOptions& o) {
     if (!openscad.is_null()) {
         json["openscad"] = openscad;
     }
-    write_output("-", text_of(json));
+    write_output("-", o.json ? text_of(json) : printable(compare_table(json)));
     if (!o.report.empty()) {
         base::make_folder(o.report);
         const fs::path folder = o.report;
@@ -137,12 +140,12 @@ int compare_with_mesh(const CompareOptions& o) {
         write_output((folder / "report.json").string(), text_of(json));
         write_output(
             (folder / "report.html").string(),
-            report_page(
-                fmt::format("{} against {}", o.input, o.against),
-                fmt::format("Engine {}, {} views of {} × {} pixels, {}. {}", o.engine->name, o.views, o.size, o.size,
-                            drawer.most_layers() == goldfeather::kAllLayers ? "all layers" : "the first layer",
-                            good ? "Within the tolerance." : "Beyond the tolerance."),
-                views));
+            report_page(fmt::format("{} against {}", o.input, o.against),
+                        fmt::format("Engine {}, {} views of {} × {} pixels, {}. {}", o.engine->name, o.views, o.size.x,
+                                    o.size.y,
+                                    drawer.most_layers() == goldfeather::kAllLayers ? "all layers" : "the first layer",
+                                    good ? "Within the tolerance." : "Beyond the tolerance."),
+                        views));
     }
     return good ? 0 : 1;
 }

@@ -48,7 +48,7 @@ std::string without_last_lines(std::string text) {
 }  // namespace
 
 Json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree, const Model& model,
-                           const csg::reference::MeshFacts& theirs, const base::Camera& camera, int size) {
+                           const csg::reference::MeshFacts& theirs, const base::Camera& camera, glm::ivec2 size) {
     const csg::reference::MeshFacts ours = make_mesh(model).facts;
     const double off = std::abs(ours.volume - theirs.volume);
     Json json = {{"tree_agrees", without_last_lines(tree) == without_last_lines(openscad.tree())},

@@ -15,6 +15,7 @@ namespace ui {
 /// the six digits of openscad's file allow. {"tree_agrees": …, "volume": …, "picture": …}; the picture, which needs a
 /// display, is null where there is none, and else the share of pixels that only one of the two covers.
 [[nodiscard]] Json compare_with_openscad(const OpenscadProcess& openscad, const std::string& tree, const Model& model,
-                                         const csg::reference::MeshFacts& theirs, const base::Camera& camera, int size);
+                                         const csg::reference::MeshFacts& theirs, const base::Camera& camera,
+                                         glm::ivec2 size);
 
 }  // namespace ui

@@ -1,6 +1,7 @@
 #include "ui/command_line/compare_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -11,9 +12,24 @@
 
 namespace ui {
 
+namespace {
+
+glm::ivec2 read_size(const std::string& text) {
+    constexpr int kLeast = 16, kMost = 4096;
+    const auto n = read_numbers("--imgsize", text, {1, 2}, "width,height");
+    for (const double side : n) {
+        if (side != std::floor(side) || side < kLeast || side > kMost) {
+            throw UsageError(fmt::format("--imgsize {}: a side is a whole number from {} to {}", text, kLeast, kMost));
+        }
+    }
+    return {static_cast<int>(n.front()), static_cast<int>(n.back())};
+}
+
+}  // namespace
+
 CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     CompareOptions o;
-    std::string camera, projection = "p", engine(o.engine->name);
+    std::string camera, size, projection = "p", engine(o.engine->name);
     OptionTable table("csgscope compare draws a model and compares all layers of the picture with a mesh.",
                       "csgscope compare");
     table.add({"file", "The .scad file"}, o.input, true);
@@ -35,7 +51,8 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     table.add({"--views", "Views spread over the sphere, of both projections in turn (1)"}, o.views, 1, 100);
     table.add({"--camera", "One view instead: the numbers of csgscope --camera"}, camera);
     table.add({"--projection", "Of --camera: o (orthographic) or p (perspective, default)"}, projection, {"o", "p"});
-    table.add({"--imgsize", "Width and height in pixels (256)"}, o.size, 16, 4096);
+    table.add({"--imgsize", "Width and height in pixels (256,256); of one number both"}, size);
+    table.add_flag({"--json", "Print JSON instead of a table"}, o.json);
     table.add({"--report", "Folder for report.html, report.json and pictures of the differences"}, o.report);
     table.add({"--tolerance", "Largest share of wrong pixels outside the band (0)"}, o.tolerance, 0.0, 1.0);
     table.add({"--reference", "A picture to compare with, as --against FILE.png"}, o.reference);
@@ -54,6 +71,9 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     o.engine = engines.at(engine);
     if (o.against.ends_with(".png")) {
         o.reference = o.against;
+    }
+    if (!size.empty()) {
+        o.size = read_size(size);
     }
     if (!camera.empty()) {
         if (o.views != 1) {

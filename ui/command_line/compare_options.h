@@ -21,7 +21,9 @@ struct CompareOptions {
     std::string reference;               ///< A picture; empty: meshes are compared.
     std::optional<base::Camera> camera;  ///< The only view; absent: `views` of them.
     double tolerance = 0, reference_threshold = 0.01;
-    int views = 1, size = 256;
+    int views = 1;
+    glm::ivec2 size{256};
+    bool json = false;                      ///< Printed, instead of a text for people.
     double time_limit = 0;                  ///< Seconds; 0: none.
     std::stop_token stop{};                 ///< Where it is asked for, base::Stopped is thrown.
     std::shared_ptr<ProgramRunner> runner;  ///< Of the input.

@@ -9,10 +9,12 @@
 #include "base/file.h"
 #include "base/image.h"
 #include "ui/command_line/compare_input.h"
+#include "ui/command_line/compare_table.h"
 #include "ui/command_line/compare_views.h"
 #include "ui/command_line/files.h"
 #include "ui/pipeline/picture/camera.h"
 #include "ui/pipeline/picture/renderer.h"
+#include "ui/pipeline/plain_text.h"
 
 namespace ui {
 
@@ -41,7 +43,7 @@ int compare_with_picture(const CompareOptions& o) {
                        {"pixels_that_differ", share},
                        {"threshold", o.reference_threshold},
                        {"within_threshold", good}};
-    write_output("-", text_of(json));
+    write_output("-", o.json ? text_of(json) : printable(compare_picture_text(json)));
     if (!o.report.empty()) {
         base::make_folder(o.report);
         write_output((std::filesystem::path(o.report) / "difference_1.png").string(), base::encode_png(difference));

@@ -114,7 +114,7 @@ std::string OpenscadProcess::tree() const {
     return read(file);
 }
 
-std::optional<base::Image> OpenscadProcess::picture(const base::Camera& camera, int size) const {
+std::optional<base::Image> OpenscadProcess::picture(const base::Camera& camera, glm::ivec2 size) const {
     Command command{"openscad",
                     "-q",
                     "--render",
@@ -122,7 +122,7 @@ std::optional<base::Image> OpenscadProcess::picture(const base::Camera& camera, 
                     "-",
                     "--export-format",
                     "png",
-                    fmt::format("--imgsize={0},{0}", size),
+                    fmt::format("--imgsize={},{}", size.x, size.y),
                     fmt::format("--projection={}", camera.projection == base::Projection::Orthographic ? "o" : "p"),
                     fmt::format("--camera={},{},{},{},{},{},{}", camera.target.x, camera.target.y, camera.target.z,
                                 camera.rotation.x, camera.rotation.y, camera.rotation.z, camera.distance),

@@ -21,7 +21,7 @@ class OpenscadProcess {
     [[nodiscard]] std::string tree() const;  ///< Text of the .csg file.
 
     /// Its rendered picture; none where it can make none, as without a display (Xvfb is started then).
-    [[nodiscard]] std::optional<base::Image> picture(const base::Camera& camera, int size) const;
+    [[nodiscard]] std::optional<base::Image> picture(const base::Camera& camera, glm::ivec2 size) const;
 
   private:
     std::string input_;

@@ -297,7 +297,7 @@ TEST_F(Export, ACacheThatCannotBeWrittenIsAWarning) {
 }
 
 TEST_F(Export, ThePictureAgreesWithTheMesh) {
-    const Result result = run("compare m.scad --views 3 --imgsize 96 --report report");
+    const Result result = run("compare --json m.scad --views 3 --imgsize 96 --report report");
     ASSERT_EQ(result.status, 0) << result.out << result.err;
     const Json json = Json::parse(result.out);
     EXPECT_EQ(json.at("without_band").at("coverage_error"), 0.0);
@@ -312,7 +312,7 @@ TEST_F(Export, ThePictureAgreesWithTheMesh) {
 }
 
 TEST_F(Export, LayersAreToldOneByOne) {
-    const Result result = run("compare m.scad --imgsize 64");
+    const Result result = run("compare --json m.scad --imgsize 64");
     ASSERT_EQ(result.status, 0) << result.err;
     const Json layers = Json::parse(result.out).at("all").at("layers");
     // The ball sticks out of the faces of the cube, so its inside is seen: in and out on both sides.
@@ -321,12 +321,38 @@ TEST_F(Export, LayersAreToldOneByOne) {
     EXPECT_EQ(layers[0].at("coverage_error"), 0.0);
 }
 
+TEST_F(Export, ATableTellsPeopleTheSame) {
+    const Result table = run("compare m.scad --imgsize 64,48 --views 2");
+    ASSERT_EQ(table.status, 0) << table.err;
+    const Json json = Json::parse(run("compare m.scad --imgsize 64,48 --views 2 --json").out);
+    EXPECT_EQ(json.at("size"), Json({64, 48}));
+    const auto says = [&](const std::string& text) {
+        EXPECT_NE(table.out.find(text), std::string::npos) << text << " in:\n" << table.out;
+    };
+    says("m.scad against cgal: within the tolerance of 0\n");
+    says(fmt::format("lists-cpu, all layers, 2 views of 64 × 48 pixels; the mesh has {} triangles",
+                     json.at("mesh").at("triangles").get<int>()));
+    says(fmt::format("  {}  ", json.at("all").at("surfaces").get<int>()));
+    says("\nlayer, all pixels");
+    says("they agree");
+
+    folder_.write("other.scad", "cube(10);");
+    ASSERT_EQ(run("other.scad -o other.stl").status, 0);
+    const Result differs = run("compare m.scad --imgsize 64 --against other.stl");
+    EXPECT_EQ(differs.status, 1);
+    EXPECT_NE(differs.out.find("BEYOND the tolerance"), std::string::npos) << differs.out;
+    for (const char* const size : {"15", "64,0", "64,64,64", "64.5", "a"}) {
+        EXPECT_NE(run(std::string("compare m.scad --imgsize ") + size).err.find("--imgsize"), std::string::npos)
+            << size;
+    }
+}
+
 TEST_F(Export, EveryEngineIsCompared) {
     folder_.write("other.scad", "difference() { cube(10, center = true); cylinder(r = 3, h = 20, center = true); }");
     ASSERT_EQ(run("other.scad -o other.stl").status, 0);
     for (const std::string engine : {"goldfeather", "lists", "lists-cpu", "scs"}) {
         const std::string options = " --imgsize 64 --views 2 --engine " + engine;
-        const Result result = run("compare m.scad" + options);
+        const Result result = run("compare --json m.scad" + options);
         ASSERT_EQ(result.status, 0) << engine << ": " << result.err;
         const Json json = Json::parse(result.out);
         EXPECT_EQ(json.at("engine"), engine);
@@ -348,7 +374,7 @@ TEST_F(Export, AgainstOpenscad) {
     if (std::system("openscad --version >/dev/null 2>&1") != 0) {
         GTEST_SKIP() << "openscad is not installed";
     }
-    const Result result = run("compare m.scad --imgsize 64 --against openscad");
+    const Result result = run("compare --json m.scad --imgsize 64 --against openscad");
     ASSERT_EQ(result.status, 0) << result.out << result.err;
     const Json json = Json::parse(result.out).at("openscad");
     EXPECT_EQ(json.at("tree_agrees"), true);
@@ -364,7 +390,7 @@ TEST_F(Export, AnotherMeshIsFoundOut) {
     EXPECT_EQ(run("compare m.scad --imgsize 96 --against m.stl").status, 0);
     folder_.write("other.scad",
                   "difference() { cube(10, center = true); sphere(6.1, $fn = 24); translate([3, 3, 4]) cube(9); }\n");
-    const Result result = run("compare other.scad --imgsize 96 --against m.stl");
+    const Result result = run("compare --json other.scad --imgsize 96 --against m.stl");
     EXPECT_EQ(result.status, 1) << result.err;
     EXPECT_GT(Json::parse(result.out).at("without_band").at("layer_error"), 0.01);
     EXPECT_EQ(run("compare other.scad --imgsize 96 --against m.stl --tolerance 1").status, 0);
@@ -387,7 +413,7 @@ std::string turned(const std::string& stl, bool all) {
 TEST_F(Export, ATurnedMeshIsFoundOut) {
     ASSERT_EQ(run("m.scad -o m.stl").status, 0);
     folder_.write("inside_out.stl", turned(folder_.read("m.stl"), true));
-    const Result inside_out = run("compare m.scad --imgsize 64 --against inside_out.stl");
+    const Result inside_out = run("compare --json m.scad --imgsize 64 --against inside_out.stl");
     EXPECT_EQ(inside_out.status, 1) << inside_out.err;
     const Json json = Json::parse(inside_out.out);
     EXPECT_EQ(json.at("without_band").at("layer_error"), 0.0);
@@ -397,13 +423,13 @@ TEST_F(Export, ATurnedMeshIsFoundOut) {
     folder_.write("die.scad", "cube(10);");
     ASSERT_EQ(run("die.scad -o die.stl").status, 0);
     folder_.write("one.stl", turned(folder_.read("die.stl"), false));
-    const Result one = run("compare die.scad --imgsize 96 --views 6 --against one.stl");
+    const Result one = run("compare --json die.scad --imgsize 96 --views 6 --against one.stl");
     EXPECT_EQ(one.status, 1) << one.err;
     EXPECT_GT(Json::parse(one.out).at("without_band").at("orientation_error"), 0.0);
 }
 
 TEST_F(Export, TheVolumeOfThePictureIsThatOfTheMesh) {
-    const Result result = run("compare m.scad --views 4 --imgsize 200");
+    const Result result = run("compare --json m.scad --views 4 --imgsize 200");
     ASSERT_EQ(result.status, 0) << result.out << result.err;
     const Json json = Json::parse(result.out);
     const double mesh = json.at("mesh").at("volume"), picture = json.at("volume").at("picture");
@@ -444,7 +470,7 @@ TEST_F(Export, ShellsOfAFileAreCountedByTheirWinding) {
           Case{stl_box(origin, ten) + stl_box({10, 10, 0}, {12, 12, 10}), "", 1040}}) {  // An edge of four faces.
         folder_.write("shells.stl", "solid shells\n" + shells + "endsolid shells\n");
         folder_.write("shells.scad", "difference() { import(\"shells.stl\"); " + (cut.empty() ? "" : cut + ";") + "}");
-        const Result result = run("compare shells.scad --imgsize 96 --views 4");
+        const Result result = run("compare --json shells.scad --imgsize 96 --views 4");
         EXPECT_EQ(result.status, 0) << volume << result.out;
         EXPECT_EQ(result.err, "") << volume;
         const Json json = Json::parse(result.out);

@@ -1,0 +1,16 @@
+// What csgscope compare has found, as a text for people.
+#pragma once
+
+#include <string>
+
+#include "ui/pipeline/json.h"
+
+namespace ui {
+
+/// `found`: as it is written with --json, of a comparison with a mesh.
+[[nodiscard]] std::string compare_table(const Json& found);
+
+/// The same of a comparison with a picture.
+[[nodiscard]] std::string compare_picture_text(const Json& found);
+
+}  // namespace ui
