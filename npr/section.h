@@ -12,7 +12,7 @@ namespace npr {
 struct PlaneSection {
     enum class Away {
         Beyond,  ///< What the normal points to.
-        Eye,     ///< The side that the eye is on: the cut is seen, whoever looks.
+        Eye,     ///< The side that the eye is on: the cut is seen.
     };
     glm::dvec3 normal{0, 0, 1};  ///< Of length 1.
     double offset = 0;
@@ -20,7 +20,7 @@ struct PlaneSection {
     bool operator==(const PlaneSection&) const = default;
 };
 
-/// All within a box, in world units.
+/// All within a box, in world units; it may reach to infinity.
 struct BoxSection {
     glm::dvec3 lo{0.0}, hi{0.0};
     bool operator==(const BoxSection&) const = default;

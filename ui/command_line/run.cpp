@@ -142,14 +142,15 @@ class Run {
 
     /// What is drawn and picked: the camera is chosen for the whole model, so that a section moves nothing.
     void cut() {
-        CutModel cut = cut_away(model_, picture_.sections, picture_.camera);
-        model_ = std::move(cut.model);
-        for (const std::string& warning : cut.warnings) {
+        picture_.sections = resolved(std::move(picture_.sections), model_->box, picture_.camera);
+        const std::vector<std::string> warnings = section_warnings(*model_, picture_.sections);
+        for (const std::string& warning : warnings) {
             language_.messages().warn(warning);
         }
-        if (options_.hard_warnings && !cut.warnings.empty()) {
+        if (options_.hard_warnings && !warnings.empty()) {
             throw ModelError("stopped at a warning");
         }
+        shown_ = &sectioned_.cut(model_, picture_.sections);
     }
 
     /// Null where a picture is not to wait for OpenGL before it is known to need it.
@@ -177,9 +178,9 @@ class Run {
         const glm::ivec2 at = options_.pick->at;
         const base::Camera pixel = pixel_camera(picture_.camera, picture_.size, glm::dvec2(at) + 0.5);
         const int layers = picture_.layers == npr::kLayersOfStyle ? goldfeather::kAllLayers : picture_.layers;
-        PickReport report{*model_, *language_.evaluation().sources, at, picture_.size, picture_.camera, {}};
-        if (!model_->empty()) {
-            report.surfaces = renderer.pick(*model_, pixel, layers);
+        PickReport report{*shown_, *language_.evaluation().sources, at, picture_.size, picture_.camera, {}};
+        if (!shown_->empty()) {
+            report.surfaces = renderer.pick(*shown_, pixel, layers);
         }
         language_.progress().say("");
         write_output("-", options_.pick->json ? text_of(pick_json(report)) : printable(pick_text(report)));
@@ -194,7 +195,7 @@ class Run {
         const bool lines =
             extent_of(*model_) == Extent::Flat && is_flat_picture(*model_, picture_) && picture_.samples == 1;
         const PictureRequest request(lines ? flat_picture(picture_, false) : picture_);
-        base::Image image = renderer.render(*model_, request, limit_.token());
+        base::Image image = renderer.render(*shown_, request, limit_.token());
         if (lines) {
             draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), picture_.camera,
                             picture_.scheme.edge_2d);
@@ -278,7 +279,9 @@ class Run {
     ModelBuilder builder_;
     std::shared_ptr<const Model> model_;
     Geometry geometry_;  ///< Once it was needed.
-    csg::Box box_;       ///< Of what is shown.
+    SectionedModel sectioned_;
+    const Model* shown_ = nullptr;  ///< model_, less what sections cut away.
+    csg::Box box_;                  ///< Of model_.
     npr::Picture picture_;
     Json picture_json_;
 };
@@ -298,7 +301,6 @@ int open_window(const Options& options) {
     window.source.parts = options.parts;
     window.source.sections = options.picture.sections;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
-    window.source.first_camera = window.camera;
     window.picture = PictureRequest(picture_of(options.picture, options.picture_texts));  // Told before a window opens.
     window.picture.engine = options.engine.engine;
     window.engine = options.engine;

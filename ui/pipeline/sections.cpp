@@ -10,7 +10,6 @@
 
 #include "csg/solid/cut_box.h"
 #include "csg/tree/scene_edit.h"
-#include "ui/pipeline/editable_model.h"
 #include "ui/pipeline/suggestion.h"
 
 namespace ui {
@@ -77,55 +76,38 @@ glm::dvec3 to_eye(const csg::Box& box, const base::Camera& camera) {
     return glm::transpose(glm::dmat3(camera.eye_from_world())) * glm::dvec3(0, 0, 1);
 }
 
-/// A half-space or a box, one of which is cut away.
-struct Tool {
-    std::optional<Plane> half_space;  ///< Points p with dot(normal, p) ≤ offset.
-    csg::Box box;
-    std::string text;
-};
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Tool half_space(const npr::PlaneSection& section, const csg::Box& box, const base::Camera& camera) {
-    Plane plane{section.normal, section.offset};
-    bool beyond = true;
+npr::PlaneSection without_eye(npr::PlaneSection section, const csg::Box& box, const base::Camera& camera) {
     if (section.away == npr::PlaneSection::Away::Eye) {
         const double side = camera.projection == base::Projection::Perspective
-                                ? glm::dot(plane.normal, camera.eye()) - plane.offset
-                                : glm::dot(plane.normal, to_eye(box, camera));
-        beyond = side >= 0;
+                                ? glm::dot(section.normal, camera.eye()) - section.offset
+                                : glm::dot(section.normal, to_eye(box, camera));
+        if (side < 0) {
+            section.normal = -section.normal;
+            section.offset = -section.offset;
+        }
+        section.away = npr::PlaneSection::Away::Beyond;
     }
-    if (beyond) {
-        plane = {-plane.normal, -plane.offset};
-    }
-    return {plane, {}, {}};
+    return section;
 }
 
-Tool corner(const npr::CornerSection& section, const csg::Box& box, const base::Camera& camera) {
+npr::BoxSection corner(const npr::CornerSection& section, const csg::Box& box, const base::Camera& camera) {
     const glm::dvec3 middle = box.center(), eye = to_eye(box, camera);
     const bool along_x = std::abs(eye.x) > std::abs(eye.y);
-    const bool open[3]{section.axes > 1 || along_x, section.axes > 1 || !along_x, section.axes > 2};
-    Tool tool;
+    const bool cut[3]{section.axes > 1 || along_x, section.axes > 1 || !along_x, section.axes > 2};
+    npr::BoxSection region{glm::dvec3(-kInfinity), glm::dvec3(kInfinity)};
     for (int axis = 0; axis < 3; ++axis) {
-        const bool up = eye[axis] >= 0;
-        constexpr double kEverywhere = std::numeric_limits<double>::infinity();
-        tool.box.lo[axis] = open[axis] && up ? middle[axis] : -kEverywhere;
-        tool.box.hi[axis] = open[axis] && !up ? middle[axis] : kEverywhere;
+        if (cut[axis]) {
+            (eye[axis] >= 0 ? region.lo : region.hi)[axis] = middle[axis];
+        }
     }
-    return tool;
+    return region;
 }
 
-std::optional<Tool> tool_of(const npr::Section& section, const csg::Box& box, const base::Camera& camera) {
-    std::optional<Tool> tool;
-    if (const auto* plane = std::get_if<npr::PlaneSection>(&section.cut)) {
-        tool = half_space(*plane, box, camera);
-    } else if (const auto* region = std::get_if<npr::BoxSection>(&section.cut)) {
-        tool = Tool{{}, {region->lo, region->hi}, {}};
-    } else if (const auto* before = std::get_if<npr::CornerSection>(&section.cut)) {
-        tool = corner(*before, box, camera);
-    }
-    if (tool) {
-        tool->text = section.text;
-    }
-    return tool;
+/// What is cut away: points p with dot(normal, p) ≤ offset.
+Plane half_space(const npr::PlaneSection& section) {
+    return {-section.normal, -section.offset};
 }
 
 /// Largest and least of dot(normal, p) - offset over the box.
@@ -136,20 +118,21 @@ std::pair<double, double> sides(const Plane& plane, const csg::Box& box) {
     return {middle - reach, middle + reach};
 }
 
-std::string warning_of(const Tool& tool, const csg::Box& box) {
+std::string warning_of(const npr::Section& section, const csg::Box& box) {
     bool misses = false, takes_all = false;
-    if (tool.half_space) {
-        const auto [least, most] = sides(*tool.half_space, box);
+    if (const auto* plane = std::get_if<npr::PlaneSection>(&section.cut)) {
+        const auto [least, most] = sides(half_space(*plane), box);
         misses = least >= 0;
         takes_all = most <= 0;
-    } else {
-        misses = !csg::overlap(tool.box, box);
-        takes_all = csg::enclose(tool.box, box) == tool.box;
+    } else if (const auto* region = std::get_if<npr::BoxSection>(&section.cut)) {
+        const csg::Box cut{region->lo, region->hi};
+        misses = !csg::overlap(cut, box);
+        takes_all = csg::enclose(cut, box) == cut;
     }
     if (misses) {
-        return fmt::format("--section {}: it misses the model and cuts nothing away", tool.text);
+        return fmt::format("--section {}: it misses the model and cuts nothing away", section.text);
     }
-    return takes_all ? fmt::format("--section {}: it cuts all of the model away", tool.text) : "";
+    return takes_all ? fmt::format("--section {}: it cuts all of the model away", section.text) : "";
 }
 
 /// A box, without reaching farther beyond `scene` than it must.
@@ -230,40 +213,101 @@ void set_hatchings(Model& model, const npr::Sections& sections) {
     }
 }
 
-CutModel cut_away(const std::shared_ptr<const Model>& model, const npr::Sections& sections, const base::Camera& camera,
-                  const goldfeather::Budget& budget) {
-    if (sections.cuts.empty() || model->empty()) {
-        return {model, {}};
+npr::Sections resolved(npr::Sections sections, const csg::Box& box, const base::Camera& camera) {
+    for (npr::Section& section : sections.cuts) {
+        if (auto* plane = std::get_if<npr::PlaneSection>(&section.cut)) {
+            *plane = without_eye(*plane, box, camera);
+        } else if (const auto* before = std::get_if<npr::CornerSection>(&section.cut)) {
+            section.cut = corner(*before, box, camera);
+        }
     }
-    const std::vector<char> cut = cut_parts(model->scene, sections);
-    const std::vector<std::uint8_t> hatching = hatchings(*model, cut);
-    const auto made = std::make_shared<EditableModel>(*model, budget);
-    CutModel result{std::shared_ptr<const Model>(made, &made->model()), {}};
+    return sections;
+}
+
+std::vector<std::string> section_warnings(const Model& model, const npr::Sections& sections) {
+    std::vector<std::string> warnings;
     for (const npr::Section& section : sections.cuts) {
-        const std::optional<Tool> tool = tool_of(section, model->box, camera);
-        if (!tool) {
-            continue;  // By a part: the scene has it.
-        }
-        if (const std::string warning = warning_of(*tool, model->box); !warning.empty()) {
-            result.warnings.push_back(warning);
-        }
-        for (csg::PartId id = 0; id < cut.size(); ++id) {
-            const csg::Part& part = model->scene.parts[id];
-            if (cut[id] == 0) {
-                continue;
-            }
-            const csg::Site site{id, csg::kNoOccurrence};
-            const csg::solid::AddedLook look{part.color, hatching[id]};
-            if (tool->half_space) {
-                (void)made->scene().add(site, csg::ExpressionKind::Difference, *tool->half_space, look);
-            } else if (csg::overlap(tool->box, model->geometry.box)) {
-                (void)made->scene().add(site, csg::ExpressionKind::Difference,
-                                        box_solid(tool->box, model->geometry.box), glm::dmat4(1.0), look);
-            }
+        if (std::string warning = warning_of(section, model.box); !model.empty() && !warning.empty()) {
+            warnings.push_back(std::move(warning));
         }
     }
-    (void)made->commit();
-    return result;
+    return warnings;
+}
+
+const Model& SectionedModel::cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections) {
+    change_ = {};
+    const bool cuts = !sections.cuts.empty() && !model->empty();
+    const bool same = cuts && made_ && model == whole_ && sections.uncut == sections_.uncut && move(sections);
+    if (!same) {
+        whole_ = model;
+        added_.clear();
+        made_.reset();
+        if (cuts) {
+            make(sections);
+        }
+    }
+    sections_ = sections;
+    return made_ ? made_->model() : *whole_;
+}
+
+void SectionedModel::make(const npr::Sections& sections) {
+    const std::vector<char> cut = cut_parts(whole_->scene, sections);
+    const std::vector<std::uint8_t> hatching = hatchings(*whole_, cut);
+    made_ = std::make_unique<EditableModel>(*whole_);
+    for (const npr::Section& section : sections.cuts) {
+        add(section, cut, hatching);
+    }
+    (void)made_->commit();
+}
+
+void SectionedModel::add(const npr::Section& section, const std::vector<char>& cut,
+                         const std::vector<std::uint8_t>& hatching) {
+    const auto* const plane = std::get_if<npr::PlaneSection>(&section.cut);
+    const auto* const region = std::get_if<npr::BoxSection>(&section.cut);
+    const csg::Box& scene = whole_->geometry.box;
+    const bool meets = region != nullptr && csg::overlap({region->lo, region->hi}, scene);
+    const auto solid = meets ? box_solid({region->lo, region->hi}, scene) : nullptr;
+    added_.emplace_back();
+    for (csg::PartId id = 0; id < cut.size() && (plane != nullptr || meets); ++id) {
+        if (cut[id] == 0) {
+            continue;
+        }
+        const csg::Site site{id, csg::kNoOccurrence};
+        const csg::solid::AddedLook look{whole_->scene.parts[id].color, hatching[id]};
+        constexpr auto kSubtracted = csg::ExpressionKind::Difference;
+        csg::solid::EditableScene& edited = made_->scene();
+        added_.back().push_back(plane != nullptr ? edited.add(site, kSubtracted, half_space(*plane), look)
+                                                 : edited.add(site, kSubtracted, solid, glm::dmat4(1.0), look));
+    }
+}
+
+/// False where more is to be done than to move planes.
+bool SectionedModel::move(const npr::Sections& sections) {
+    const auto planes = [](const npr::Section& section) {
+        return std::holds_alternative<npr::PlaneSection>(section.cut);
+    };
+    if (sections.cuts.size() != sections_.cuts.size()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < sections.cuts.size(); ++i) {
+        const npr::Section &now = sections.cuts[i], &before = sections_.cuts[i];
+        if (now.cut != before.cut && !(planes(now) && planes(before))) {
+            return false;
+        }
+    }
+    bool any = false;
+    for (std::size_t i = 0; i < sections.cuts.size(); ++i) {
+        if (sections.cuts[i].cut != sections_.cuts[i].cut) {
+            for (const csg::solid::AddedId id : added_[i]) {
+                made_->scene().move(id, half_space(std::get<npr::PlaneSection>(sections.cuts[i].cut)));
+            }
+            any = true;
+        }
+    }
+    if (any) {
+        change_ = made_->commit();
+    }
+    return true;
 }
 
 }  // namespace ui

@@ -68,6 +68,9 @@ struct SetLayers {
 struct SetSamples {
     int samples = 4;
 };
+struct SetSections {
+    npr::Sections sections;  ///< Sides and corners go by the camera of now.
+};
 struct SetEngine {
     const goldfeather::EngineInfo* engine = nullptr;  ///< Null: chosen for each picture.
 };
@@ -77,7 +80,7 @@ struct WritePicture {
 };
 
 using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetLayers, SetSamples,
-                             SetEngine, WritePicture>;
+                             SetSections, SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

@@ -24,6 +24,8 @@ class Document {
     /// Whether the file is gone, as its watcher sees it.
     void set_gone(bool gone) { gone_ = gone; }
     void clear_messages() { messages_ = {}; }
+    /// The parts of revisions to come.
+    void divide(csg::PartRule parts) { source_.parts = std::move(parts); }
 
     [[nodiscard]] const Source& source() const { return source_; }
     [[nodiscard]] std::string file_name() const;  ///< Without its folder.

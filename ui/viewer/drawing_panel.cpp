@@ -1,6 +1,8 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -110,6 +112,80 @@ void layers_section(const Session& session, const Fonts& fonts, Commands& comman
     }
 }
 
+/// The axis of a section that is one plane across it; none of others.
+std::optional<int> section_axis(const npr::Sections& sections) {
+    const auto* plane = sections.cuts.size() == 1 ? std::get_if<npr::PlaneSection>(&sections.cuts[0].cut) : nullptr;
+    for (int axis = 0; plane != nullptr && axis < 3; ++axis) {
+        if (std::abs(plane->normal[axis]) == 1) {
+            return axis;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Slider and side of a plane across an axis.
+void plane_controls(const npr::Sections& sections, int axis, const csg::Box& box, Commands& commands) {
+    npr::Sections moved = sections;
+    auto& plane = std::get<npr::PlaneSection>(moved.cuts[0].cut);
+    auto at = static_cast<float>(plane.normal[axis] * plane.offset);
+    ImGui::SetNextItemWidth(-1);
+    const std::string format = fmt::format("{} = %.4g", "xyz"[axis]);
+    if (ImGui::SliderFloat("##section", &at, static_cast<float>(box.lo[axis]), static_cast<float>(box.hi[axis]),
+                           format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+        plane.offset = plane.normal[axis] * at;
+        commands.emplace_back(SetSections{moved});
+    }
+    if (ImGui::Button("Cut the other side", {-1, 0})) {
+        plane.normal = -plane.normal;
+        plane.offset = -plane.offset;
+        commands.emplace_back(SetSections{moved});
+    }
+}
+
+void section_section(const Session& session, const Fonts& fonts, Commands& commands) {
+    heading("Section", fonts);
+    const npr::Sections& sections = session.view().picture.sections;
+    const auto& model = session.document().model();
+    if (!model || model->empty()) {
+        ImGui::TextDisabled("there is nothing to cut");
+        return;
+    }
+    const csg::Box& box = model->box;
+    const std::optional<int> axis = section_axis(sections);
+    const bool quarter = sections.cuts.size() == 1 && std::holds_alternative<npr::BoxSection>(sections.cuts[0].cut);
+    constexpr std::size_t kOff = 0, kQuarter = 4;
+    button_grid(
+        5, 5,
+        [](std::size_t i) {
+            return std::string(std::array{"Off", "X", "Y", "Z", "1/4"}[i]);
+        },
+        [&](std::size_t i) {
+            return i == kOff       ? sections.cuts.empty()
+                   : i == kQuarter ? quarter
+                                   : axis && i == static_cast<std::size_t>(*axis) + 1;
+        },
+        [&](std::size_t i) {
+            npr::Sections wanted{{}, sections.uncut, sections.spacing};
+            if (i == kQuarter) {
+                wanted.cuts.push_back({npr::CornerSection{2}, "quarter"});
+            } else if (i != kOff) {
+                npr::PlaneSection plane{glm::dvec3(0.0), box.center()[static_cast<int>(i) - 1]};
+                plane.normal[static_cast<int>(i) - 1] = 1;
+                wanted.cuts.push_back({plane, "plane"});
+            }
+            commands.emplace_back(SetSections{wanted});
+        });
+    if (axis) {
+        plane_controls(sections, *axis, box, commands);
+    }
+    bool hatching = sections.spacing != 0;
+    if (!sections.cuts.empty() && ImGui::Checkbox("Hatching", &hatching)) {
+        npr::Sections wanted = sections;
+        wanted.spacing = hatching ? npr::Sections::kOwnSpacing : 0;
+        commands.emplace_back(SetSections{wanted});
+    }
+}
+
 void samples_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
     heading("Samples per pixel", fonts);
     button_grid(
@@ -208,6 +284,7 @@ void draw_panel(const Rectangle& place, const Session& session, const PictureInf
         style_section(session.view(), fonts, commands);
         scheme_section(session.view(), fonts, commands);
         layers_section(session, fonts, commands);
+        section_section(session, fonts, commands);
         samples_section(session.view(), fonts, commands);
         camera_section(session.view(), fonts, commands);
         model_section(session, fonts);

@@ -39,6 +39,15 @@ void PictureView::run(std::function<PictureResult(Renderer&)> task) {
     });
 }
 
+const Model& PictureView::cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections,
+                              Renderer& renderer) {
+    const Model& left = sectioned_.cut(model, sections);
+    if (!sectioned_.change().empty()) {
+        renderer.update(left, sectioned_.change());
+    }
+    return left;
+}
+
 void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const PictureStep& step,
                        std::uint64_t version) {
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
@@ -51,7 +60,7 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
         DrawnStep done{step, version, 0, {}, {}, false};
         Stopwatch watch;
         try {
-            renderer.draw_sample(*model, request, step.sample, stop);
+            renderer.draw_sample(cut(model, request.sections, renderer), request, step.sample, stop);
             if (threaded || !renderer.drawn_with_opengl()) {
                 base::Image image = renderer.image();
                 std::scoped_lock lock(mutex_);
@@ -74,10 +83,10 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
 }
 
 void PictureView::save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path) {
-    run([model = std::move(model), request = std::move(request), path = std::move(path)](Renderer& renderer) {
+    run([this, model = std::move(model), request = std::move(request), path = std::move(path)](Renderer& renderer) {
         SavedPicture done{path, request.size, {}};
         try {
-            base::write_file(path, base::encode_png(renderer.render(*model, request)));
+            base::write_file(path, base::encode_png(renderer.render(cut(model, request.sections, renderer), request)));
         } catch (const std::exception& error) {
             done.error = error.what();
         }
@@ -85,11 +94,11 @@ void PictureView::save(std::shared_ptr<const Model> model, PictureRequest reques
     });
 }
 
-void PictureView::pick(std::shared_ptr<const Model> model, const base::Camera& camera) {
-    run([model = std::move(model), camera](Renderer& renderer) {
+void PictureView::pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera) {
+    run([this, model = std::move(model), sections = std::move(sections), camera](Renderer& renderer) {
         PickedPoint picked;
         try {
-            const auto surfaces = renderer.pick(*model, camera);
+            const auto surfaces = renderer.pick(cut(model, sections, renderer), camera);
             picked.surface = surfaces.empty() ? std::nullopt : std::optional(surfaces.front());
         } catch (const std::exception&) {
             // The picture of the same model tells why it cannot be drawn.

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "ui/pipeline/sections.h"
 #include "ui/viewer/frame_plan.h"
 #include "ui/viewer/render_thread.h"
 
@@ -59,7 +60,7 @@ class PictureView {
     /// Writes a picture of its own. The picture that is shown must be begun anew afterwards.
     void save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path);
     /// See Renderer::pick.
-    void pick(std::shared_ptr<const Model> model, const base::Camera& camera);
+    void pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera);
 
     /// What has been done since the last call.
     [[nodiscard]] std::vector<PictureResult> take();
@@ -70,6 +71,8 @@ class PictureView {
 
   private:
     void run(std::function<PictureResult(Renderer&)> task);
+    /// What the sections leave of the model, for tasks.
+    const Model& cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections, Renderer& renderer);
     void resize(glm::ivec2 size);
     void upload(const base::Image& image);
 
@@ -83,6 +86,7 @@ class PictureView {
     std::vector<PictureResult> results_;
     std::optional<base::Image> image_;  ///< Drawn by the thread, not in the texture yet.
     std::optional<Renderer> renderer_;
+    SectionedModel sectioned_;              ///< Belongs to the tasks.
     std::stop_source drawing_;              ///< Of the step asked for last.
     std::unique_ptr<RenderThread> thread_;  ///< Last: its tasks use the above.
 };

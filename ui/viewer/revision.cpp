@@ -6,7 +6,6 @@
 #include "csg/tree/out_of_memory.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/program_runner.h"
-#include "ui/pipeline/sections.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -40,19 +39,14 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     Stopwatch watch;
     builder.divide(source.parts);
     builder.cut(source.sections);
-    std::shared_ptr<const Model> model = builder.build(evaluation.tree, stop, evaluation.program);
-    CutModel cut = cut_away(model, source.sections, choose_camera(source.first_camera, revision.view, model->box));
-    model = std::move(cut.model);
-    for (const std::string& warning : cut.warnings) {
-        revision.messages.add(LineKind::Warning, "WARNING: " + warning);
-    }
+    auto model = builder.build(evaluation.tree, stop, evaluation.program);
     revision.build_ms = watch.lap();
     for (const auto* texts : {&model->warnings, &model->failures}) {
         for (const std::string& text : *texts) {
             revision.messages.add(LineKind::Warning, "WARNING: " + text);
         }
     }
-    if (source.hard_warnings && !(model->warnings.empty() && model->failures.empty() && cut.warnings.empty())) {
+    if (source.hard_warnings && !(model->warnings.empty() && model->failures.empty())) {
         revision.messages.add(LineKind::Error, "stopped at a warning");
         return;
     }

@@ -11,7 +11,6 @@
 
 #include "csg/scad/scad.h"
 #include "ui/pipeline/model.h"
-#include "ui/pipeline/picture/camera.h"
 #include "ui/viewer/file_watcher.h"
 #include "ui/viewer/message_log.h"
 
@@ -26,8 +25,7 @@ struct Source {
     bool hard_warnings = false;            ///< A warning is an error.
     bool by_error = false;                 ///< $fe has its meaning.
     csg::PartRule parts{};
-    npr::Sections sections{};      ///< What is cut away, …
-    CameraRequest first_camera{};  ///< … and with it the camera whose eye they go by, whatever looks at them later.
+    npr::Sections sections{};  ///< Those by parts are made of the model at once.
 };
 
 struct Revision {

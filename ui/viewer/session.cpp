@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/pipeline/picture/camera.h"
+#include "ui/pipeline/sections.h"
 
 namespace ui {
 
@@ -60,7 +61,18 @@ void Session::place_camera() {
         return;
     }
     view_.picture.camera = choose_camera(camera_request_, document_.view(), model->box);
+    view_.picture.sections = resolved(std::move(view_.picture.sections), model->box, view_.picture.camera);
     camera_placed_ = !model->empty();
+}
+
+/// Cut faces have the color of what was cut, where that is known of the parts.
+void Session::cut(const npr::Sections& sections) {
+    const auto& model = document_.model();
+    view_.picture.sections = model ? resolved(sections, model->box, view_.picture.camera) : sections;
+    if (!sections.cuts.empty() && document_.source().parts == csg::PartRule{}) {
+        document_.divide({csg::PartRule::Kind::Color, 1, {}});
+        evaluate();
+    }
 }
 
 void Session::look_at(const glm::dvec3& point) {
@@ -88,6 +100,8 @@ bool Session::perform(const Command& command) {
         view_.picture.layers = std::max(layers->layers, npr::kLayersOfStyle);
     } else if (const auto* samples = std::get_if<SetSamples>(&command)) {
         view_.picture.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
+    } else if (const auto* sections = std::get_if<SetSections>(&command)) {
+        cut(sections->sections);
     } else if (const auto* engine = std::get_if<SetEngine>(&command)) {
         view_.picture.engine = engine->engine;
     } else {

@@ -40,6 +40,7 @@ class Session {
   private:
     void evaluate();
     void place_camera();
+    void cut(const npr::Sections& sections);
     bool act(Action action);
     void step_style(int by);
     void step_layers(int by);

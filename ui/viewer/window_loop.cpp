@@ -158,7 +158,7 @@ void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
     const auto& model = session_.document().model();
     if (clicked && model && !model->empty()) {
         const base::Camera narrow = pixel_camera(session_.camera(), glm::ivec2(picture.size), *clicked);
-        picture_.pick(model, narrow);
+        picture_.pick(model, session_.view().picture.sections, narrow);
     }
 }
 

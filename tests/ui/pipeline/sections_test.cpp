@@ -36,8 +36,18 @@ std::shared_ptr<const Model> whole(const std::string& text, const npr::Sections&
     return builder.build(run.evaluation.tree);
 }
 
-CutModel cut(const std::string& text, const npr::Sections& by, const base::Camera& camera = {}) {
-    return cut_away(whole(text, by), by, camera);
+struct Cut {
+    std::shared_ptr<SectionedModel> keeper;
+    const Model* model;
+    std::vector<std::string> warnings;
+};
+
+Cut cut(const std::string& text, const npr::Sections& by, const base::Camera& camera = {}) {
+    const auto model = whole(text, by);
+    const npr::Sections known = resolved(by, model->box, camera);
+    auto keeper = std::make_shared<SectionedModel>();
+    const Model& left = keeper->cut(model, known);
+    return {keeper, &left, section_warnings(*model, known)};
 }
 
 /// Looks against `direction`, so that the picture is as wide and as high as `size` world units.
@@ -91,22 +101,22 @@ const char* const kPot =
 TEST(Sections, CutAreasAreThoseOfTheSolid) {
     // Within a thousandth: of the pixels along the border half are counted. No edge goes along rows of pixels.
     const double ring = polygon_area(64, 20) - polygon_area(64, 17);
-    const CutModel level = cut(kPot, sections({plane({0, 0, 1}, 12)}));
+    const Cut level = cut(kPot, sections({plane({0, 0, 1}, 12)}));
     EXPECT_TRUE(level.warnings.empty());
     EXPECT_NEAR(cut_area(*level.model, {0, 0, 0}, {0, 0, 0}, 44), ring, 1e-3 * ring);
 
     const double profile = 2 * 20 * 30.0 - 2 * 17 * 27.0;
-    const CutModel upright = cut(kPot, sections({plane({0, -1, 0}, 0)}));
+    const Cut upright = cut(kPot, sections({plane({0, -1, 0}, 0)}));
     EXPECT_NEAR(cut_area(*upright.model, {90, 17, 0}, {0, 0, 15}, 60), profile, 1e-3 * profile);
 
     // At 45 degrees through the middle of a cube: a rectangle of 10 by 10 √2.
-    const CutModel slant = cut("cube(10, center = true);", sections({plane({0, -1, 1}, 0)}));
+    const Cut slant = cut("cube(10, center = true);", sections({plane({0, -1, 1}, 0)}));
     EXPECT_NEAR(cut_area(*slant.model, {45, 0, 0}, {0, 0, 0}, 20), 100 * std::numbers::sqrt2, 0.15);
 }
 
 TEST(Sections, ShellsThatOverlapAreCutAsOneSolid) {
     // Inside is a winding number: where the cubes overlap there is no hole in the cut.
-    const CutModel two = cut("cube(10); translate([5, 5, 0]) cube(10);", sections({plane({0, 0, 1}, 5)}));
+    const Cut two = cut("cube(10); translate([5, 5, 0]) cube(10);", sections({plane({0, 0, 1}, 5)}));
     EXPECT_NEAR(cut_area(*two.model, {0, 0, 0}, {7.5, 7.5, 0}, 20), 175, 0.2);
 }
 
@@ -119,7 +129,7 @@ TEST(Sections, TheEyesSideOfAPlaneIsCutAway) {
         below.rotation = {150, 0, 0};
         above.distance = below.distance = 100;
         for (const bool from_above : {true, false}) {
-            const CutModel made = cut("cube(10);", eye_side, from_above ? above : below);
+            const Cut made = cut("cube(10);", eye_side, from_above ? above : below);
             EXPECT_EQ(remains(*made.model, 0, {1, 1, 9}), !from_above);
             EXPECT_EQ(remains(*made.model, 0, {1, 1, 1}), from_above);
         }
@@ -150,7 +160,7 @@ const char* const kAssembly =
 
 TEST(Sections, PartsCanStayWhole) {
     const auto by = sections({plane({1, 0, 0}, 5)}, {"pin"});
-    const CutModel made = cut(kAssembly, by);
+    const Cut made = cut(kAssembly, by);
     const csg::Scene& scene = made.model->scene;
     ASSERT_EQ(scene.parts.size(), 3U);
     EXPECT_EQ(scene.parts[0].leaf_count, 2U);
@@ -159,7 +169,7 @@ TEST(Sections, PartsCanStayWhole) {
 }
 
 TEST(Sections, PartsNextToEachOtherAreHatchedInOtherWays) {
-    const CutModel made = cut(kAssembly, sections({plane({1, 0, 0}, 5)}));
+    const Cut made = cut(kAssembly, sections({plane({1, 0, 0}, 5)}));
     std::set<int> hatchings;
     for (const csg::LeafInstance& leaf : made.model->scene.leaves) {
         if (leaf.hatching != 0) {
@@ -167,7 +177,7 @@ TEST(Sections, PartsNextToEachOtherAreHatchedInOtherWays) {
         }
     }
     EXPECT_EQ(hatchings.size(), 3U) << "all three touch";
-    const CutModel apart = cut("cube(1); translate([5, 0, 0]) cube(1);", sections({plane({0, 0, 1}, 0.5)}));
+    const Cut apart = cut("cube(1); translate([5, 0, 0]) cube(1);", sections({plane({0, 0, 1}, 0.5)}));
     for (const csg::LeafInstance& leaf : apart.model->scene.leaves) {
         EXPECT_LE(leaf.hatching, 1) << "at 45 degrees wherever that tells them apart";
     }
@@ -175,7 +185,7 @@ TEST(Sections, PartsNextToEachOtherAreHatchedInOtherWays) {
 
 TEST(Sections, APartCutsTheOthers) {
     const auto by = sections({{npr::PartSection{"pin"}, "part:pin"}});
-    const CutModel made = cut(kAssembly, by);
+    const Cut made = cut(kAssembly, by);
     const csg::Scene& scene = made.model->scene;
     ASSERT_EQ(scene.parts.size(), 3U);
     EXPECT_TRUE(scene.parts[1].hidden);
@@ -208,11 +218,49 @@ TEST(Sections, WhatMissesTheModelIsTold) {
     EXPECT_EQ(warnings({npr::BoxSection{{1, 1, 1}, {2, 2, 2}}, "box"}).size(), 0U);
 }
 
+TEST(Sections, PlanesThatMoveAreWhatPlanesThereWouldBe) {
+    const auto model = whole(kAssembly);
+    PictureRequest request(npr::default_picture());
+    request.draw_as(*npr::find_style("edges"));
+    request.size = {80, 60};
+    request.samples = 1;
+    base::view_all(request.camera, model->box.lo, model->box.hi, true);
+    Renderer renderer({}, Painter::Cpu);
+    SectionedModel keeper;
+    const auto draw_kept = [&](const npr::Sections& by) {
+        request.sections = by;
+        const Model& left = keeper.cut(model, by);
+        if (!keeper.change().empty()) {
+            renderer.update(left, keeper.change());
+        }
+        return renderer.render(left, request).rgba;
+    };
+    const auto draw_anew = [&](const npr::Sections& by) {
+        request.sections = by;
+        SectionedModel once;
+        return Renderer({}, Painter::Cpu).render(once.cut(model, by), request).rgba;
+    };
+    const std::uint64_t before = [&] {
+        (void)draw_kept(sections({plane({1, 0, 0}, 3), plane({0, 0, 1}, 8)}));
+        return keeper.cut(model, sections({plane({1, 0, 0}, 3), plane({0, 0, 1}, 8)})).generation;
+    }();
+    for (const double at : {4.0, 5.0, 5.5, 9.0, 2.0}) {
+        const auto by = sections({plane({1, 0, 0}, at), plane({0, 0, 1}, 8)});
+        EXPECT_EQ(draw_kept(by), draw_anew(by)) << at;
+        EXPECT_FALSE(keeper.change().structure) << "moved in place";
+        EXPECT_EQ(keeper.cut(model, by).generation, before);
+    }
+    for (const auto& by : {sections({plane({0, 1, 0}, 5)}), sections({plane({0, 1, 0}, 5)}, {"pin"}), sections({}),
+                           sections({{npr::BoxSection{{5, 0, 0}, {20, 20, 20}}, "box"}})}) {
+        EXPECT_EQ(draw_kept(by), draw_anew(by));
+    }
+}
+
 /// Each engine, and each painter, draws the same section.
 class SectionPictures : public test_support::GlTest {};
 
 TEST_P(SectionPictures, AreTheSameByAllEnginesAndPainters) {
-    const CutModel made = cut(kAssembly, sections({plane({1, -1, 0}, 1), plane({0, 0, 1}, 8)}, {"pin"}));
+    const Cut made = cut(kAssembly, sections({plane({1, -1, 0}, 1), plane({0, 0, 1}, 8)}, {"pin"}));
     PictureRequest request(npr::default_picture());
     request.size = {120, 100};
     request.samples = 1;

@@ -238,5 +238,24 @@ TEST_F(SessionTest, LookingAtAPointCentersItAtItsSize) {
     EXPECT_NEAR(glm::dot(session_->view().picture.camera.eye() - point, back), depth, 1e-9);
 }
 
+TEST_F(SessionTest, SectionsAreResolvedByTheCameraAndDivideTheModelByColor) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    const int evaluations = language_.evaluations();
+    const npr::PlaneSection plane{{0, 0, 1}, 0.5};
+    session_->camera().rotation = {120, 0, 0};  // From below.
+    session_->perform(SetSections{{{{plane, "plane"}}, {}, 1}});
+    const auto& cuts = session_->view().picture.sections.cuts;
+    ASSERT_EQ(cuts.size(), 1U);
+    EXPECT_EQ(std::get<npr::PlaneSection>(cuts[0].cut),
+              (npr::PlaneSection{{0, 0, -1}, -0.5, npr::PlaneSection::Away::Beyond}));
+    EXPECT_EQ(session_->document().source().parts.kind, csg::PartRule::Kind::Color);
+    ASSERT_TRUE(until([&] { return language_.evaluations() == evaluations + 1 && !session_->evaluating(); }));
+    session_->perform(SetSections{{{{plane, "plane"}}, {}, 0}});
+    session_->perform(SetSections{{}});
+    EXPECT_EQ(language_.evaluations(), evaluations + 1) << "once is enough";
+    EXPECT_TRUE(session_->view().picture.sections.cuts.empty());
+}
+
 }  // namespace
 }  // namespace ui

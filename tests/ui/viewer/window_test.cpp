@@ -240,6 +240,27 @@ TEST_F(Window, AKeyChangesTheStyle) {
     EXPECT_TRUE(shows(kCornfield, 0, 1'000));
 }
 
+TEST_F(Window, ASectionIsCutAndDragged) {
+    open({"--style", "edges"});
+    wait_for_picture();
+    const std::size_t cuts = count(is_cut), faces = count(is_face);
+    ASSERT_GT(faces, 20000U);
+    const auto comes_to = [&](auto&& condition) {
+        const auto end = std::chrono::steady_clock::now() + kPatience;
+        while (!condition() && std::chrono::steady_clock::now() < end) {
+            std::this_thread::sleep_for(100ms);
+        }
+        return condition();
+    };
+    robot("mousemove 1174 541 click 1");  // Z: what is above the middle goes.
+    EXPECT_TRUE(comes_to([&] { return count(is_cut) > 2 * cuts + 10000; })) << "the face of the section";
+    const std::size_t half = count(is_face);
+    robot("mousemove 1118 570 mousedown 1 mousemove 1100 570 mousemove 1080 570 mousemove 1050 570 mouseup 1");
+    EXPECT_TRUE(comes_to([&] { return count(is_face) < half * 4 / 5 && count(is_cut) > 10000; })) << "deeper";
+    robot("mousemove 1006 541 click 1");
+    EXPECT_TRUE(comes_to([&] { return count(is_face) > faces - 50 && count(is_face) < faces + 50; })) << "whole again";
+}
+
 TEST_F(Window, TheMenuChoosesTheEngine) {
     open();
     EXPECT_EQ(wait_for_picture().at("engine"), "lists-cpu") << "the quickest where the processor computes OpenGL";
