@@ -134,12 +134,12 @@ TEST_P(PictureViewTest, PicksThePointInTheMiddle) {
         camera.rotation = {0, 0, 0};
         camera.target = {4, 3, 0};
         camera.fov = 0.1;
-        view.pick(model_, camera);
+        view.pick(model_, {}, camera);
         const auto hit = wait<PickedPoint>(view);
         ASSERT_TRUE(hit.surface.has_value());
         EXPECT_NEAR(glm::distance(hit.surface->point, glm::dvec3(4, 3, 10)), 0, 1e-3);
         camera.target = {40, 3, 0};
-        view.pick(model_, camera);
+        view.pick(model_, {}, camera);
         EXPECT_FALSE(wait<PickedPoint>(view).surface.has_value());
     }
 }
