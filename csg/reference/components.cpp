@@ -128,4 +128,18 @@ bool balanced(const Mesh& mesh) {
     return true;
 }
 
+glm::dvec3 before(const Mesh& mesh, double distance) {
+    double largest = 0;
+    glm::dvec3 point(0.0);
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 &p = mesh.points[t.x], &q = mesh.points[t.y], &r = mesh.points[t.z];
+        const glm::dvec3 across = glm::cross(q - p, r - p);
+        if (const double area = glm::length(across); area > largest) {
+            largest = area;
+            point = (p + q + r) / 3.0 + across * (distance / area);
+        }
+    }
+    return point;
+}
+
 }  // namespace csg::reference

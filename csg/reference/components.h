@@ -20,4 +20,7 @@ namespace csg::reference {
 /// Does each directed edge occur as often as its opposite? Of a welded mesh.
 [[nodiscard]] bool balanced(const Mesh& mesh);
 
+/// A point so far before the middle of the largest triangle, in world units.
+[[nodiscard]] glm::dvec3 before(const Mesh& mesh, double distance);
+
 }  // namespace csg::reference

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/stop.h"
+#include "csg/reference/convex_cut.h"
 #include "csg/reference/point_ids.h"
 #include "csg/solid/plane_table.h"
 
@@ -37,30 +38,6 @@ Box box_of(std::span<const glm::dvec3> points) {
         box = enclose(box, p);
     }
     return box;
-}
-
-/// Is something of the polygon deeper behind all planes than `depth`? Sutherland and Hodgman 1974.
-bool cuts(std::vector<glm::dvec3> polygon, const std::vector<solid::Plane>& planes, double depth) {
-    std::vector<glm::dvec3> kept;
-    for (const solid::Plane& plane : planes) {
-        kept.clear();
-        const auto above = [&](const glm::dvec3& p) { return glm::dot(plane.normal, p) - plane.offset + depth; };
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const glm::dvec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-            const double from = above(p), to = above(q);
-            if (from < 0) {
-                kept.push_back(p);
-            }
-            if ((from < 0) != (to < 0)) {
-                kept.push_back(p + (q - p) * (from / (from - to)));
-            }
-        }
-        polygon.swap(kept);
-        if (polygon.empty()) {
-            return false;
-        }
-    }
-    return true;
 }
 
 class Grower {

@@ -11,14 +11,11 @@
 #include "csg/reference/face_planes.h"
 #include "csg/reference/manifold.h"
 #include "csg/reference/mesh_boolean.h"
+#include "csg/reference/patch_surface.h"
 #include "csg/reference/plane_cells.h"
-#include "csg/reference/self_intersection.h"
 
 namespace csg::reference {
 namespace {
-
-/// As for other results (boolean.cpp), of the diagonal.
-constexpr double kCrossing = 1e-8;
 
 /// A polyhedron by its planes.
 struct Body {
@@ -100,7 +97,7 @@ class ConvexUnion {
         mesh.points = content.points.points();
         mesh.sources.assign(mesh.triangles.size(), 0);
         separate_sheets(mesh, std::move(normals));
-        check(mesh);
+        check_surface(mesh, stop_);
         return mesh;
     }
 
@@ -234,19 +231,6 @@ class ConvexUnion {
             }
         }
         return at;
-    }
-
-    void check(const Mesh& mesh) const {
-        const MeshFacts f = facts(mesh);
-        if (!f.manifold) {
-            throw Undecided("the surface is not closed");
-        }
-        if (!(f.volume > 0)) {
-            throw Undecided("the surface encloses no volume");
-        }
-        if (count_self_intersections(mesh, kCrossing * f.box.diagonal(), Overlaps::Counted, stop_) != 0) {
-            throw Undecided("the surface crosses itself");
-        }
     }
 
     static std::shared_ptr<const solid::Solid> convex_solid() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "csg/reference/components.h"
 #include "csg/reference/convex_cover.h"
 #include "csg/reference/convex_union.h"
+#include "csg/reference/convolution_sum.h"
 #include "csg/reference/mesh_boolean.h"
 #include "csg/solid/plane_table.h"
 
@@ -47,21 +49,6 @@ bool holds(const ConvexCover& a, const ConvexCover& b, const glm::dvec3& point, 
         });
     };
     return in(a, b) || in(b, a);
-}
-
-/// A point in the middle of the largest triangle, and a little before it.
-glm::dvec3 before(const Mesh& mesh, double distance) {
-    double largest = 0;
-    glm::dvec3 point(0.0);
-    for (const glm::uvec3& t : mesh.triangles) {
-        const glm::dvec3 &p = mesh.points[t.x], &q = mesh.points[t.y], &r = mesh.points[t.z];
-        const glm::dvec3 across = glm::cross(q - p, r - p);
-        if (const double area = glm::length(across); area > largest) {
-            largest = area;
-            point = (p + q + r) / 3.0 + across * (distance / area);
-        }
-    }
-    return point;
 }
 
 /// Closes the holes that belong to the sum: without the components of the surface that have the sum before them, too.
@@ -102,7 +89,19 @@ Mesh sum_of_pieces(const ConvexCover& a, const ConvexCover& b, const std::stop_t
     return without_false_holes(union_of_convex(hulls, stop), a, b, stop);
 }
 
+/// Has it faces for pieces?
+bool has_polygons(const ConvexCover& cover) {
+    return std::any_of(cover.pieces.begin(), cover.pieces.end(), [](const Convex& p) { return p.triangles().empty(); });
+}
+
 Mesh sum_of(ConvexCover a, ConvexCover b, const std::stop_token& stop) {
+    for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        if (one->convex && has_polygons(*other)) {
+            if (std::optional<Mesh> sum = convolution_sum(other->meshes, one->pieces[0], stop)) {
+                return std::move(*sum);
+            }
+        }
+    }
     const auto grow_both = [&] {
         for (ConvexCover* cover : {&a, &b}) {
             if (cover->pieces.size() > 1 && cover->pieces.size() <= kMostGrown) {

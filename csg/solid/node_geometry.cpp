@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "csg/solid/extrude.h"
 #include "csg/solid/files.h"
+#include "csg/solid/prism_stack.h"
 #include "csg/solid/text_outline.h"
 
 namespace csg::solid {
@@ -140,6 +142,15 @@ void combine_children(Children children, BooleanKind kind, Dimension dimension, 
     }
 }
 
+/// Nothing where they are not prisms along an axis, or outlines so large that they cannot be summed in the plane.
+std::optional<std::vector<Mesh>> sum_of_prisms(std::span<const std::vector<Piece>> operands) {
+    try {
+        return minkowski_of_prisms(operands);
+    } catch (const OutlineError&) {
+        return {};
+    }
+}
+
 /// The factors of resize().
 glm::dvec3 factors(const Resize& how, const glm::dvec3& size) {
     glm::dvec3 factor(1.0);
@@ -228,11 +239,23 @@ class MeshMaker {
             return;
         }
         // The sum of a union is the union of sums, so that pieces need not be united first.
-        std::vector<std::vector<Mesh>> operands;
+        std::vector<std::vector<Piece>> unions;
         for (const NodeGeometry* child : children_) {
             if (child->outline && !child->outline->empty()) {
                 result_.warnings.emplace_back(kMixed);
-            } else if (auto meshes = meshes_of(child->pieces, tools_); !meshes.empty()) {
+            } else if (!child->pieces.empty()) {
+                unions.push_back(child->pieces);
+            }
+        }
+        if (unions.size() > 1) {
+            if (auto prisms = sum_of_prisms(unions)) {
+                add(result_, to_solid(united(std::move(*prisms), tools_), true));
+                return;
+            }
+        }
+        std::vector<std::vector<Mesh>> operands;
+        for (const std::vector<Piece>& pieces : unions) {
+            if (auto meshes = meshes_of(pieces, tools_); !meshes.empty()) {
                 operands.push_back(std::move(meshes));  // An empty operand does not count, as in OpenSCAD.
             }
         }

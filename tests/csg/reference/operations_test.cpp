@@ -132,6 +132,38 @@ TEST(Minkowski, OfPrismsWithAHole) {
     EXPECT_NEAR(volume(sum), volume(expected), 1e-9 * volume(expected));
 }
 
+TEST(Minkowski, OfPrismsIsASumInThePlane) {
+    // No face is cut up where flat things meet, whatever the disc's height, and along any axis.
+    const std::string plate =
+        "difference() { cube([40, 30, 4]); for (x = [6 : 7 : 34], y = [6 : 6 : 24]) translate([x, y, -1]) "
+        "cylinder(r = 2, h = 9, $fn = 24); translate([-1, 12, 2]) cube([50, 3, 5]); }";
+    const Mesh plane = mesh_of("minkowski() { " + plate + " cylinder(r = 0.5, h = 1, $fn = 16); }");
+    const Mesh thin = mesh_of("minkowski() { " + plate + " cylinder(r = 0.5, h = 1e-7, $fn = 16); }");
+    const Mesh turned = mesh_of("minkowski() { rotate([90, 0, 0]) " + plate +
+                                " rotate([90, 0, 0]) cylinder(r = 0.5, h = 1, $fn = 16); }");
+    EXPECT_LT(plane.triangles.size(), 4000u);
+    EXPECT_LT(thin.triangles.size(), 4000u);
+    EXPECT_NEAR(volume(turned), volume(plane), 1e-9 * volume(plane));
+    // The hole is smaller by the disc on all sides, and the slot by its height and width.
+    EXPECT_NEAR(volume(mesh_of("minkowski() { difference() { cube([9, 9, 4]); translate([2, 2, -1]) cube([5, 5, 9]); "
+                               "translate([-1, 4, 2]) cube([20, 1.5, 9]); } cube([1, 1, 0.5]); }")),
+                100 * 4.5 - 16 * 4.5 - 0.5 * 6 * 2, 1e-9);
+}
+
+TEST(Minkowski, OfARoundedBoxHasNoMoreFacesThanItsSurface) {
+    const Mesh box = mesh_of(
+        "minkowski() { difference() { cube([60, 40, 20]); translate([3, 3, 3]) cube([54, 34, 20]);"
+        " } sphere(r = 1.5, $fn = 32); }");
+    EXPECT_LT(box.triangles.size(), 1300u);
+    EXPECT_NEAR(volume(box), 35015.86964581893, 1e-8);
+    // The complement grown: facets of both at angles to each other.
+    const Mesh grown = mesh_of(
+        "$fn = 8; minkowski() { difference() { translate([-4, -4, -4]) cube(32); union() { sphere(5); translate([6, 0, "
+        "0]) rotate([10, 20, 30]) sphere(5); } } sphere(1); }");
+    EXPECT_LT(grown.triangles.size(), 1000u);
+    EXPECT_NEAR(volume(grown), 38265.812305022, 1e-8);
+}
+
 TEST(Minkowski, OfFineBallsFormsNotAllSums) {
     // Alike, so the sum is the ball of both radii; all sums would be 25 million.
     EXPECT_NEAR(volume(mesh_of("minkowski() { sphere(10, $fn = 100); sphere(1, $fn = 100); }")),
