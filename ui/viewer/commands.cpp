@@ -17,7 +17,7 @@ constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 constexpr std::array kActions{
     ActionInfo{Action::Reload, "File", "Reload", {{GLFW_KEY_F5}, {GLFW_KEY_F4}, {GLFW_KEY_R, kCtrl}}},
     ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl}, {GLFW_KEY_E, kCtrl}}},
-    ActionInfo{Action::Quit, "File", "Quit", {{GLFW_KEY_Q, kCtrl}, {GLFW_KEY_W, kCtrl}, {GLFW_KEY_Q}}},
+    ActionInfo{Action::Quit, "File", "Quit", {{GLFW_KEY_Q, kCtrl}, {GLFW_KEY_W, kCtrl}}},
 
     ActionInfo{Action::ViewAll, "View", "View all", {{GLFW_KEY_V}, {GLFW_KEY_HOME}, {GLFW_KEY_V, kCtrl | kShift}}},
     ActionInfo{Action::ResetView, "View", "Reset view", {{GLFW_KEY_HOME, kShift}}},

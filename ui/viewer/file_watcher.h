@@ -21,7 +21,8 @@ class FileWatcher {
     void watch(const std::map<std::string, DiskState>& files);
 
     /// Looks at the files. True where one has changed and then kept still for a moment, so that a file is not read
-    /// while it is written; the new state is known from then on. `now`: seconds of any steady clock.
+    /// while it is written, or has kept changing for longer than anybody waits; the new state is known from then on.
+    /// `now`: seconds of any steady clock.
     [[nodiscard]] bool poll(double now);
 
     /// The main file was gone at the last poll, and long enough not to be in the middle of being replaced. A main file
@@ -32,6 +33,7 @@ class FileWatcher {
     struct Watched {
         DiskState known, seen;
         double seen_since = 0;
+        double changing_since = 0;  ///< Since when it has not been as it is known.
     };
 
     std::string main_file_;

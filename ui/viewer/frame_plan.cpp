@@ -1,6 +1,8 @@
 #include "ui/viewer/frame_plan.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace ui {
 
@@ -14,6 +16,8 @@ constexpr double kRestBudget = 1;
 /// Seconds without change after which the camera counts as still, and after which a picture may take as long as it
 /// takes.
 constexpr double kStill = 0.12, kIdle = 1.5;
+/// Samples after which what a picture of another size took is forgotten: the machine may have been busy then.
+constexpr long kForgotten = 25;
 
 }  // namespace
 
@@ -28,14 +32,22 @@ void FramePlan::replaced(double now) {
 }
 
 double FramePlan::predicted(int divisor) const {
-    // From the measured divisor that is nearest: the cost has a part that does not shrink with the picture.
-    if (const auto exact = cost_.find(divisor); exact != cost_.end()) {
-        return exact->second;
+    // From the measured divisor that is nearest: the cost has a part that does not shrink with the picture. What was
+    // measured long ago is what a coarser picture would lead one to expect by now, where that is less.
+    const auto exact = cost_.find(divisor);
+    auto known = cost_.upper_bound(divisor);
+    while (known != cost_.end() && steps_ - known->second.step >= kForgotten) {
+        ++known;
     }
-    const auto above = cost_.upper_bound(divisor);
-    const auto& [known, seconds] = above != cost_.end() ? *above : *cost_.rbegin();
-    const double pixels = static_cast<double>(known * known) / static_cast<double>(divisor * divisor);
-    return seconds * pixels;
+    if (exact != cost_.end() && (known == cost_.end() || steps_ - exact->second.step < kForgotten)) {
+        return exact->second.seconds;
+    }
+    if (known == cost_.end()) {
+        known = std::prev(cost_.end());
+    }
+    const double pixels = static_cast<double>(known->first * known->first) / static_cast<double>(divisor * divisor);
+    const double expected = known->second.seconds * pixels;
+    return exact != cost_.end() ? std::min(exact->second.seconds, expected) : expected;
 }
 
 int FramePlan::affordable(double budget) const {
@@ -76,7 +88,7 @@ void FramePlan::drawn(const PictureStep& step, double seconds) {
     if (replaced_) {
         cost_.clear();  // Of something else.
     }
-    cost_[step.divisor] = seconds;
+    cost_[step.divisor] = {seconds, ++steps_};
     shown_ = step;
     begin_ = replaced_ = false;
 }

@@ -29,7 +29,7 @@ class FramePlan {
     /// The step was drawn and took so long.
     void drawn(const PictureStep& step, double seconds);
     /// The same for a step of a picture that is not wanted any more: only its cost is of use.
-    void measured(const PictureStep& step, double seconds) { cost_[step.divisor] = seconds; }
+    void measured(const PictureStep& step, double seconds) { cost_[step.divisor] = {seconds, ++steps_}; }
     /// Is the step, which is being drawn, to be stopped for the sake of the picture that is wanted now? Not where it is
     /// as quick as what would be drawn in its place: something is to be seen while things move.
     [[nodiscard]] bool hinders(const PictureStep& step) const;
@@ -51,7 +51,12 @@ class FramePlan {
     bool replaced_ = true;  ///< … and it is another than before, not another view of it.
     double changed_at_ = 0;
     PictureStep shown_;
-    std::map<int, double> cost_;  ///< Seconds of the last sample by divisor.
+    struct Cost {
+        double seconds = 0;  ///< Of the last sample …
+        long step = 0;       ///< … and which one it was.
+    };
+    std::map<int, Cost> cost_;  ///< By divisor.
+    long steps_ = 0;            ///< Samples drawn.
 };
 
 }  // namespace ui

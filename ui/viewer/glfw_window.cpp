@@ -26,6 +26,10 @@ Input& input_of(GLFWwindow* window) {
     return input;
 }
 
+void note_other(GLFWwindow* window) {
+    input_of(window).other = true;
+}
+
 PointerEvent pointer_event(GLFWwindow* window, PointerKind kind) {
     PointerEvent event;
     event.kind = kind;
@@ -125,20 +129,20 @@ GlfwWindow::~GlfwWindow() {
 }
 
 void GlfwWindow::install_callbacks() {
-    input_.any = true;  // Nothing is drawn yet.
+    input_.any = input_.other = true;  // Nothing is drawn yet.
     glfwGetCursorPos(window_, &input_.cursor.x, &input_.cursor.y);
     glfwSetWindowUserPointer(window_, &input_);
     glfwSetKeyCallback(window_, on_key);
     glfwSetMouseButtonCallback(window_, on_button);
     glfwSetCursorPosCallback(window_, on_cursor);
     glfwSetScrollCallback(window_, on_scroll);
-    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { input_of(window); });
-    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { input_of(window); });
-    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { input_of(window); });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { input_of(window); });
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { input_of(window); });
-    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { input_of(window); });
-    glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { input_of(window); });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { note_other(window); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { note_other(window); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { note_other(window); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { note_other(window); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { note_other(window); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { note_other(window); });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { note_other(window); });
 }
 
 glm::ivec2 GlfwWindow::size() const {

@@ -31,6 +31,7 @@ struct Input {
     std::vector<KeyEvent> keys;  ///< Pressed, or repeated.
     glm::dvec2 cursor{0};        ///< Where the pointer was last.
     bool any = false;            ///< Something happened that the interface may show, if only that it was uncovered.
+    bool other = false;          ///< Something that is neither the pointer nor a key of these: text, focus, size.
 };
 
 }  // namespace ui

@@ -60,11 +60,23 @@ void Interface::press(const Input& input) {
     }
 }
 
-void Interface::begin(const Input& input) {
+void Interface::point(const Input& input, const InputQueue& queue) {
+    // In place of what GLFW says of this moment, what the queue says of this frame.
+    ImGuiIO& io = ImGui::GetIO();
+    if (!input.pointer.empty() || !queue.empty()) {
+        io.MousePos = {static_cast<float>(input.cursor.x), static_cast<float>(input.cursor.y)};
+    }
+    io.MouseDown[ImGuiMouseButton_Left] = queue.held(Button::Left);
+    io.MouseDown[ImGuiMouseButton_Right] = queue.held(Button::Right);
+    io.MouseDown[ImGuiMouseButton_Middle] = queue.held(Button::Middle);
+}
+
+void Interface::begin(const Input& input, const InputQueue& queue) {
     set_scale(window_.interface_scale());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     press(input);
+    point(input, queue);
     ImGui::NewFrame();
 }
 

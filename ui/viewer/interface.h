@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/viewer/glfw_window.h"
+#include "ui/viewer/input_queue.h"
 #include "ui/viewer/theme.h"
 
 namespace ui {
@@ -16,9 +17,9 @@ class Interface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
-    /// Begins a frame, in which ImGui may be called; follows changes of the display's scale. `input` is what happened
-    /// since the frame before.
-    void begin(const Input& input);
+    /// Begins a frame, in which ImGui may be called; follows changes of the display's scale. `input` is the next of the
+    /// queue.
+    void begin(const Input& input, const InputQueue& queue);
     /// Ends the frame and draws it over what is in the window's framebuffer.
     void end();
 
@@ -28,6 +29,7 @@ class Interface {
   private:
     void set_scale(float scale);
     void press(const Input& input);
+    static void point(const Input& input, const InputQueue& queue);
 
     const GlfwWindow& window_;
     float scale_ = 0;

@@ -2,6 +2,7 @@
 // changes anything else. To be called between ImGui::NewFrame and ImGui::Render.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "ui/viewer/session.h"
@@ -51,14 +52,20 @@ class SaveForm {
 
     /// `shown`: the picture on the screen, whose size is proposed.
     void draw(const PictureRequest& shown, Commands& commands);
-    /// Why the last try failed; empty: it did not.
-    void set_error(std::string error) { error_ = std::move(error); }
+    /// Why the last try failed; what is typed then goes to the form again.
+    void set_error(std::string error);
 
   private:
+    void fields(const PictureRequest& shown, bool& save);
+    [[nodiscard]] bool buttons(bool& save);
+    void try_to_save(const PictureRequest& shown, Commands& commands);
+
     std::string path_;
-    glm::ivec2 size_{0};
+    std::optional<glm::ivec2> size_;  ///< As it was typed; none: that of the picture on the screen.
     int samples_ = 0;
-    bool transparent_;  ///< No background.
+    bool transparent_;        ///< No background.
+    bool focus_ = false;      ///< The path is to be typed next.
+    std::string overwrites_;  ///< The path that is there already, as was told; saving once more replaces it.
     std::string error_;
 };
 

@@ -17,8 +17,9 @@ constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr double kPollSeconds = 0.2;
 /// How long the end waits for the picture that is being drawn and was stopped.
 constexpr double kLastPictureSeconds = 1;
-/// ImGui needs a second frame until its panels have followed what happened.
-constexpr int kFramesAfterInput = 2;
+/// ImGui needs a second frame until its panels have followed what happened, and a third until a form that has grown by
+/// that is as large as it must be.
+constexpr int kFramesAfterInput = 3;
 
 const char* state_name(DocumentState state) {
     switch (state) {
@@ -68,17 +69,31 @@ WindowEnd WindowLoop::run() {
         } else if (!picture_.busy()) {
             rest = std::min(plan_.wait(seconds()).value_or(kPollSeconds), kPollSeconds);
         }
-        const Input input = window_.wait(rest);
+        Input input = window_.wait(input_.empty() ? rest : 0);
+        if (input.any && !only_hovers(input)) {
+            input_.add(std::move(input));
+        }
         const bool received = receive();
-        if (session_.update(seconds()) || input.any || received) {
+        if (session_.update(seconds()) || !input_.empty() || received) {
             frames_to_draw_ = kFramesAfterInput;
         }
         if (frames_to_draw_ > 0 || (!picture_.busy() && plan_.next(seconds()))) {
-            frame(input);
+            frame(input_.next());
         }
     }
     window_.hide();  // An evaluation may need a moment to stop.
     return finish();
+}
+
+/// A pointer that moves over the picture, with nothing held and nothing over it, changes nothing.
+bool WindowLoop::only_hovers(const Input& input) {
+    const bool covered = session_.shown().save_form || session_.shown().help || ImGui::GetIO().WantCaptureMouse;
+    const bool moves = !input.pointer.empty() && input.keys.empty() && !input.other &&
+                       std::ranges::all_of(input.pointer, [&](const PointerEvent& event) {
+                           return event.kind == PointerKind::Move && picture_place_.contains(event.position);
+                       });
+    // The first of them ends what was under the pointer before.
+    return std::exchange(hovers_, moves) && moves && !covered && input_.empty() && !input_.any_held();
 }
 
 WindowEnd WindowLoop::finish() {
@@ -103,9 +118,10 @@ void WindowLoop::frame(const Input& input) {
         return;
     }
     Stopwatch watch;
-    interface_.begin(input);
+    interface_.begin(input, input_);
     Commands commands;
     const Layout layout = draw_interface(commands);
+    picture_place_ = layout.picture;
     navigate(input, layout.picture);
     for (const KeyEvent& event : input.keys) {
         const auto action = action_of(event.chord);
@@ -117,17 +133,23 @@ void WindowLoop::frame(const Input& input) {
         perform(command);
         frames_to_draw_ = kFramesAfterInput;  // A form that opens is hidden in its first frame.
     }
-    const glm::vec2 pixels_per_unit = glm::vec2(pixels) / glm::vec2(size);
-    const glm::ivec2 corner(layout.picture.corner * pixels_per_unit);
-    const glm::ivec2 picture_size =
-        glm::ivec2((layout.picture.corner + layout.picture.size) * pixels_per_unit) - corner;
-    plan_picture(glm::max(picture_size, 1));
+    const glm::ivec2 corner = pixel_corner(layout.picture), picture_size = pixel_size(layout.picture);
+    plan_picture(picture_size);
     draw_picture();
     picture_.show(0, {corner.x, pixels.y - corner.y - picture_size.y}, picture_size,
                   session_.view().picture.scheme.background);
     interface_.end();
     window_.swap();
     log(watch.lap());
+}
+
+glm::ivec2 WindowLoop::pixel_corner(const Rectangle& place) const {
+    return place.corner * glm::vec2(window_.framebuffer_size()) / glm::vec2(window_.size());
+}
+
+glm::ivec2 WindowLoop::pixel_size(const Rectangle& place) const {
+    const glm::vec2 pixels_per_unit = glm::vec2(window_.framebuffer_size()) / glm::vec2(window_.size());
+    return glm::max(glm::ivec2((place.corner + place.size) * pixels_per_unit) - pixel_corner(place), 1);
 }
 
 Layout WindowLoop::draw_interface(Commands& commands) {
@@ -144,7 +166,7 @@ Layout WindowLoop::draw_interface(Commands& commands) {
         draw_help(fonts, commands);
     }
     if (session_.shown().save_form) {
-        save_form_.draw(session_.view().request(info_.size), commands);
+        save_form_.draw(session_.view().request(pixel_size(layout.picture)), commands);
     }
     return layout;
 }

@@ -23,9 +23,13 @@ class WindowLoop {
 
   private:
     void frame(const Input& input);
+    [[nodiscard]] bool only_hovers(const Input& input);
     /// Ends what is under way, but for a picture that takes too long.
     WindowEnd finish();
     [[nodiscard]] double seconds() const;  ///< Since the window opened.
+    /// Of a place in the window, in pixels of its framebuffer.
+    [[nodiscard]] glm::ivec2 pixel_corner(const Rectangle& place) const;
+    [[nodiscard]] glm::ivec2 pixel_size(const Rectangle& place) const;
     [[nodiscard]] Layout draw_interface(Commands& commands);
     void navigate(const Input& input, const Rectangle& picture);
     void perform(const Command& command);
@@ -43,6 +47,9 @@ class WindowLoop {
     GlfwWindow window_;
     std::unique_ptr<gl::Context> context_;
     Interface interface_;
+    InputQueue input_;
+    Rectangle picture_place_;  ///< In the last frame.
+    bool hovers_ = false;      ///< All that happened last was the pointer moving over the picture.
     PictureView picture_;
     Session session_;
     Navigator navigator_;

@@ -42,6 +42,18 @@ TEST_F(Watcher, WritingInPlace) {
     EXPECT_EQ(changes(), 0);
 }
 
+TEST_F(Watcher, SavedAgainAndAgainItIsReadAllTheSame) {
+    int told = 0;
+    for (int i = 0; i < 60; ++i) {
+        folder_.write("main.scad", "cube(" + std::string(static_cast<std::size_t>(i) + 1, '1') + ");");
+        now_ += 0.08;
+        told += watcher_.poll(now_) ? 1 : 0;
+    }
+    EXPECT_GE(told, 5) << "in 4.8 seconds";
+    EXPECT_LE(told, 12) << "and not at each";
+    EXPECT_EQ(changes(), 1) << "the last of them";
+}
+
 TEST_F(Watcher, RenamingANewFileOverTheOldOfTheSameSizeAndTime) {
     const auto time = std::filesystem::last_write_time(main_);
     folder_.write("other", "cube(2);");

@@ -170,5 +170,39 @@ TEST_F(Plan, ARendererThatIsSlowWhateverTheSizeStillShowsMotion) {
     EXPECT_GT(draw()->divisor, 1);
 }
 
+TEST_F(Plan, AMomentOfABusyMachineIsForgotten) {
+    fixed_ = 0.001;
+    whole_ = 0.04;  // Half of it fits into the time of a moving picture ten times.
+    (void)draw_until_rest();
+    const auto moving = [&] {
+        plan_.moved(now_);
+        return draw()->divisor;
+    };
+    const int usual = moving();
+    ASSERT_LE(usual, 2);
+    fixed_ = 0.5;  // Everything takes long for a while.
+    for (int i = 0; i < 10; ++i) {
+        (void)moving();
+    }
+    EXPECT_EQ(moving(), 6);
+    fixed_ = 0.001;
+    for (int i = 0; i < 200; ++i) {
+        (void)moving();
+    }
+    EXPECT_EQ(moving(), usual);
+}
+
+TEST_F(Plan, WhatTakesLongIsNotTriedAgainAndAgain) {
+    fixed_ = 0.02;
+    whole_ = 1.0;
+    (void)draw_until_rest();
+    int slow = 0;
+    for (int i = 0; i < 400; ++i) {
+        plan_.moved(now_);
+        slow += cost(draw()->divisor) > 0.06 ? 1 : 0;
+    }
+    EXPECT_LE(slow, 400 / 20);
+}
+
 }  // namespace
 }  // namespace ui

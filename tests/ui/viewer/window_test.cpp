@@ -152,7 +152,7 @@ TEST_F(Window, ShowsTheModelAndRests) {
     EXPECT_EQ(frames().size(), before) << "nothing changes, nothing is drawn";
     EXPECT_LT(program_->processor_seconds() - busy, 0.1);
 
-    robot("key q");
+    robot("key ctrl+q");
     EXPECT_EQ(program_->wait(kPatience), 0);
 }
 
@@ -238,6 +238,49 @@ TEST_F(Window, AKeyChangesTheStyle) {
     wait_for(from, [](const Json& frame) { return finished(frame) && frame.at("style") == "blueprint"; });
     EXPECT_TRUE(shows(kBlueprint, 100'000));
     EXPECT_TRUE(shows(kCornfield, 0, 1'000));
+}
+
+TEST_F(Window, FastClicksAreAllSeen) {
+    open();
+    wait_for_picture();
+    std::string clicks;
+    constexpr int kClicks = 100;
+    for (int i = 0; i < kClicks; ++i) {
+        clicks += i % 2 == 0 ? "mousemove 1118 74 click 1 " : "mousemove 1025 74 click 1 ";  // Edges, Shaded.
+    }
+    robot(clicks);
+    const auto changes = [&] {
+        int count = 0;
+        std::string style = "shaded";
+        for (const Json& frame : frames()) {
+            count += frame.at("style") != style ? 1 : 0;
+            style = frame.at("style");
+        }
+        return count;
+    };
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (changes() < kClicks && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(100ms);
+    }
+    EXPECT_EQ(changes(), kClicks);
+}
+
+TEST_F(Window, HoveringDrawsNothing) {
+    open();
+    wait_for_picture();
+    robot("mousemove 300 300 mousemove 310 300");
+    std::this_thread::sleep_for(500ms);
+    const std::size_t before = frames().size();
+    for (int i = 0; i < 10; ++i) {
+        robot("mousemove " + std::to_string(200 + 30 * i) + " 200");
+        std::this_thread::sleep_for(30ms);
+    }
+    std::this_thread::sleep_for(500ms);
+    const std::size_t hovered = frames().size();
+    EXPECT_LE(hovered, before + 3);
+    robot("mousemove 1118 74");  // But a button lights up under the pointer.
+    std::this_thread::sleep_for(500ms);
+    EXPECT_GT(frames().size(), hovered);
 }
 
 TEST_F(Window, ASectionIsCutAndDragged) {
@@ -361,7 +404,7 @@ TEST_F(Window, DoesNotWaitForThePicture) {
     wait_for(from, [&](const Json& frame) {
         return frame.at("camera") != first.at("camera") && frame.at("current") == false && frame.at("picture_ms") == 0;
     });
-    robot("key q");
+    robot("key ctrl+q");
     EXPECT_EQ(program_->wait(kPatience), 0);
 }
 

@@ -1,0 +1,18 @@
+// Where a picture is saved, from what was typed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace ui {
+
+struct SavePath {
+    std::filesystem::path path;
+    std::string error;  ///< For people, why there is none; else empty.
+};
+
+/// "~" and "~/…" begin at the home folder; a name without a suffix gets .png, another suffix than that is refused.
+[[nodiscard]] SavePath save_path(std::string_view typed);
+
+}  // namespace ui
