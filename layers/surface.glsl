@@ -4,7 +4,7 @@
 #include "layers/surface_ids.glsl"
 
 struct Surface {
-    bool hit;        // false: no surface here; nothing else is meaningful
+    bool hit;        // false: no surface here; nothing else is meaningful, though it may be read
     float depth;     // reversed, see gl/view.glsl
     vec3 normal;     // outward normal of the result, world coordinates
     uint leaf;
@@ -20,6 +20,14 @@ Surface no_surface() {
     Surface s;
     s.hit = false;
     s.depth = 0.0f;
+    s.normal = vec3(0.0f);
+    s.leaf = 0u;
+    s.plane = 0u;
+    s.part = 0u;
+    s.part_kind = kPartSolid;
+    s.reversed = false;
+    s.leaving = false;
+    s.color = vec4(0.0f);
     return s;
 }
 
