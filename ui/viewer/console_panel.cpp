@@ -11,6 +11,9 @@ namespace ui {
 
 namespace {
 
+/// Lines of which each is looked at in every frame, so that they can be of any height; more are one high each.
+constexpr std::size_t kMostWrapped = 1000;
+
 ImVec4 color_of(LineKind kind) {
     switch (kind) {
         case LineKind::Error:
@@ -71,18 +74,29 @@ void title_row(const MessageLog& messages, const Fonts& fonts, Commands& command
     }
 }
 
+void line(const LogLine& line) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color_of(line.kind));
+    ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
+    ImGui::PopStyleColor();
+}
+
 void lines(const MessageLog& messages, const Fonts& fonts) {
     ImGui::PushFont(fonts.mono);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
     const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY();
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(messages.lines().size()));
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const LogLine& line = messages.lines()[static_cast<std::size_t>(i)];
-            ImGui::PushStyleColor(ImGuiCol_Text, color_of(line.kind));
-            ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
-            ImGui::PopStyleColor();
+    if (messages.lines().size() <= kMostWrapped) {
+        ImGui::PushTextWrapPos(0);
+        for (const LogLine& log_line : messages.lines()) {
+            line(log_line);
+        }
+        ImGui::PopTextWrapPos();
+    } else {
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(messages.lines().size()));
+        while (clipper.Step()) {
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+                line(messages.lines()[static_cast<std::size_t>(i)]);
+            }
         }
     }
     if (messages.left_out() != 0) {
@@ -107,7 +121,8 @@ void draw_console(const Rectangle& place, const Session& session, const Fonts& f
         edge(place, height);
         title_row(messages, fonts, commands);
         ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x);
-        if (ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar)) {
+        const bool wraps = messages.lines().size() <= kMostWrapped;
+        if (ImGui::BeginChild("lines", {0, 0}, false, wraps ? 0 : ImGuiWindowFlags_HorizontalScrollbar)) {
             lines(messages, fonts);
         }
         ImGui::EndChild();

@@ -33,13 +33,15 @@ void button_grid(std::size_t count, std::size_t columns, Label&& label, Chosen&&
         }
         const bool is_chosen = chosen(i);
         if (is_chosen) {
-            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+            const ImVec4 color = ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive);
+            ImGui::PushStyleColor(ImGuiCol_Button, color);
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, {1.12F * color.x, 1.12F * color.y, 1.12F * color.z, 1});
         }
         if (ImGui::Button(label(i).c_str(), {width, 0})) {
             pressed(i);
         }
         if (is_chosen) {
-            ImGui::PopStyleColor();
+            ImGui::PopStyleColor(2);
         }
     }
 }

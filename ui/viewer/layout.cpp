@@ -5,17 +5,27 @@
 
 namespace ui {
 
+namespace {
+
+/// Windows smaller than these, on a common display, have no panel, and no console.
+constexpr glm::vec2 kLeastForPanel{480, 200};
+constexpr float kLeastForConsole = 320;
+
+}  // namespace
+
 Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown& shown, float console_height) {
     const auto whole = [](float length) { return std::max(0.0F, std::floor(length)); };
     const float top = whole(menu_height);
     const float status_height = std::min(whole(26 * scale), whole(window.y - top));
     const float bottom = window.y - status_height;
-    // The picture keeps at least a third of the window, however small that is.
-    const float panel_width = shown.panel ? whole(std::min(310 * scale, window.x * 2 / 3)) : 0;
+    // In a small window the picture needs all the room.
+    const bool panel = shown.panel && window.x >= kLeastForPanel.x * scale && window.y >= kLeastForPanel.y * scale;
+    const float panel_width = panel ? whole(std::min(310 * scale, window.x * 2 / 3)) : 0;
     const float picture_width = window.x - panel_width;
     const float most = whole((bottom - top) * 2 / 3);
     const float least = std::min(60 * scale, most);
-    const float console = shown.console ? whole(std::clamp(console_height, least, most)) : 0;
+    const bool open = shown.console && window.y >= kLeastForConsole * scale;
+    const float console = open ? whole(std::clamp(console_height, least, most)) : 0;
 
     Layout layout;
     layout.picture = {{0, top}, {picture_width, std::max(0.0F, bottom - console - top)}};

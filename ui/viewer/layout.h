@@ -31,7 +31,8 @@ struct Layout {
 };
 
 /// Lays out a window of the given size below its menu bar. `scale`: of the interface, 1 for a common display.
-/// `console_height` is what the user wants; it is kept within limits. Rectangles begin and end at whole units.
+/// `console_height` is what the user wants; it is kept within limits. In small windows panel and console are folded.
+/// Rectangles begin and end at whole units.
 [[nodiscard]] Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown& shown,
                                  float console_height);
 

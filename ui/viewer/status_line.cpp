@@ -62,8 +62,12 @@ void draw_status(const Rectangle& place, const Session& session, const PictureIn
         }
         const std::string right = picture_text(session, picture);
         const float width = ImGui::CalcTextSize(right.c_str()).x;
-        ImGui::SameLine(place.size.x - width - ImGui::GetStyle().WindowPadding.x);
-        ImGui::TextDisabled("%s", right.c_str());
+        ImGui::SameLine(0, size);
+        const float from = place.size.x - width - ImGui::GetStyle().WindowPadding.x;
+        if (from >= ImGui::GetCursorPosX()) {  // Else there is no room for both.
+            ImGui::SameLine(from);
+            ImGui::TextDisabled("%s", right.c_str());
+        }
     }
     ImGui::End();
     ImGui::PopStyleColor();

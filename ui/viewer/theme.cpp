@@ -69,8 +69,11 @@ void set_colors(ImGuiStyle& style) {
     set({ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Header}, raised);
     set({ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered}, high);
     set({ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive}, pressed);
-    set({ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SeparatorHovered}, accent);
-    set({ImGuiCol_SliderGrabActive, ImGuiCol_SeparatorActive}, {0.45F, 0.70F, 1.0F, 1});
+    set({ImGuiCol_CheckMark, ImGuiCol_SeparatorHovered}, accent);
+    set({ImGuiCol_SeparatorActive}, {0.45F, 0.70F, 1.0F, 1});
+    // The value is read through the grab.
+    set({ImGuiCol_SliderGrab}, {accent.x, accent.y, accent.z, 0.55F});
+    set({ImGuiCol_SliderGrabActive}, {0.45F, 0.70F, 1.0F, 0.65F});
     set({ImGuiCol_TextSelectedBg}, {accent.x, accent.y, accent.z, 0.4F});
     set({ImGuiCol_TitleBg, ImGuiCol_TitleBgActive}, {0.17F, 0.19F, 0.22F, 1});
     set({ImGuiCol_ScrollbarBg}, {0, 0, 0, 0});

@@ -40,6 +40,15 @@ TEST(Layout, TheConsoleLeavesRoomForThePicture) {
     EXPECT_GE(make_layout({1280, 800}, 24, 1, {}, -50).console.size.y, 60);
 }
 
+TEST(Layout, SmallWindowsAreThePictures) {
+    const Layout small = make_layout({400, 300}, 24, 1, {}, 150);
+    EXPECT_TRUE(small.panel.empty());
+    EXPECT_TRUE(small.console.empty());
+    EXPECT_EQ(small.picture.size.x, 400);
+    EXPECT_EQ(make_layout({800, 600}, 24, 2, {}, 300).picture.size.x, 800) << "as large things are on the display";
+    EXPECT_FALSE(make_layout({800, 600}, 24, 1, {}, 150).panel.empty());
+}
+
 TEST(Layout, WhatIsClosedLeavesItsPlaceToThePicture) {
     Shown shown;
     shown.panel = shown.console = false;
