@@ -142,9 +142,17 @@ void read_stl(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
     }
 }
 
+/// The word OFF may be missing, where a line of three counts tells what the file is.
+bool begins_with_counts(std::string_view text) {
+    Words words(text, true);
+    (void)words.at_end();
+    Words counts(words.line(), true);
+    return counts.count() && counts.count() && counts.count();
+}
+
 void read_off(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings) {
     Words words(text, true);
-    if (!words.next().ends_with("OFF")) {
+    if (!begins_with_counts(text) && !words.next().ends_with("OFF")) {
         warnings.emplace_back("OFF file does not begin with OFF");
         return;
     }
@@ -225,7 +233,11 @@ std::shared_ptr<Solid> import_solid(const Import& import) {
                               : suffix == "off" ? read_off
                               : suffix == "obj" ? read_obj
                                                 : read_amf;
-            read(*text, mesh, failures);
+            if (suffix == "amf" && text->starts_with("PK\x03\x04")) {
+                read_zipped_amf(import.file.path, mesh, failures);
+            } else {
+                read(*text, mesh, failures);
+            }
         }
     } else {
         failures.push_back(

@@ -27,5 +27,7 @@ void read_amf(std::string_view text, FileMesh& mesh, std::vector<std::string>& w
 void read_3mf_model(std::string_view text, FileMesh& mesh, std::vector<std::string>& warnings);
 /// The archive at `path`.
 void read_3mf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings);
+/// The archive at `path`, whose first file is the xml.
+void read_zipped_amf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings);
 
 }  // namespace csg::solid

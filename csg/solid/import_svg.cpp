@@ -24,7 +24,6 @@ constexpr int kMostUses = 16;  ///< Within each other.
 struct State {
     glm::dmat4 matrix{1.0};
     bool shown = true;  ///< Of the layer or id that is asked for.
-    bool even_odd = false;
     Stroke stroke;
     int depth = 0, uses = 0;
 };
@@ -108,9 +107,6 @@ class Svg {
 
     void inherit(const SvgElement& e, State& state) const {
         Stroke& stroke = state.stroke;
-        if (const auto rule = document_.property(e, "fill-rule"); !rule.empty()) {
-            state.even_odd = rule == "evenodd";
-        }
         if (const auto width = document_.property(e, "stroke-width"); !width.empty()) {
             constexpr double kThinnest = 0.01;  // OpenSCAD's: thinner lines are 1 wide.
             stroke.width = svg_length(width, import_.dpi);
@@ -213,7 +209,7 @@ class Svg {
             }
         }
         if (!loops.empty()) {
-            add(clean(loops, state.even_odd ? FillRule::EvenOdd : FillRule::NonZero), state.matrix);
+            add(clean(loops, FillRule::EvenOdd), state.matrix);  // Whatever fill-rule says, as in OpenSCAD.
         }
     }
 

@@ -173,8 +173,9 @@ class Model3mf {
     bool bad_ = false;
 };
 
-/// The text of the first `.model` file in the archive.
-std::optional<std::string> model_of(const std::string& path, std::vector<std::string>& warnings) {
+/// The text of the first file in the archive whose name ends so; `kind`: what the archive is, for people.
+std::optional<std::string> unpacked(const std::string& path, std::string_view ending, std::string_view kind,
+                                    std::vector<std::string>& warnings) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {  // Opening a pipe would wait.
         warnings.push_back(fmt::format("Can't open import file '{}'", path));
@@ -183,13 +184,13 @@ std::optional<std::string> model_of(const std::string& path, std::vector<std::st
     int error = 0;
     const std::unique_ptr<zip_t, void (*)(zip_t*)> archive(zip_open(path.c_str(), ZIP_RDONLY, &error), zip_discard);
     if (!archive) {
-        warnings.push_back(fmt::format("Can't open import file '{}' as a 3MF archive", path));
+        warnings.push_back(fmt::format("Can't open import file '{}' as a {} archive", path, kind));
         return std::nullopt;
     }
     const zip_int64_t entries = zip_get_num_entries(archive.get(), 0);
     for (zip_int64_t i = 0; i < entries; ++i) {
         const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0);
-        if (name == nullptr || !std::string_view(name).ends_with(".model")) {
+        if (name == nullptr || !std::string_view(name).ends_with(ending)) {
             continue;
         }
         const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
@@ -209,7 +210,7 @@ std::optional<std::string> model_of(const std::string& path, std::vector<std::st
             }
         }
     }
-    warnings.push_back(fmt::format("3MF file '{}' holds no model", path));
+    warnings.push_back(fmt::format("{} file '{}' holds no model", kind, path));
     return std::nullopt;
 }
 
@@ -262,8 +263,14 @@ void read_3mf_model(std::string_view text, FileMesh& mesh, std::vector<std::stri
 }
 
 void read_3mf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings) {
-    if (const auto text = model_of(path, warnings)) {
+    if (const auto text = unpacked(path, ".model", "3MF", warnings)) {
         read_3mf_model(*text, mesh, warnings);
+    }
+}
+
+void read_zipped_amf(const std::string& path, FileMesh& mesh, std::vector<std::string>& warnings) {
+    if (const auto text = unpacked(path, "", "AMF", warnings)) {
+        read_amf(*text, mesh, warnings);
     }
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t kMostSamples = std::size_t{1} << 21;
 struct Heights {
     std::size_t columns = 0, rows = 0;
     std::vector<double> values;
-    double least = 0;  ///< Of the values that the file has.
+    double bottom = 0;
 
     [[nodiscard]] double at(std::size_t x, std::size_t y) const { return values[y * columns + x]; }
 };
@@ -58,14 +58,14 @@ Heights read_table(std::string_view text, std::vector<std::string>& warnings) {
             return {};
         }
     }
-    Heights heights{columns, lines.size(), std::vector<double>(columns * lines.size(), 0.0), least};
+    Heights heights{columns, lines.size(), std::vector<double>(columns * lines.size(), 0.0), std::min(least - 1, 0.0)};
     for (std::size_t i = 0; i < lines.size(); ++i) {
         std::copy(lines[i].begin(), lines[i].end(), heights.values.begin() + static_cast<std::ptrdiff_t>(i * columns));
     }
     return heights;
 }
 
-/// Luminance, 0 to 100.
+/// Luminance, 0 to 100; inverted, less the 255th part of that, as in OpenSCAD: white is at -100 + 100/255.
 Heights read_picture(const std::string& text, bool invert, std::vector<std::string>& warnings) {
     const PngSamples picture = read_png(text, kMostSamples);
     if (!picture.problem.empty()) {
@@ -78,18 +78,18 @@ Heights read_picture(const std::string& text, bool invert, std::vector<std::stri
         for (std::size_t x = 0; x < heights.columns; ++x) {
             const double* p = &picture.values[(y * heights.columns + x) * 3];
             const double light = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
-            heights.values[(heights.rows - 1 - y) * heights.columns + x] = 100 * (invert ? 1 - light : light);
+            heights.values[(heights.rows - 1 - y) * heights.columns + x] = 100 * (invert ? 1.0 / 255 - light : light);
         }
     }
-    heights.least = *std::min_element(heights.values.begin(), heights.values.end());
+    heights.bottom = *std::min_element(heights.values.begin(), heights.values.end()) - 1;
     return heights;
 }
 
-/// Each cell is four triangles about its middle; the bottom lies 1 below the lowest value, but not above 0, as in
-/// OpenSCAD.
+/// Each cell is four triangles about its middle; the bottom lies 1 below the lowest value, of a table not above 0, as
+/// in OpenSCAD.
 void build(const Heights& heights, bool center, Solid& solid) {
     const std::size_t columns = heights.columns, rows = heights.rows;
-    const double bottom = std::min(heights.least - 1, 0.0);
+    const double bottom = heights.bottom;
     const double ox = center ? -static_cast<double>(columns - 1) / 2 : 0;
     const double oy = center ? -static_cast<double>(rows - 1) / 2 : 0;
     const auto index = [](std::size_t i) { return static_cast<std::uint32_t>(i); };

@@ -43,7 +43,7 @@ class CommentScanner {
         while (at_ < text_.size()) {
             const std::string_view rest = text_.substr(at_);
             if (rest.starts_with("//")) {
-                at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
+                line_comment();
             } else if (rest.starts_with("/*")) {
                 block_comment();
             } else if (rest[0] == '"') {
@@ -71,6 +71,14 @@ class CommentScanner {
             step();
         }
         at_ += at_ < text_.size() ? 1 : 0;
+    }
+
+    void line_comment() {
+        const std::uint32_t brace = found_.end;
+        while (at_ < text_.size() && text_[at_] != '\n') {
+            step();
+        }
+        found_.end = brace;
     }
 
     void block_comment() {

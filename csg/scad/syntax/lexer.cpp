@@ -177,7 +177,14 @@ std::size_t Lexer::blank_bytes() const {
 bool Lexer::skip_comment() {
     const char* const end = text_.data() + text_.size();
     if (peek(1) == '/') {
-        place_.at = static_cast<std::size_t>(end_of_line(text_.data() + place_.at, end) - text_.data());
+        // A carriage return alone is a line's end to those who count lines, but no comment's, as in OpenSCAD.
+        const char* line = end_of_line(text_.data() + place_.at, end);
+        while (line != end && *line == '\r' && line[1] != '\n') {
+            ++place_.line;
+            place_.line_start = static_cast<std::size_t>(line + 1 - text_.data());
+            line = end_of_line(line + 1, end);
+        }
+        place_.at = static_cast<std::size_t>(line - text_.data());
         return true;
     }
     place_.at += 2;

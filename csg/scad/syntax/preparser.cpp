@@ -43,7 +43,9 @@ void Preparser::skip_more_blanks() {
                 break;
             case '/':
                 if (at_[1] == '/') {
-                    at_ = end_of_line(at_, text_end_);
+                    for (at_ = end_of_line(at_, text_end_); *at_ == '\r' && at_[1] != '\n';) {
+                        at_ = end_of_line(at_ + 1, text_end_);
+                    }
                     break;
                 }
                 if (at_[1] == '*') {

@@ -186,7 +186,7 @@ TEST(Lexer, UnknownEscapesAreWarnings) {
 
 TEST(Lexer, CommentsAndBlanks) {
     EXPECT_EQ(tokens("a// b\nc"), "'a' 'c'");
-    EXPECT_EQ(tokens("a// b\rc"), "'a' 'c'");
+    EXPECT_EQ(tokens("a// b\rc\nd"), "'a' 'd'");
     EXPECT_EQ(tokens("a/* b /* c */d"), "'a' 'd'");  // They do not nest.
     EXPECT_EQ(tokens("a/**/b/***/c"), "'a' 'b' 'c'");
     EXPECT_EQ(tokens("a //"), "'a'");

@@ -94,6 +94,29 @@ zip_int64_t blanks(void* left, void* data, zip_uint64_t size, zip_source_cmd_t c
     }
 }
 
+TEST(HostileFiles, AnAmfMayBeAnArchive) {
+    const test_support::TemporaryFolder folder;
+    const std::string path = folder.path("zipped.amf");
+    const std::string text =
+        "<amf unit='inch'><object id='0'><mesh><vertices>"
+        "<vertex><coordinates><x>1</x><y>0</y><z>0</z></coordinates></vertex>"
+        "<vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates></vertex>"
+        "<vertex><coordinates><x>0</x><y>0</y><z>1</z></coordinates></vertex></vertices><volume>"
+        "<triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>";
+    int error = 0;
+    zip_t* archive = zip_open(path.c_str(), ZIP_CREATE, &error);
+    ASSERT_NE(archive, nullptr);
+    zip_source_t* source = zip_source_buffer(archive, text.data(), text.size(), 0);
+    ASSERT_GE(zip_file_add(archive, "zipped.amf", source, 0), 0);
+    ASSERT_EQ(zip_close(archive), 0);
+    csg::Import import;
+    import.file.path = path;
+    const auto solid = import_solid(import);
+    EXPECT_TRUE(solid->failures.empty()) << solid->failures[0];
+    ASSERT_EQ(solid->triangles.size(), 1U);
+    EXPECT_EQ(solid->points[0].x, 25.4);
+}
+
 TEST(HostileFiles, AZipBombIsNotUnpackedBeyondItsLimit) {
     const test_support::TemporaryFolder folder;
     const std::string path = folder.path("bomb.3mf");

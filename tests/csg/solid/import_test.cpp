@@ -91,6 +91,8 @@ TEST(Import, TheSameSolidFromEveryFormat) {
     EXPECT_NEAR(volume(read_with(read_stl, ascii_stl())), 1, 1e-12);
     EXPECT_NEAR(volume(read_with(read_stl, binary_stl(4))), 1, 1e-12);
     EXPECT_NEAR(volume(read_with(read_off, off)), 1, 1e-12);
+    EXPECT_NEAR(volume(read_with(read_off, off.substr(4))), 1, 1e-12) << "the word may be missing";
+    EXPECT_TRUE(read_with(read_off, "off" + off.substr(3), true).faces.empty());
     EXPECT_NEAR(volume(read_with(read_obj, obj)), 1, 1e-12);
     EXPECT_NEAR(volume(read_with(read_amf, amf)), 1, 1e-12);
 }

@@ -1,6 +1,7 @@
 // Pictures as height maps, against volumes that OpenSCAD finds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "csg/solid/files.h"
@@ -93,7 +94,7 @@ double volume(const std::string& bytes) {
 }
 
 TEST(Surface, SamplesOfAPictureAreNumbersNotColors) {
-    constexpr double kOfEightBits = 164.5882, kOfColors = 206.1611;  // The latter of 2021.01 (luminance).
+    constexpr double kOfEightBits = 164.5882, kOfColors = 124.3284;  // The latter of the newest (luminance).
     const std::string gamma = chunk("gAMA", big_endian(45455)), linear = chunk("gAMA", big_endian(100000)),
                       srgb = chunk("sRGB", std::string(1, '\0'));
     for (const std::string& space : {std::string(), gamma, linear, srgb}) {
@@ -108,6 +109,31 @@ TEST(Surface, SamplesOfAPictureAreNumbersNotColors) {
         EXPECT_NEAR(volume(picture(Kind::Color, 16, space)), kOfColors, 1e-3);
     }
     EXPECT_NEAR(volume(picture(Kind::Gray, 8, chunk("tRNS", std::string("\0\x80", 2)))), kOfEightBits, 1e-3);
+}
+
+/// The bottom is 1 below the least, not at 0; inverted, white is at -100 + 100/255.
+TEST(Surface, BottomOfAPicture) {
+    const test_support::TemporaryFolder folder;
+    csg::Surface surface;
+    surface.file.path = folder.write("picture.png", picture(Kind::Color, 8));
+    const auto least = [&] {  // And the least but that.
+        double all = 1e9, but_that = 1e9;
+        const auto solid = surface_solid(surface);
+        for (const glm::dvec3& p : solid->points) {
+            all = std::min(all, p.z);
+        }
+        for (const glm::dvec3& p : solid->points) {
+            but_that = p.z > all ? std::min(but_that, p.z) : but_that;
+        }
+        return std::pair(all, but_that);
+    };
+    const auto upright = least();
+    EXPECT_NEAR(upright.second - upright.first, 1, 1e-9);
+    EXPECT_GT(upright.first, 20);
+    surface.invert = true;
+    const auto inverted = least();
+    EXPECT_NEAR(inverted.second - inverted.first, 1, 1e-9);
+    EXPECT_LT(inverted.first, -60);
 }
 
 TEST(Surface, PalettesCount) {

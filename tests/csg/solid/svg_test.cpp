@@ -51,7 +51,9 @@ TEST(Svg, ClosedShapesAreFilledAsInOpenScad) {
     EXPECT_NEAR(area("<rect width='4' height='5' fill='none' stroke-width='2'/>"), 20, 1e-6);
     EXPECT_NEAR(area("<path d='M0 0h4v5h-4z M10 0 h4 l0 1' stroke-linecap='butt'/>"), 20 + 5, 1e-6)
         << "each part of a path by itself";
-    EXPECT_NEAR(area("<g fill-rule='evenodd'><path d='M0 0h9v9h-9z M3 3h3v3h-3z'/></g>"), 72, 1e-6) << "inherited";
+    EXPECT_NEAR(area("<g fill-rule='evenodd'><path d='M0 0h9v9h-9z M3 3h3v3h-3z'/></g>"), 72, 1e-6);
+    EXPECT_NEAR(area("<path fill-rule='nonzero' d='M0 0h9v9h-9z M3 3h3v3h-3z'/>"), 72, 1e-6) << "whatever it says";
+    EXPECT_NEAR(area("<path d='M0 0h9v9h-9z'/><path d='M3 3h3v3h-3z'/>"), 81, 1e-6) << "each by itself";
 }
 
 TEST(Svg, StyleSheetsCount) {
