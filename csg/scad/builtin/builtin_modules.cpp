@@ -140,8 +140,12 @@ bool to_vec2(const Value& value, glm::dvec2& out) {
 bool to_vec3(const Value& value, glm::dvec3& out, double z_if_missing) {
     const auto elements = value.is_vector() ? value.elements() : std::span<const Value>();
     const bool two = elements.size() == 2 && !std::isnan(z_if_missing);
-    if ((elements.size() != 3 && !two) ||
-        !std::all_of(elements.begin(), elements.end(), [](const Value& e) { return e.is_number(); })) {
+    const bool numbers = std::all_of(elements.begin(), elements.end(), [](const Value& e) { return e.is_number(); });
+    if (two && !numbers) {
+        out.z = z_if_missing;
+        return true;
+    }
+    if ((elements.size() != 3 && !two) || !numbers) {
         return false;
     }
     out = {elements[0].number(), elements[1].number(), two ? z_if_missing : elements[2].number()};

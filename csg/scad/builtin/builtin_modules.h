@@ -85,7 +85,8 @@ void add_leaf(const ModuleContext& c, LeafShape shape, Nodes& out);
 /// Two numbers.
 [[nodiscard]] bool to_vec2(const Value& value, glm::dvec2& out);
 
-/// Three numbers. `[x, y]` stands for `[x, y, z_if_missing]` unless that is NaN.
+/// Three numbers. `[x, y]` stands for `[x, y, z_if_missing]` unless that is NaN; where x or y is no number it gives the
+/// third alone and passes for good, as in OpenSCAD.
 [[nodiscard]] bool to_vec3(const Value& value, glm::dvec3& out, double z_if_missing);
 
 }  // namespace csg::scad

@@ -123,6 +123,7 @@ void run_polyhedron(const ModuleContext& c, Nodes& out) {
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     auto polyhedron = std::make_shared<Polyhedron>();
+    const bool has_points = arguments["points"].is_vector();
     polyhedron->points = points_of(c, arguments["points"]);
     const bool old = arguments["faces"].is_undef() && !arguments["triangles"].is_undef();
     if (old) {
@@ -131,7 +132,7 @@ void run_polyhedron(const ModuleContext& c, Nodes& out) {
             "polyhedron(triangles=[]) will be removed in future releases. Use polyhedron(faces=[]) instead.");
     }
     const Value& faces = arguments[old ? "triangles" : "faces"];
-    if (faces.is_vector()) {
+    if (faces.is_vector() && has_points) {
         const auto given = faces.elements();
         polyhedron->faces.reserve(given.size());
         for (std::size_t i = 0; i < given.size(); ++i) {
@@ -144,7 +145,7 @@ void run_polyhedron(const ModuleContext& c, Nodes& out) {
                 polyhedron->faces.push_back(std::move(loop));
             }
         }
-    } else if (arguments["points"].is_vector()) {
+    } else if (has_points) {
         c.warn(fmt::format("Unable to convert faces = {} to a vector of vector of point indices", faces.echo_text()));
     }
     polyhedron->convexity = whole(arguments.number("convexity"), 1);

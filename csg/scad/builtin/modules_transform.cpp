@@ -190,9 +190,9 @@ void run_multmatrix(const ModuleContext& c, Nodes& out) {
             }
         }
         const double w = matrix[3][3];
-        if (w != 1.0 && w != 0.0) {
+        if (w != 1.0) {
             matrix /= w;
-            matrix[3][3] = 1.0;
+            matrix[3][3] = w == 0.0 ? matrix[3][3] : 1.0;
         }
     }
     out.push_back(c.evaluator.builder().transform(matrix, c.children(), c.location(), c.modifiers));

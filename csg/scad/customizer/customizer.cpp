@@ -99,6 +99,33 @@ CustomizerParameter::Option option_of(const CommentValue& item) {
     return option;
 }
 
+/// The range is made wide enough for what the file says, as in OpenSCAD.
+void widen_range(CustomizerParameter& p) {
+    const auto take = [&p](double number) {
+        p.minimum = p.minimum ? std::min(*p.minimum, number) : p.minimum;
+        p.maximum = p.maximum ? std::max(*p.maximum, number) : p.maximum;
+    };
+    if (const auto* const numbers = std::get_if<std::vector<double>>(&p.initial)) {
+        std::for_each(numbers->begin(), numbers->end(), take);
+    } else if (const auto* const number = std::get_if<double>(&p.initial)) {
+        take(*number);
+    }
+}
+
+/// Before the others, where it is none of them, as in OpenSCAD.
+void add_initial_option(CustomizerParameter& p) {
+    CustomizerParameter::Option own;
+    if (const auto* const number = std::get_if<double>(&p.initial)) {
+        own = {number_text(*number), *number};
+    } else {
+        const auto& text = std::get<std::string>(p.initial);
+        own = {text, text};
+    }
+    if (std::none_of(p.options.begin(), p.options.end(), [&](const auto& o) { return o.value == own.value; })) {
+        p.options.insert(p.options.begin(), std::move(own));
+    }
+}
+
 /// What the comment behind a number, or a list of numbers, says about the least, the most and the step.
 bool take_range(CustomizerParameter& p, const CommentValue& form) {
     if (form.kind == Kind::Range) {
@@ -124,6 +151,7 @@ void take_form(CustomizerParameter& p, const CommentValue& form) {
     const bool number = std::holds_alternative<double>(p.initial);
     if (number || std::holds_alternative<std::vector<double>>(p.initial)) {
         if (take_range(p, form)) {
+            widen_range(p);
             return;
         }
         p.step = number && form.kind != Kind::List ? std::optional(1.0) : std::nullopt;
@@ -131,6 +159,7 @@ void take_form(CustomizerParameter& p, const CommentValue& form) {
     const bool text = std::holds_alternative<std::string>(p.initial);
     if (form.kind == Kind::List && (number || text)) {
         std::transform(form.items.begin(), form.items.end(), std::back_inserter(p.options), option_of);
+        add_initial_option(p);
     } else if (text && form.kind == Kind::Number && form.number >= 0 && form.number < 1e9) {
         p.longest = static_cast<std::size_t>(form.number);
     }
@@ -158,14 +187,18 @@ std::vector<CustomizerParameter> customizer_parameters(const Program& program) {
     const auto assignments = program.assignments_of(program.blocks[block]);
     const auto comments = annotations(program);
     for (std::size_t i = 0; i < assignments.size(); ++i) {
-        if (!comments[i] || comments[i]->group == "Hidden") {
+        if (!comments[i]) {
+            continue;
+        }
+        const std::string group(trimmed(comments[i]->group.value_or("Parameters")));
+        if (group == "Hidden") {
             continue;
         }
         if (auto initial = initial_of(program, assignments[i].value)) {
             CustomizerParameter& p = result.emplace_back();
             p.name = program.symbols.text(assignments[i].name);
             p.caption = comments[i]->description;
-            p.group = comments[i]->group.value_or("Parameters");
+            p.group = group;
             p.initial = std::move(*initial);
             take_form(p, comments[i]->form);
         }
