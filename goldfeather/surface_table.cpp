@@ -1,5 +1,7 @@
 #include "goldfeather/surface_table.h"
 
+#include <algorithm>
+
 #include "goldfeather/local_frame.h"
 
 namespace goldfeather {
@@ -24,6 +26,15 @@ glm::vec4 row_of(const csg::solid::Plane& plane, const glm::dvec3& local_center)
     return {glm::vec3(plane.normal), static_cast<float>(plane.offset - glm::dot(plane.normal, local_center))};
 }
 
+/// Without an opacity of its own it is opaque, and what is in the background has that of the background. Components
+/// above 1 are lit as they are, as in OpenSCAD.
+glm::vec4 color_of(const csg::LeafInstance& leaf, csg::PartKind kind) {
+    const csg::Rgba& c = leaf.color;
+    const bool none = c.r < 0 && c.g < 0 && c.b < 0;
+    const float a = kind == csg::PartKind::Background && none && !c.translucent() ? -1 : c.a < 0 ? 1 : c.a;
+    return {c.r, c.g, c.b, std::min(a, 1.0F)};
+}
+
 void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry) {
     const LocalFrame frame = local_frame(geometry);
     table.local_center = frame.center;
@@ -31,9 +42,9 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
     table.leaves.clear();
     table.leaves.reserve(scene.leaves.size());
     for (const csg::LeafInstance& leaf : scene.leaves) {
-        table.leaves.push_back(
-            {{leaf.color.r, leaf.color.g, leaf.color.b, leaf.color.a},
-             {leaf.part, static_cast<std::uint32_t>(kind_of(scene.parts[leaf.part])), leaf.hatching, 0}});
+        const csg::Part& part = scene.parts[leaf.part];
+        table.leaves.push_back({color_of(leaf, part.kind),
+                                {leaf.part, static_cast<std::uint32_t>(kind_of(part)), leaf.hatching, 0}});
     }
     table.planes.clear();
     table.planes.reserve(geometry.planes.planes().size());

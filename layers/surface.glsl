@@ -13,7 +13,7 @@ struct Surface {
     uint part_kind;
     bool reversed;   // of a subtracted leaf: a cut
     bool leaving;    // a back face of the result
-    vec4 color;      // as given by color(); r < 0 where there is none
+    vec4 color;      // as given by color(); below 0 what is not
 };
 
 Surface no_surface() {

@@ -13,11 +13,9 @@ float light(vec3 normal) {
 vec4 base_color(Surface s) {
     if (s.part_kind == kPartHighlight)
         return highlight_color;
-    if (s.part_kind == kPartBackground)
-        return ghost_color;
-    if (s.color.r >= 0.0f)
-        return s.color;
-    return vec4(s.reversed ? cut_color : face_color, 1.0f);
+    vec4 otherwise = s.part_kind == kPartBackground ? ghost_color : vec4(s.reversed ? cut_color : face_color, 1.0f);
+    return vec4(s.color.r >= 0.0f ? s.color.r : otherwise.r, s.color.g >= 0.0f ? s.color.g : otherwise.g,
+                s.color.b >= 0.0f ? s.color.b : otherwise.b, s.color.a >= 0.0f ? s.color.a : otherwise.a);
 }
 
 // The same; of translucent parts only the faces toward the eye are seen.

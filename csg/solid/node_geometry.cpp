@@ -6,6 +6,7 @@
 
 #include "csg/solid/extrude.h"
 #include "csg/solid/files.h"
+#include "csg/solid/misplaced.h"
 #include "csg/solid/prism_stack.h"
 #include "csg/solid/text_outline.h"
 
@@ -26,31 +27,23 @@ void check_fineness(const Fineness& fineness) {
     }
 }
 
-/// The children that are outlines; warns of others.
-Outlines outlines_of(Children children, NodeGeometry& result, const char* problem) {
+constexpr const char* kMeshes = "exact meshes";
+
+/// The children that are outlines; of others see misplaced.h.
+Outlines outlines_of(Children children) {
     Outlines outlines;
     for (const NodeGeometry* child : children) {
         if (child->outline) {
             outlines.push_back(child->outline);
-        } else if (!child->pieces.empty()) {
-            result.warnings.emplace_back(problem);
         }
     }
     return outlines;
 }
 
-constexpr const char* kMixed = "Mixing 2D and 3D objects is not supported";
-constexpr const char* kSolidIgnored = "Ignoring 3D child object for 2D operation";
-constexpr const char* kFlatIgnored = "Ignoring 2D child object for 3D operation";
-constexpr const char* kMeshes = "exact meshes";
-
-/// The pieces of all children that are solid; warns of others.
-std::vector<Piece> pieces_of(Children children, NodeGeometry& result, const char* problem) {
+/// The pieces of all children that are solid.
+std::vector<Piece> pieces_of(Children children) {
     std::vector<Piece> pieces;
     for (const NodeGeometry* child : children) {
-        if (child->outline && !child->outline->empty()) {
-            result.warnings.emplace_back(problem);
-        }
         pieces.insert(pieces.end(), child->pieces.begin(), child->pieces.end());
     }
     return pieces;
@@ -77,7 +70,7 @@ void add(NodeGeometry& result, std::shared_ptr<const Solid> solid) {
 /// A node that unites its children, under a matrix.
 void unite(Children children, Dimension dimension, const glm::dmat4* matrix, NodeGeometry& result) {
     if (dimension == Dimension::Flat) {
-        Outline all = combine(BooleanKind::Union, outlines_of(children, result, kMixed));
+        Outline all = combine(BooleanKind::Union, outlines_of(children));
         if (matrix != nullptr && !all.empty()) {
             Outline moved = transform(all, *matrix);
             if (moved.empty() && (*matrix)[0][0] * (*matrix)[1][1] != (*matrix)[1][0] * (*matrix)[0][1]) {
@@ -88,7 +81,7 @@ void unite(Children children, Dimension dimension, const glm::dmat4* matrix, Nod
         result.outline = share(std::move(all));
         return;
     }
-    result.pieces = pieces_of(children, result, kMixed);
+    result.pieces = pieces_of(children);
     if (matrix == nullptr) {
         return;
     }
@@ -107,14 +100,10 @@ void unite(Children children, Dimension dimension, const glm::dmat4* matrix, Nod
 
 void combine_children(Children children, BooleanKind kind, Dimension dimension, NodeGeometry& result) {
     if (dimension == Dimension::Flat) {
-        // A child that makes nothing is an operand all the same: an empty one.
+        // A child that makes nothing, or a solid, is an operand all the same: an empty one.
         Outlines operands;
         for (const NodeGeometry* child : children) {
-            if (!child->outline && !child->pieces.empty()) {
-                result.warnings.emplace_back(kMixed);
-            } else {
-                operands.push_back(child->outline ? child->outline : share({}));
-            }
+            operands.push_back(child->outline ? child->outline : share({}));
         }
         result.outline = share(combine(kind, operands));
         return;
@@ -122,9 +111,6 @@ void combine_children(Children children, BooleanKind kind, Dimension dimension, 
     auto node = std::make_shared<BooleanNode>();
     node->kind = kind;
     for (const NodeGeometry* child : children) {
-        if (child->outline && !child->outline->empty()) {
-            result.warnings.emplace_back(kMixed);
-        }
         if (kind == BooleanKind::Difference && child->pieces.empty()) {
             if (node->operands.empty()) {
                 return;  // Nothing minus anything.
@@ -204,14 +190,14 @@ class MeshMaker {
     }
 
     void operator()(const Projection& how) const {
-        const std::vector<Piece> pieces = pieces_of(children_, result_, kFlatIgnored);
+        const std::vector<Piece> pieces = pieces_of(children_);
         result_.outline = share(how.cut ? cut(pieces) : shadow(meshes_of(pieces, tools_)));
     }
 
     void operator()(const Hull&) const {
         if (dimension_ == Dimension::Flat) {
             std::vector<glm::dvec2> points;
-            for (const auto& outline : outlines_of(children_, result_, kMixed)) {
+            for (const auto& outline : outlines_of(children_)) {
                 for (const Loop& loop : outline->loops) {
                     points.insert(points.end(), loop.begin(), loop.end());
                 }
@@ -220,7 +206,7 @@ class MeshMaker {
             return;
         }
         std::vector<glm::dvec3> points;
-        for (const Mesh& mesh : meshes_of(pieces_of(children_, result_, kMixed), tools_)) {
+        for (const Mesh& mesh : meshes_of(pieces_of(children_), tools_)) {
             points.insert(points.end(), mesh.points.begin(), mesh.points.end());
         }
         if (!points.empty()) {
@@ -230,8 +216,10 @@ class MeshMaker {
 
     void operator()(const Minkowski&) const {
         if (dimension_ == Dimension::Flat) {
-            const Outlines operands = outlines_of(children_, result_, kMixed);
-            std::shared_ptr<const Outline> sum = operands.empty() ? share({}) : operands[0];
+            const Outlines operands = outlines_of(children_);
+            // A sum with nothing but what makes no outline is empty, as in OpenSCAD.
+            const bool none = operands.empty() || (operands.size() == 1 && children_.size() > 1);
+            std::shared_ptr<const Outline> sum = none ? share({}) : operands[0];
             for (std::size_t i = 1; i < operands.size(); ++i) {
                 sum = share(minkowski(*sum, *operands[i]));
             }
@@ -241,9 +229,7 @@ class MeshMaker {
         // The sum of a union is the union of sums, so that pieces need not be united first.
         std::vector<std::vector<Piece>> unions;
         for (const NodeGeometry* child : children_) {
-            if (child->outline && !child->outline->empty()) {
-                result_.warnings.emplace_back(kMixed);
-            } else if (!child->pieces.empty()) {
+            if (!child->pieces.empty()) {
                 unions.push_back(child->pieces);
             }
         }
@@ -281,9 +267,7 @@ class MeshMaker {
     }
 
   private:
-    [[nodiscard]] Outline flat_children() const {
-        return combine(BooleanKind::Union, outlines_of(children_, result_, kSolidIgnored));
-    }
+    [[nodiscard]] Outline flat_children() const { return combine(BooleanKind::Union, outlines_of(children_)); }
 
     Children children_;
     Dimension dimension_;
@@ -349,6 +333,8 @@ std::string left_out(const GeometryError& error) {
 
 NodeGeometry make_geometry(const Tree& tree, NodeId id, Dimension dimension, Children children, const Tools& tools) {
     NodeGeometry result;
+    result.dimension = dimension;
+    result.misplaced = misplaced_children(tree, id, children);
     try {
         make(tree, id, dimension, children, tools, result);
     } catch (const GeometryError& error) {

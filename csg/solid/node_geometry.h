@@ -1,6 +1,7 @@
 // What a node of the tree is: outlines, or a union of solids that may still have to be computed.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -32,10 +33,18 @@ struct BooleanNode {
     mutable std::shared_ptr<const Solid> computed;  ///< Filled when it was asked for; not for several threads.
 };
 
+/// What there is to say of a child of a node (`%` children left out), by its number.
+struct ChildRemark {
+    std::uint32_t child;
+    const char* text;
+};
+
 struct NodeGeometry {
+    Dimension dimension = Dimension::None;
     std::shared_ptr<const Outline> outline;  ///< In the plane; null where it is solid.
     std::vector<Piece> pieces;               ///< Their union.
     std::vector<std::string> warnings;       ///< Of this node alone.
+    std::vector<ChildRemark> misplaced;      ///< Warnings of children that are not of the dimension asked for.
     std::vector<std::string> failures;       ///< Why this node is not, or not all, of what was asked for.
 };
 

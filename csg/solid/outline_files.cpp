@@ -23,9 +23,11 @@ std::string encode_svg(const Outline& outline, const Paint& paint) {
     const glm::dvec3 size = box.size();
     Text out;
     put(out,
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{}mm\" height=\"{}mm\" "
-        "viewBox=\"{} {} {} {}\">\n<path fill-rule=\"evenodd\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\" d=\"",
+        "<?xml version=\"1.0\" standalone=\"no\"?>\n"
+        "<!DOCTYPE svg PUBLIC \"-//W3C//DTD SVG 1.1//EN\" \"http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd\">\n"
+        "<svg width=\"{}mm\" height=\"{}mm\" viewBox=\"{} {} {} {}\" xmlns=\"http://www.w3.org/2000/svg\" "
+        "version=\"1.1\">\n<title>OpenSCAD Model</title>\n<path fill-rule=\"evenodd\" fill=\"{}\" stroke=\"{}\" "
+        "stroke-width=\"{}\" d=\"",
         size.x, size.y, box.lo.x + 0.0, 0.0 - box.hi.y, size.x, size.y, paint.fill ? css(paint.fill_color) : "none",
         paint.stroke ? css(paint.stroke_color) : "none", paint.stroke_width);
     for (const Loop& loop : outline.loops) {

@@ -85,6 +85,7 @@ Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double f
             remarks.failures.push_back(located(tree, instance.where, failure));
         }
     }
+    cache.tell_left_out(tree, scene, by_node, remarks, stop);
     trim_leaves(scene, geometry.leaves);
     const double largest = judge_sizes(tree, scene, geometry.leaves, remarks);
     for (const PlacedLeaf& leaf : geometry.leaves) {

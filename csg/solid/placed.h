@@ -64,6 +64,9 @@ class SolidCache {
     /// The whole tree as one region of the plane; null where its first object is solid or there is none. Remarks as
     /// above.
     std::shared_ptr<const Outline> outline(const Tree& tree, Remarks& remarks, const std::stop_token& stop = {});
+    /// Appends what there is to say of the outlines that a scene leaves out among solids, and of what is below them.
+    void tell_left_out(const Tree& tree, const Scene& scene, const std::vector<Dimension>& by_node, Remarks& remarks,
+                       const std::stop_token& stop = {});
     struct Size {
         std::size_t entries = 0, bytes = 0;  ///< Bytes of points and triangles.
     };

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "base/stop.h"
 #include "csg/solid/located.h"
+#include "csg/solid/misplaced.h"
 #include "csg/solid/node_geometry.h"
 #include "csg/solid/placed.h"
 #include "csg/solid/text_outline.h"
@@ -26,6 +28,21 @@ void tell(const Tree& tree, NodeId node, const Made& made, Remarks& remarks, con
     };
     add(made.warnings, told != nullptr ? &told->warnings : nullptr, remarks.warnings);
     add(made.failures, told != nullptr ? &told->failures : nullptr, remarks.failures);
+}
+
+void tell_misplaced(const Tree& tree, NodeId node, const NodeGeometry& made, Remarks& remarks) {
+    if (made.misplaced.empty()) {
+        return;
+    }
+    std::vector<NodeId> counted;
+    for (const NodeId child : tree.children(node)) {
+        if (!tree.node(child).modifiers.background) {
+            counted.push_back(child);
+        }
+    }
+    for (const ChildRemark& remark : made.misplaced) {
+        remarks.warnings.push_back(located(tree, tree.node(counted[remark.child]).where, remark.text));
+    }
 }
 
 /// What make() gives; where that takes too much memory, it is told which node asked for it.
@@ -124,6 +141,7 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
                 return std::make_unique<NodeGeometry>(make_geometry(tree, id, by_node[id], children, tools(stop)));
             });
         }
+        tell_misplaced(tree, id, *known.geometry, remarks);
         tell(tree, id, *known.geometry, remarks);
     }
     return *entries_[tree.node(top).hash].geometry;
@@ -131,6 +149,18 @@ const NodeGeometry& SolidCache::geometry(const Tree& tree, NodeId top, const std
 
 std::shared_ptr<const Outline> SolidCache::outline(const Tree& tree, Remarks& remarks, const std::stop_token& stop) {
     return tree.root() == kNoNode ? nullptr : geometry(tree, tree.root(), dimensions(tree), remarks, stop).outline;
+}
+
+void SolidCache::tell_left_out(const Tree& tree, const Scene& scene, const std::vector<Dimension>& by_node,
+                               Remarks& remarks, const std::stop_token& stop) {
+    std::unordered_map<OccurrenceId, MisplacedOutlines> among;
+    for (const LeftOut& left_out : scene.left_out) {
+        const bool empty = geometry(tree, left_out.node, by_node, remarks, stop).outline->empty();
+        const auto at = among.try_emplace(left_out.parent, tree, scene.occurrences[left_out.parent].node).first;
+        for (const char* text : at->second.next(empty)) {
+            remarks.warnings.push_back(located(tree, tree.node(left_out.node).where, text));
+        }
+    }
 }
 
 SolidCache::Size SolidCache::size() const {

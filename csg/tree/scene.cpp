@@ -50,6 +50,7 @@ class SceneMaker {
                 build(plan);
             }
         }
+        walk_.set_root_aside();
         while (!walk_.waiting.empty()) {
             const PartPlan plan = std::move(walk_.waiting.front());
             walk_.waiting.pop_front();
@@ -57,6 +58,7 @@ class SceneMaker {
         }
         scene_.occurrences = std::move(walk_.occurrences);
         scene_.occurrences.shrink_to_fit();
+        scene_.left_out = std::move(walk_.left_out);
         return std::move(scene_);
     }
 
@@ -125,6 +127,8 @@ class SceneMaker {
             const Piece operand = walk_.child(frame, children[c], c);
             if (!walk_.set_aside(operand, frame, plan.kind)) {
                 operands.push_back(build_piece(operand, plan));
+            } else if (is_empty_operand(operand, frame)) {
+                operands.push_back(add(ExpressionKind::Union, {}));
             }
         }
         walk_.quiet = false;
@@ -171,6 +175,8 @@ class SceneMaker {
                 const Piece child = walk_.child(frame, children[index], index);
                 if (!walk_.set_aside(child, frame, plan.kind)) {
                     stack.push_back(walk_.enter(child));
+                } else if (is_empty_operand(child, frame)) {
+                    frame.built.push_back(add(ExpressionKind::Union, {}));
                 }
                 continue;
             }
@@ -181,6 +187,11 @@ class SceneMaker {
             }
             stack.back().built.push_back(expression);
         }
+    }
+
+    /// Of what is left out: it empties an intersection.
+    [[nodiscard]] bool is_empty_operand(const Piece& child, const Frame& parent) const {
+        return walk_.is_misplaced(child.node) && tree().node(parent.node).operation == Operation::Intersection;
     }
 
     [[nodiscard]] std::uint32_t leave(const Frame& frame) {

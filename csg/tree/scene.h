@@ -33,7 +33,7 @@ struct LeafInstance {
     NodeId node = kNoNode;                    ///< The leaf in the tree: a shape, or a node that is one mesh.
     OccurrenceId occurrence = kNoOccurrence;  ///< Of that node; none in scenes that no tree made.
     glm::dmat4 to_world{1.0};                 ///< Leaf coordinates to world coordinates.
-    Rgba color;  ///< As given by the outermost color(); `given()` is false where there is none.
+    Rgba color;  ///< That of the outermost color() that gives all of it, else of the innermost; maybe in part only.
     SourceLocation where;
     PartId part = 0;
     /// What faces of it are: 0 surfaces like all others; else faces that a section has cut, with a hatching that tells
@@ -58,7 +58,7 @@ enum class PartKind : std::uint8_t {
     Solid,        ///< What the model is.
     Translucent,  ///< A subtree of the top-level union whose color() has an opacity below 1.
     Background,   ///< `%`
-    Highlight,    ///< `#`, drawn over what it belongs to.
+    Highlight,    ///< `#`, drawn over what it belongs to; in a union, instead of it.
 };
 
 /// "solid", "translucent", "background", "highlight".
@@ -81,12 +81,19 @@ struct Part {
     bool hidden = false;
 };
 
+/// An outline among solids: an operand that counts as empty where the result is asked for.
+struct LeftOut {
+    OccurrenceId parent = kNoOccurrence;
+    NodeId node = kNoNode;
+};
+
 struct Scene {
     std::vector<LeafInstance> leaves;
     std::vector<Expression> expressions;
     std::vector<std::uint32_t> expression_children;
     std::vector<Part> parts;
     std::vector<Occurrence> occurrences;  ///< Of the leaves and of all above them, parents first.
+    std::vector<LeftOut> left_out;        ///< In results only; in document order.
 
     [[nodiscard]] std::span<const std::uint32_t> children(const Expression& e) const {
         return std::span(expression_children).subspan(e.first_child, e.child_count);
@@ -101,12 +108,16 @@ struct Scene {
 /// What a scene is to show.
 enum class Showing : std::uint8_t {
     Preview,  ///< All that is written: `%` and `#` as parts, every outline as a leaf of its own.
-    Result,   ///< What an export would hold: neither `%` nor `#` parts; in the plane one leaf, in space no outlines.
+    /// What an export would hold: neither `%` nor `#` parts; in the plane one leaf, in space no outlines (each node is
+    /// what its first child is: csg/tree/dimension.h).
+    Result,
 };
 
 /// Flattens `tree`: transforms are multiplied through, colors inherited (the outermost wins, as in OpenSCAD), shared
-/// subtrees become occurrences, `%` subtrees parts of their own, `#` subtrees are repeated as highlight parts,
-/// translucent subtrees of the top-level union parts of their own. Groups that hold one child are that child.
+/// subtrees become occurrences, `%` subtrees parts of their own, `#` subtrees highlight parts (beside what they make
+/// where they are operands of a difference or intersection, or all there is; a difference is highlighted as its first
+/// operand is), translucent subtrees of the top-level union parts of their own. Groups that hold one child are that
+/// child.
 /// The first part, if any, is a Solid one, of several where `rule` says so. A tree without geometry gives no parts.
 [[nodiscard]] Scene make_scene(const Tree& tree, Showing showing = Showing::Preview, const PartRule& rule = {});
 

@@ -20,10 +20,36 @@ std::vector<char> marked_below(const Tree& tree) {
     return marked;
 }
 
+/// As OpenSCAD has it. What makes nothing does not count.
+std::vector<Highlighted> highlighted(const Tree& tree, const std::vector<Dimension>& dimensions) {
+    std::vector<Highlighted> result(tree.size());
+    for (NodeId id = 0; id < tree.size(); ++id) {
+        const Operation op = tree.node(id).operation;
+        bool any = false, all = true;
+        const bool is_mesh = op == Operation::Mesh && !std::holds_alternative<Render>(tree.mesh(id));
+        for (const NodeId child : is_mesh ? std::span<const NodeId>() : tree.children(id)) {
+            if (tree.node(child).modifiers.background || dimensions[child] == Dimension::None) {
+                continue;
+            }
+            any = true;
+            all = all && result[child].is();
+            if (op == Operation::Difference) {
+                break;
+            }
+        }
+        result[id] = {tree.node(id).modifiers.highlight, any && all};
+    }
+    return result;
+}
+
 }  // namespace
 
 SceneWalk::SceneWalk(const Tree& tree, Showing showing)
-    : tree_(tree), showing_(showing), dimensions_(dimensions(tree)), marked_(marked_below(tree)) {}
+    : tree_(tree),
+      showing_(showing),
+      dimensions_(dimensions(tree)),
+      marked_(marked_below(tree)),
+      highlighted_(highlighted(tree, dimensions_)) {}
 
 bool SceneWalk::is_leaf(NodeId id) const {
     if (showing_ == Showing::Result && id == tree_.root() && dimensions_[id] == Dimension::Flat) {
@@ -44,7 +70,7 @@ bool SceneWalk::is_union(NodeId id) const {
 }
 
 bool SceneWalk::is_translucent(NodeId id, const Frame& parent) const {
-    return tree_.node(id).operation == Operation::Color && !parent.color.given() && tree_.color(id).a < 1 &&
+    return tree_.node(id).operation == Operation::Color && !parent.color.given() && tree_.color(id).translucent() &&
            parent.top_level && is_union(parent.node);
 }
 
@@ -74,17 +100,31 @@ void SceneWalk::wait(PartKind kind, const Piece& piece) {
     waiting.push_back({kind, name_of(root), {root}});
 }
 
+void SceneWalk::set_root_aside() {
+    if (showing_ == Showing::Preview && highlighted_[tree_.root()].is()) {
+        wait(PartKind::Highlight, {tree_.root()});
+    }
+}
+
+bool SceneWalk::stands_out(NodeId child, NodeId parent) const {
+    return highlighted_[child].is() && !highlighted_[parent].by_operands && dimensions_[child] != Dimension::None;
+}
+
 bool SceneWalk::set_aside(const Piece& child, const Frame& parent, PartKind kind) {
-    const Modifiers& modifiers = tree_.node(child.node).modifiers;
     if (is_left_out(child.node)) {
-        if (showing_ != Showing::Result && kind != PartKind::Highlight) {  // There it was found with the solid.
+        if (is_misplaced(child.node) && !quiet) {
+            left_out.push_back({parent.occurrence, child.node});
+        } else if (showing_ != Showing::Result && kind != PartKind::Highlight) {  // There it was found with the solid.
             wait(PartKind::Background, child);
         }
         return true;
     }
-    if (modifiers.highlight && showing_ == Showing::Preview && kind != PartKind::Highlight &&
-        kind != PartKind::Background) {
+    if (showing_ == Showing::Preview && kind != PartKind::Highlight && kind != PartKind::Background &&
+        stands_out(child.node, parent.node)) {
         wait(PartKind::Highlight, child);
+        if (is_union(parent.node)) {
+            return true;
+        }
     }
     if (kind == PartKind::Solid && is_translucent(child.node, parent)) {
         wait(PartKind::Translucent, child);

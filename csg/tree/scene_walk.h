@@ -44,6 +44,13 @@ struct Cut {
     bool copied = false;  ///< A part has its copy.
 };
 
+/// Whether `#` holds for all that a node makes.
+struct Highlighted {
+    bool itself = false;
+    bool by_operands = false;  ///< By those of all of its operands; of a difference, by that of the first.
+    [[nodiscard]] bool is() const { return itself || by_operands; }
+};
+
 /// What is to be one part.
 struct PartPlan {
     PartKind kind = PartKind::Solid;
@@ -64,9 +71,11 @@ class SceneWalk {
     [[nodiscard]] bool is_leaf(NodeId id) const;
     [[nodiscard]] bool is_union(NodeId id) const;
     /// Not shown at all, or shown as a part that is not of the solid.
-    [[nodiscard]] bool is_left_out(NodeId id) const {
-        return tree_.node(id).modifiers.background ||
-               (showing_ == Showing::Result && dimensions_[id] == Dimension::Flat);
+    [[nodiscard]] bool is_left_out(NodeId id) const { return tree_.node(id).modifiers.background || is_misplaced(id); }
+    /// An outline where a solid is asked for: an operand all the same, an empty one.
+    [[nodiscard]] bool is_misplaced(NodeId id) const {
+        return showing_ == Showing::Result && dimensions_[id] == Dimension::Flat &&
+               !tree_.node(id).modifiers.background;
     }
     /// Whether it begins a translucent part where it is a child of `parent`.
     [[nodiscard]] bool is_translucent(NodeId id, const Frame& parent) const;
@@ -77,6 +86,8 @@ class SceneWalk {
     [[nodiscard]] Piece child(const Frame& parent, NodeId id, std::uint32_t index) const {
         return {id, parent.to_world, parent.color, parent.occurrence, index, parent.top_level && is_union(parent.node)};
     }
+    /// A part that waits for the whole tree, where it is highlighted.
+    void set_root_aside();
     /// True where `child` is not part of the expression of a part of this kind, but of a part of its own, which waits
     /// then.
     [[nodiscard]] bool set_aside(const Piece& child, const Frame& parent, PartKind kind);
@@ -87,15 +98,19 @@ class SceneWalk {
     std::deque<PartPlan> waiting;
     std::vector<Cut> cuts;
     std::vector<Occurrence> occurrences;
+    std::vector<LeftOut> left_out;
     bool quiet = false;  ///< What is walked has been walked before: nothing is to wait again.
 
   private:
     void wait(PartKind kind, const Piece& piece);
+    /// Whether the highlight of a child is its own, not that of all its parent makes.
+    [[nodiscard]] bool stands_out(NodeId child, NodeId parent) const;
 
     const Tree& tree_;
     const Showing showing_;
     const std::vector<Dimension> dimensions_;
     const std::vector<char> marked_;  ///< By node: something below has a color or a modifier of its own to show.
+    const std::vector<Highlighted> highlighted_;  ///< By node.
 };
 
 /// The parts of the solid by a rule other than Model.

@@ -93,7 +93,7 @@ class Splitter {
             case PartRule::Kind::Color: {
                 const Rgba color = color_of(piece);
                 const bool further =
-                    kind == PartKind::Solid && piece.top_level && color.a < 1 && color.given() && !piece.color.given();
+                    kind == PartKind::Solid && piece.top_level && color.translucent() && !piece.color.given();
                 return (piece.color.given() || tints_[piece.node].kind != Tint::Kind::Several) && !further;
             }
             case PartRule::Kind::Module:

@@ -36,10 +36,12 @@ struct Modifiers {
     bool operator==(const Modifiers&) const = default;
 };
 
-/// Linear RGB and opacity, each 0 to 1. A component below 0 means "not given": the surroundings decide.
+/// RGB and opacity, each 0 to 1 (more is drawn as 1). A component below 0 means "not given": the surroundings decide.
 struct Rgba {
     float r = -1, g = -1, b = -1, a = 1;
-    [[nodiscard]] bool given() const { return r >= 0; }
+    /// Wholly: no color() further down has a say.
+    [[nodiscard]] bool given() const { return r >= 0 && g >= 0 && b >= 0 && a >= 0; }
+    [[nodiscard]] bool translucent() const { return a >= 0 && a < 1; }
     bool operator==(const Rgba&) const = default;
 };
 

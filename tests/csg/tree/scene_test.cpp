@@ -44,6 +44,51 @@ TEST(SceneOfNodes, ColorsOfAFlatDifferenceStay) {
     EXPECT_FLOAT_EQ(scene.leaves[0].color.r, 1);
 }
 
+/// "kind:leaves" of each part.
+std::string parts_of(const std::string& model) {
+    const csg::Scene scene = scene_of(model);
+    std::string text;
+    for (const csg::Part& part : scene.parts) {
+        text += std::string(csg::name(part.kind)) + ":" + std::to_string(part.leaf_count) + " ";
+    }
+    return text;
+}
+
+/// As OpenSCAD's preview: in a union it is highlighted instead, elsewhere as well.
+TEST(SceneOfNodes, WhatAHighlightTakesAway) {
+    const std::pair<const char*, const char*> table[]{
+        {"#cube(1); sphere(2);", "solid:1 highlight:1 "},
+        {"union() { #cube(1); group() { } } sphere(2);", "solid:1 highlight:1 "},
+        {"#cube(1);", "solid:1 highlight:1 "},
+        {"#cube(1); #sphere(2);", "solid:2 highlight:2 "},
+        {"difference() { cube(1); #sphere(2); }", "solid:2 highlight:1 "},
+        {"difference() { #cube(1); sphere(2); }", "solid:2 highlight:2 "},
+        {"difference() { #cube(1); sphere(2); } cube(3);", "solid:1 highlight:2 "},
+        {"intersection() { #cube(1); sphere(2); } cube(3);", "solid:3 highlight:1 "},
+        {"intersection() { #cube(1); #sphere(2); } cube(3);", "solid:1 highlight:2 "},
+        {"difference() { union() { #cube(1); cube(4); } sphere(2); }", "solid:2 highlight:1 "},
+        {"#union() { #cube(1); sphere(2); } cube(4);", "solid:1 highlight:2 "},
+        {"color(\"red\", 0.5) #cube(1); sphere(2);", "solid:1 highlight:1 "},
+        {"#%cube(1); sphere(2);", "solid:1 background:1 "},
+    };
+    for (const auto& [model, parts] : table) {
+        EXPECT_EQ(parts_of(model), parts) << model;
+    }
+}
+
+TEST(SceneOfNodes, ColorsInPart) {
+    const std::string translucent = "translucent:1 ";
+    EXPECT_EQ(parts_of("color(alpha = 0.3) cube();"), translucent);
+    EXPECT_EQ(parts_of("color(undef, 0.3) cube();"), translucent);
+    EXPECT_EQ(parts_of("color([1, 0, 0], alpha = -1) cube();"), "solid:1 ");
+    const auto color = [](const std::string& model) { return scene_of(model).leaves[0].color; };
+    const csg::Rgba red{1, 0, 0, 1};
+    EXPECT_EQ(color("color(\"red\") color([-1, -1, -1]) cube();"), red);
+    EXPECT_EQ(color("color([-1, -1, -1]) color(\"red\") cube();"), red);
+    EXPECT_EQ(color("color(alpha = 0.3) color(\"red\") cube();"), red) << "the inner one gives all";
+    EXPECT_EQ(color("color([-1, 0.5, 2]) cube();"), (csg::Rgba{-1, 0.5, 2, 1}));
+}
+
 TEST(SceneOfNodes, AResultIsTheSolidAlone) {
     const struct {
         const char* model;
@@ -52,6 +97,8 @@ TEST(SceneOfNodes, AResultIsTheSolidAlone) {
               {"difference() { cube(3); #cube(1); }", 1, 2},
               {"%sphere(1);", 0, 0},
               {"cube(1); square(3);", 1, 1},
+              {"#cube(1); sphere(3);", 1, 2},
+              {"intersection() { cube(1); square(3); }", 1, 1},
               {"square(3); translate([1, 1]) circle(1); color(\"red\") text(\"A\");", 1, 1},
               {"translate([5, 0]) square(3);", 1, 1}};
     for (const auto& row : table) {
@@ -78,7 +125,7 @@ TEST(SceneOfNodes, WhatCannotBeMadeIsToldWithItsPlace) {
     const auto geometry = csg::solid::place(*run.evaluation.tree, csg::make_scene(*run.evaluation.tree), cache);
     ASSERT_EQ(geometry.warnings.size(), 1u);
     ASSERT_EQ(geometry.failures.size(), 1u);
-    EXPECT_EQ(geometry.warnings[0].substr(0, 12), "case.scad:3:");
+    EXPECT_EQ(geometry.warnings[0].substr(0, 12), "case.scad:4:") << "the child that does not fit";
     EXPECT_EQ(geometry.failures[0].substr(0, 12), "case.scad:5:");
 }
 
