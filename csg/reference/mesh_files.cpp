@@ -15,9 +15,11 @@ glm::dvec3 normal_of(const Mesh& mesh, const glm::uvec3& t) {
     return length > 0 ? n / length + 0.0 : glm::dvec3(0.0);
 }
 
+// Headers are OpenSCAD's where scripts look for them.
+
 std::string ascii_stl(const Mesh& mesh, const std::stop_token& stop) {
     Text out(stop);
-    put(out, "solid csgscope\n");
+    put(out, "solid OpenSCAD_Model\n");
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::dvec3 n = normal_of(mesh, t);
         put(out, "  facet normal {} {} {}\n    outer loop\n", n.x, n.y, n.z);
@@ -27,7 +29,7 @@ std::string ascii_stl(const Mesh& mesh, const std::stop_token& stop) {
         }
         put(out, "    endloop\n  endfacet\n");
     }
-    put(out, "endsolid csgscope\n");
+    put(out, "endsolid OpenSCAD_Model\n");
     return out.str();
 }
 
@@ -42,8 +44,8 @@ void put_float(std::string& out, double value) {
 }
 
 std::string binary_stl(const Mesh& mesh, const std::stop_token& stop) {
-    std::string out = "csgscope, binary STL, units as in the model";
-    out.resize(80, ' ');
+    std::string out = "OpenSCAD Model\n";  // Whoever tells binary files by it looks for that.
+    out.resize(80, '\0');
     out.reserve(84 + 50 * mesh.triangles.size());
     put_bytes(out, static_cast<std::uint32_t>(mesh.triangles.size()), 4);
     base::PacedStop paced(stop);
@@ -77,15 +79,6 @@ std::string off(const MeshDocument& d, const std::stop_token& stop) {
     return out.str();
 }
 
-/// The triangles of each part.
-std::vector<std::vector<std::uint32_t>> by_part(const MeshDocument& d) {
-    std::vector<std::vector<std::uint32_t>> triangles(d.parts.size());
-    for (std::uint32_t i = 0; i < d.mesh.triangles.size(); ++i) {
-        triangles[part_of(d, i)].push_back(i);
-    }
-    return triangles;
-}
-
 std::string one_line(std::string text) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) <= ' ') {
@@ -97,7 +90,7 @@ std::string one_line(std::string text) {
 
 std::string obj(const MeshDocument& d, const std::stop_token& stop) {
     Text out(stop);
-    put(out, "# csgscope\n");
+    put(out, "# OpenSCAD obj exporter\n");
     for (const glm::dvec3& p : d.mesh.points) {
         put(out, "v {} {} {}\n", p.x + 0.0, p.y + 0.0, p.z + 0.0);
     }
@@ -187,6 +180,14 @@ std::string wrl(const MeshDocument& d, const std::stop_token& stop) {
 
 }  // namespace
 
+std::vector<std::vector<std::uint32_t>> by_part(const MeshDocument& d) {
+    std::vector<std::vector<std::uint32_t>> triangles(d.parts.size());
+    for (std::uint32_t i = 0; i < d.mesh.triangles.size(); ++i) {
+        triangles[part_of(d, i)].push_back(i);
+    }
+    return triangles;
+}
+
 std::string xml(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -226,6 +227,8 @@ std::string encode(const MeshDocument& document, MeshFormat format, const std::s
             return three_mf(document, stop);
         case MeshFormat::Wrl:
             return wrl(document, stop);
+        case MeshFormat::Pov:
+            return pov(document, stop);
     }
     return {};
 }

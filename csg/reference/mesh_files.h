@@ -1,4 +1,4 @@
-// Meshes as files: STL, OFF, OBJ, AMF, 3MF and VRML. The same mesh gives the same bytes.
+// Meshes as files: STL, OFF, OBJ, AMF, 3MF, VRML and scenes of POV-Ray. The same mesh gives the same bytes.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace csg::reference {
 
-enum class MeshFormat { AsciiStl, BinaryStl, Off, Obj, Amf, ThreeMf, Wrl };
+enum class MeshFormat { AsciiStl, BinaryStl, Off, Obj, Amf, ThreeMf, Wrl, Pov };
 
 /// One object of a file: a range of the mesh's triangles with a name and a color.
 struct MeshPart {
@@ -33,16 +33,25 @@ struct ThreeMfOptions {
     std::map<std::string, std::string> meta_data;  ///< By the specification's names; empty texts are left out.
 };
 
+/// How a scene of POV-Ray is looked at; world coordinates.
+struct PovView {
+    std::array<double, 3> eye{0, 0, 140}, center{0, 0, 0}, up{0, 1, 0};
+    double fov = 22.5;       ///< Vertical, degrees; 0: orthographic.
+    double half_height = 1;  ///< World units, where it is orthographic.
+    double aspect = 1;       ///< Width by height.
+};
+
 /// What is written: `part_of` gives each triangle's part (all 0 where it is empty).
 struct MeshDocument {
     const Mesh& mesh;
     std::vector<MeshPart> parts;
     std::vector<std::uint32_t> part_of;
     ThreeMfOptions three_mf;  ///< For 3MF only.
+    PovView view{};           ///< For POV-Ray only.
 };
 
 /// The bytes of the file. Coordinates are written so that they are read back to the last bit (STL in single precision
-/// where binary). Formats that know parts (OBJ, AMF, 3MF) keep names, those that know colors (OFF, AMF, 3MF, WRL)
+/// where binary). Formats that know parts (OBJ, AMF, 3MF) keep names, those that know colors (OFF, AMF, 3MF, WRL, POV)
 /// colors. Throws base::Stopped where `stop` asked for it.
 [[nodiscard]] std::string encode(const MeshDocument& document, MeshFormat format, const std::stop_token& stop = {});
 

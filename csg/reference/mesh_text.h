@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/stop.h"
 #include "csg/reference/mesh_files.h"
@@ -49,6 +50,12 @@ inline int byte_of(float value) {
 
 /// What the text needs to stand in XML.
 [[nodiscard]] std::string xml(const std::string& text);
+
+/// The triangles of each part.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> by_part(const MeshDocument& document);
+
+/// The text of a scene of POV-Ray.
+[[nodiscard]] std::string pov(const MeshDocument& document, const std::stop_token& stop);
 
 /// The bytes of a 3MF file.
 [[nodiscard]] std::string three_mf(const MeshDocument& document, const std::stop_token& stop);

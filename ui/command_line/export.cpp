@@ -39,6 +39,16 @@ std::string drawing(const Options& options, const csg::solid::Outline& outline, 
     return encode_pdf(outline, page);
 }
 
+csg::reference::PovView pov_view(const base::Camera& camera, glm::ivec2 size) {
+    const auto array = [](const glm::dvec3& v) { return std::array{v.x, v.y, v.z}; };
+    const base::View view(camera, size, camera.target, camera.target);
+    const bool perspective = !view.orthographic();
+    // The rows of a rotation are the axes of the eye.
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(view.eye_from_world()));
+    return {array(camera.eye()),          array(camera.target), array(axes[1]),
+            perspective ? camera.fov : 0, view.half_height(),   static_cast<double>(size.x) / size.y};
+}
+
 }  // namespace
 
 std::optional<Json> Geometry::figures() const {
@@ -75,8 +85,9 @@ Geometry make_geometry(const Options& options, const Model& model, ModelBuilder&
     return geometry;
 }
 
-void write_geometry(const Options& options, const Model& model, const Geometry& geometry, Messages& messages,
-                    const std::stop_token& stop) {
+void write_geometry(const Options& options, const Model& model, const Geometry& geometry, const base::Camera& camera,
+                    Messages& messages, const std::stop_token& stop) {
+    const csg::reference::PovView view = pov_view(camera, options.picture.size);
     csg::reference::ThreeMfOptions three_mf = options.exports.three_mf;
     if (!options.exports.three_mf_meta_data) {
         three_mf.meta_data.clear();
@@ -89,7 +100,7 @@ void write_geometry(const Options& options, const Model& model, const Geometry& 
     for (const Output& output : options.outputs) {
         base::end_if_asked(stop);
         if (output.format == Format::Mesh) {
-            write_output(output.path, encode_mesh(model, *geometry.mesh, output.mesh, three_mf, stop));
+            write_output(output.path, encode_mesh(model, *geometry.mesh, output.mesh, three_mf, view, stop));
         } else if (output.format == Format::Drawing) {
             write_output(output.path, drawing(options, *geometry.outline, output.drawing, messages));
         }

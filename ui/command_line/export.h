@@ -26,8 +26,8 @@ struct Geometry {
 [[nodiscard]] Geometry make_geometry(const Options& options, const Model& model, ModelBuilder& builder,
                                      Messages& messages, const std::stop_token& stop);
 
-/// Writes the outputs that are meshes and drawings.
-void write_geometry(const Options& options, const Model& model, const Geometry& geometry, Messages& messages,
-                    const std::stop_token& stop);
+/// Writes the outputs that are meshes and drawings; `camera` looks at those that are scenes.
+void write_geometry(const Options& options, const Model& model, const Geometry& geometry, const base::Camera& camera,
+                    Messages& messages, const std::stop_token& stop);
 
 }  // namespace ui

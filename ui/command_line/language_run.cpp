@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "csg/scad/syntax/appended_text.h"
 #include "csg/scad/text/ast_text.h"
 #include "csg/scad/text/csg_text.h"
 #include "csg/scad/value/value.h"
@@ -54,6 +55,10 @@ bool LanguageRun::operator()() {
     }
     if (wants(options_, Format::Csg)) {
         write_tree();
+    }
+    if (wants(options_, Format::Term)) {
+        // All that OpenSCAD has ever written there: its terms are of meshes, which nobody makes for it.
+        write_outputs(options_, Format::Term, "No top-level CSG object\n");
     }
     return true;
 }
@@ -110,9 +115,15 @@ void LanguageRun::read() {
     if (!options_.parameter_file.empty() && !options_.parameter_set.empty()) {
         take_parameter_set();
     }
+    csg::scad::append_statements(*request_.text, request_.definitions);
     if (options_.camera) {
         request_.view = scad_view(*options_.camera);
     }
+}
+
+void LanguageRun::set_time(double time) {
+    request_.time = time;
+    loaded_ = true;
 }
 
 /// Once for each file: it is not there at every call that names it.
@@ -149,6 +160,10 @@ void LanguageRun::take_parameter_set() {
         messages_.warn(fmt::format("Can't open parameter file: {}", error->text));
         return;
     }
+    std::vector<std::string> statements;
+    if (csg::scad::has_statements(request_.definitions)) {
+        statements.swap(request_.definitions);  // They say nothing of parameters, and are no part of the file yet.
+    }
     ParameterSet set = load()->look([&](const auto& syntax) {
         return read_parameter_set(syntax, std::get<std::string>(text), options_.parameter_file, options_.parameter_set);
     });
@@ -157,6 +172,8 @@ void LanguageRun::take_parameter_set() {
     }
     request_.definitions.insert(request_.definitions.begin(), std::make_move_iterator(set.definitions.begin()),
                                 std::make_move_iterator(set.definitions.end()));
+    request_.definitions.insert(request_.definitions.end(), std::make_move_iterator(statements.begin()),
+                                std::make_move_iterator(statements.end()));
 }
 
 bool LanguageRun::evaluate() {
@@ -213,13 +230,13 @@ bool language_is_enough(const Options& options) {
     const Options untouched;
     const auto is_text = [](const Output& output) {
         return output.format == Format::Ast || output.format == Format::Param || output.format == Format::Echo ||
-               output.format == Format::Csg;
+               output.format == Format::Csg || output.format == Format::Term;
     };
     const auto to_standard_output = [](const Output& output) { return output.path == "-"; };
     return !options.outputs.empty() && std::all_of(options.outputs.begin(), options.outputs.end(), is_text) &&
            std::count_if(options.outputs.begin(), options.outputs.end(), to_standard_output) <= 1 &&
            !options.input.empty() && options.input != "-" && !options.statistics && !options.summary &&
-           !options.summary_file && !options.information && !options.pick &&
+           !options.summary_file && !options.information && !options.pick && options.frames == 0 &&
            options.picture.layers == untouched.picture.layers && options.picture_texts == untouched.picture_texts;
 }
 

@@ -41,6 +41,8 @@ class LanguageRun {
 
     /// Reads the source. Throws UsageError.
     void read();
+    /// The runs to come have this $t; nothing is read or parsed again for them.
+    void set_time(double time);
     /// Makes the outputs that are texts, evaluating only where one of all outputs needs it. False where an error in the
     /// file, or the time, ended the run; the messages have said why.
     [[nodiscard]] bool operator()();

@@ -20,15 +20,16 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     const char* const in = "Input and output";
     table.add_rest({"file", "The .scad file; - reads standard input"}, raw.inputs);
     list("-o,--o", raw.outputs,
-         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .svg, .dxf, .pdf, .csg, .ast, .echo or .param; - is "
-         "standard output. May be repeated. Without it a window opens",
+         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .pov, .svg, .dxf, .pdf, .csg, .ast, .echo, .term or "
+         ".param; - "
+         "is standard output. May be repeated. Without it a window opens",
          "FILE", in);
     text("--export-format", raw.export_format,
          "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);
     list("-O,--O", raw.export_options, "Set an option of a file format; may be repeated (--help-export)",
          "SECTION/KEY=VALUE", in);
     text("--cache", o.cache, "Keep meshes in this folder, and take them from there", "DIR", in);
-    list("-D,--D", o.definitions, "Set a variable of the file: -D 'size=[1,2]'", "NAME=VALUE", in);
+    list("-D,--D", o.definitions, "Put a statement behind the file: -D 'size=[1,2]'", "STATEMENT", in);
     text("-p,--p", o.parameter_file, "A file of parameter sets, as OpenSCAD's customizer writes it", "FILE", in);
     text("-P,--P", o.parameter_set, "The parameter set of that file to take", "NAME", in);
     text("-d,--d", raw.dependencies, "Write the files read as a rule for make", "FILE", in);
@@ -39,6 +40,10 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          in);
     list("--summary", raw.summary,
          "Print all (but parts), cache, time, camera, geometry, bounding-box, area, volume or parts", "WHAT", in);
+    text("--animate", raw.animate,
+         "Write each output N times, with $t from 0 on in steps of 1/N: x00000.png, x00001.png, … for -o x.png", "N",
+         in);
+    text("--animate_sharding", raw.sharding, "Of these, write the I-th of M shares only", "I/M", in);
     flag("-q,--quiet", o.quiet, "Print errors only", in);
     flag("--hardwarnings", o.hard_warnings, "Stop at the first warning", in);
 
@@ -107,6 +112,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
     text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
     text("--debug", raw.debug, "Messages of OpenSCAD's own sources", "WHAT", accepted);
+    flag("--trust-python", raw.trust_python, "Declined: no Python runs", accepted);
 }
 
 void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const std::string& styles) {
@@ -114,10 +120,26 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
     table.add_last({"--at", "The pixel, counted from the upper left corner, from 0 on", "X,Y", pick}, raw.at, true);
     table.add_last({"--format", "text or json (text)", "FORMAT", pick}, raw.format);
     declare(table, options, raw, styles);
-    for (const char* const name :
-         {"-o", "--export-format", "-O", "--cache", "-d", "--stats", "--summary-file", "--summary", "--style", "--set",
-          "--colorscheme", "--samples", "--transparent-background", "--minimal-fraction", "--log-frames",
-          "--help-export", "--version", "--info"}) {
+    for (const char* const name : {"-o",
+                                   "--export-format",
+                                   "-O",
+                                   "--cache",
+                                   "-d",
+                                   "--stats",
+                                   "--summary-file",
+                                   "--summary",
+                                   "--style",
+                                   "--set",
+                                   "--animate",
+                                   "--animate_sharding",
+                                   "--colorscheme",
+                                   "--samples",
+                                   "--transparent-background",
+                                   "--minimal-fraction",
+                                   "--log-frames",
+                                   "--help-export",
+                                   "--version",
+                                   "--info"}) {
         table.remove(name);
     }
 }

@@ -35,7 +35,7 @@ int read_integer(std::string_view option, std::string_view text, int lowest, int
     return value;
 }
 
-base::Camera read_camera(std::string_view text) {
+base::Camera read_camera(std::string_view text, bool any_distance) {
     const auto n = read_numbers("--camera", text, {6, 7},
                                 "6 numbers eye_x,y,z,center_x,y,z or 7 numbers translate_x,y,z,rot_x,y,z,distance");
     if (n.size() == 6) {
@@ -44,13 +44,13 @@ base::Camera read_camera(std::string_view text) {
         }
         return base::camera_between({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
     }
-    if (n[6] <= 0) {
-        throw UsageError(fmt::format("--camera {}: the distance must be above 0", text));
+    if (n[6] < 0 || (n[6] == 0 && !any_distance)) {
+        throw UsageError(fmt::format("--camera {}: the distance must be above 0 (or 0, with --viewall)", text));
     }
     base::Camera camera;
     camera.target = {n[0], n[1], n[2]};
     camera.rotation = {n[3], n[4], n[5]};
-    camera.distance = n[6];
+    camera.distance = n[6] > 0 ? n[6] : camera.distance;
     return camera;
 }
 

@@ -22,7 +22,7 @@ namespace ui {
                                                std::initializer_list<std::size_t> counts, std::string_view meaning);
 [[nodiscard]] int read_integer(std::string_view option, std::string_view text, int lowest, int highest);
 /// As OpenSCAD's --camera takes it: six numbers or seven.
-[[nodiscard]] base::Camera read_camera(std::string_view text);
+[[nodiscard]] base::Camera read_camera(std::string_view text, bool any_distance = false);
 
 /// The value of that name.
 template <typename Value>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <set>
 
@@ -124,6 +125,33 @@ PickOptions read_pick(const RawOptions& raw, glm::ivec2 size) {
     return pick;
 }
 
+/// The frames of this run's share: as many as of the others, or one more or less.
+void interpret_animation(Options& o, const RawOptions& raw) {
+    constexpr int kMostFrames = 10'000'000;
+    if (raw.animate.empty()) {
+        if (!raw.sharding.empty()) {
+            throw UsageError("--animate_sharding: there is no --animate");
+        }
+        return;
+    }
+    o.frames = read_integer("--animate", raw.animate, 1, kMostFrames);
+    o.end_frame = o.frames;
+    if (!raw.sharding.empty()) {
+        const std::size_t slash = raw.sharding.find('/');
+        if (slash == std::string::npos) {
+            throw UsageError(fmt::format("--animate_sharding {}: expected I/M", raw.sharding));
+        }
+        const int shares = read_integer("--animate_sharding", raw.sharding.substr(slash + 1), 1, kMostFrames);
+        const int share = read_integer("--animate_sharding", raw.sharding.substr(0, slash), 1, shares);
+        o.first_frame = static_cast<int>(std::int64_t{o.frames} * (share - 1) / shares);
+        o.end_frame = static_cast<int>(std::int64_t{o.frames} * share / shares);
+    }
+    if (o.outputs.empty() ||
+        std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.path == "-"; })) {
+        throw UsageError("--animate: frames go to files, which -o is to name");
+    }
+}
+
 /// What is written or read by that name, whatever links lead there.
 std::filesystem::path file_behind(const std::string& path) {
     std::error_code error;
@@ -161,6 +189,10 @@ void interpret(Options& o, const RawOptions& raw) {
         throw UsageError(fmt::format("one input file is expected, not {} (\"{}\" and \"{}\")", raw.inputs.size(),
                                      raw.inputs[0], raw.inputs[1]));
     }
+    const auto is_python = [](const std::string& path) { return path.ends_with(".py"); };
+    if (raw.trust_python || std::any_of(raw.inputs.begin(), raw.inputs.end(), is_python)) {
+        throw UsageError("models in Python are not supported: csgscope runs .scad files only");
+    }
     interpret_limits(o, raw);
     o.input = raw.inputs.empty() ? "" : raw.inputs[0];
     for (const std::string& path : raw.outputs) {
@@ -173,9 +205,6 @@ void interpret(Options& o, const RawOptions& raw) {
         }
         return std::pair(text.substr(0, equals), text.substr(equals + 1));
     };
-    for (const std::string& definition : o.definitions) {
-        (void)split("-D", definition);
-    }
     for (const std::string& setting : raw.settings) {
         o.picture_texts.settings.push_back(split("--set", setting));
     }
@@ -196,7 +225,7 @@ void interpret(Options& o, const RawOptions& raw) {
                                                 {"ortho", base::Projection::Orthographic},
                                                 {"orthographic", base::Projection::Orthographic}});
     if (!raw.camera.empty()) {
-        o.camera = read_camera(raw.camera);
+        o.camera = read_camera(raw.camera, o.view_all);
         o.camera->projection = o.projection;
     }
     if (!raw.scheme.empty()) {
@@ -220,6 +249,7 @@ void interpret(Options& o, const RawOptions& raw) {
         o.picture.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
     interpret_engine(o, raw);
+    interpret_animation(o, raw);
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);
     o.summary_file = given(raw.summary_file);

@@ -28,7 +28,7 @@ struct Options {
     std::string input;                ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
     ExportOptions exports;
-    std::vector<std::string> definitions;  ///< name=expression
+    std::vector<std::string> definitions;  ///< Statements that come after the file's text.
     std::string parameter_file;            ///< Parameter sets; empty: none.
     std::string parameter_set;             ///< The one to take.
     std::optional<base::Camera> camera;    ///< Absent: the file's $vp… variables, or everything in view.
@@ -45,6 +45,8 @@ struct Options {
     std::string make_command;                 ///< -m; empty: none.
     std::string cache;                        ///< Folder that keeps meshes; empty: none.
     std::string frames_log;                   ///< The window's log; empty: none.
+    int frames = 0;                           ///< Of an animation, all of them; 0: none.
+    int first_frame = 0, end_frame = 0;       ///< Those that this run makes.
     double time_limit = 0;                    ///< Seconds for evaluation and drawing together; 0: none.
     int memory_limit = 0;                     ///< MiB for the run; 0: none.
     int trace_depth = 12;

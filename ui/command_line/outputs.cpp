@@ -20,7 +20,7 @@ struct NamedFormat {
     MeshFormat mesh = MeshFormat::AsciiStl;
     DrawingFormat drawing = DrawingFormat::Svg;
 };
-const std::array<NamedFormat, 16> kFormats{{{"png", Format::Png},
+const std::array<NamedFormat, 18> kFormats{{{"png", Format::Png},
                                             {"stl", Format::Mesh},
                                             {"asciistl", Format::Mesh},
                                             {"binstl", Format::Mesh, MeshFormat::BinaryStl},
@@ -29,15 +29,17 @@ const std::array<NamedFormat, 16> kFormats{{{"png", Format::Png},
                                             {"amf", Format::Mesh, MeshFormat::Amf},
                                             {"3mf", Format::Mesh, MeshFormat::ThreeMf},
                                             {"wrl", Format::Mesh, MeshFormat::Wrl},
+                                            {"pov", Format::Mesh, MeshFormat::Pov},
                                             {"svg", Format::Drawing},
                                             {"dxf", Format::Drawing, {}, DrawingFormat::Dxf},
                                             {"pdf", Format::Drawing, {}, DrawingFormat::Pdf},
                                             {"csg", Format::Csg},
                                             {"ast", Format::Ast},
                                             {"echo", Format::Echo},
+                                            {"term", Format::Term},
                                             {"param", Format::Param}}};
 constexpr const char* kFormatNames =
-    "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, svg, dxf, pdf, csg, ast, echo and param";
+    "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, pov, svg, dxf, pdf, csg, ast, echo, term and param";
 
 Output read_format(std::string_view option, const std::string& path, const std::string& text) {
     std::string name = text;
@@ -69,6 +71,14 @@ Output read_output(const std::string& path, const std::string& export_format) {
         throw UsageError(fmt::format("-o {}: a suffix must tell the format: .png, .stl, .off, .3mf, .csg, …", path));
     }
     return read_format(fmt::format("-o {}", path), path, path.substr(dot + 1));
+}
+
+Output output_of_frame(Output output, int frame) {
+    const std::size_t dot = output.path.rfind('.');
+    const std::size_t slash = output.path.rfind('/');
+    const bool suffix = dot != std::string::npos && (slash == std::string::npos || dot > slash);
+    output.path.insert(suffix ? dot : output.path.size(), fmt::format("{:05}", frame));
+    return output;
 }
 
 }  // namespace ui

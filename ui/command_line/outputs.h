@@ -8,7 +8,7 @@
 
 namespace ui {
 
-enum class Format { Png, Csg, Ast, Echo, Param, Mesh, Drawing };
+enum class Format { Png, Csg, Ast, Echo, Param, Term, Mesh, Drawing };
 
 struct Output {
     std::string path;  ///< "-": standard output.
@@ -19,5 +19,8 @@ struct Output {
 
 /// Of -o: the suffix of the path tells the format, unless there is an `export_format`. Throws UsageError.
 [[nodiscard]] Output read_output(const std::string& path, const std::string& export_format);
+
+/// Of a frame of an animation, as OpenSCAD names it: x00012.png for x.png.
+[[nodiscard]] Output output_of_frame(Output output, int frame);
 
 }  // namespace ui

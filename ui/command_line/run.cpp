@@ -1,5 +1,6 @@
 #include "ui/command_line/run.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
@@ -61,6 +62,22 @@ class Run {
     bool run() {
         check();
         language_.read();
+        if (options_.frames == 0) {
+            return make_outputs();
+        }
+        const std::vector<Output> outputs = options_.outputs;
+        for (int frame = options_.first_frame; frame < options_.end_frame; ++frame) {
+            std::transform(outputs.begin(), outputs.end(), options_.outputs.begin(),
+                           [frame](const Output& output) { return output_of_frame(output, frame); });
+            language_.set_time(static_cast<double>(frame) / options_.frames);
+            if (!make_outputs()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool make_outputs() {
         if (!language_()) {
             return false;
         }
@@ -76,10 +93,10 @@ class Run {
         }
         if (needs_geometry(options_)) {
             begin("Computing the geometry…", "computing the geometry");
-            geometry_ = make_geometry(options_, *model_, builder_, language_.messages(), limit_.token());
+            geometry_ = make_geometry(options_, *exported_, builder_, language_.messages(), limit_.token());
             language_.progress().say("");
             stage_ = "writing the geometry";
-            write_geometry(options_, *model_, geometry_, language_.messages(), limit_.token());
+            write_geometry(options_, *exported_, geometry_, picture_.camera, language_.messages(), limit_.token());
         }
         if (wants(options_, Format::Png)) {
             draw();
@@ -113,22 +130,30 @@ class Run {
 
     void build() {
         begin("Building the model…", "building the model");
-        if (!options_.preview) {
-            builder_.show(csg::Showing::Result);
-        }
+        builder_.show(options_.preview ? csg::Showing::Preview : csg::Showing::Result);
         builder_.divide(options_.parts);
         builder_.cut(picture_.sections);
-        model_ = builder_.build(language_.evaluation().tree, limit_.token(), language_.evaluation().program);
-        for (const std::string& warning : model_->warnings) {
+        const auto build_it = [&] {
+            return builder_.build(language_.evaluation().tree, limit_.token(), language_.evaluation().program);
+        };
+        model_ = exported_ = build_it();
+        if (needs_geometry(options_) && options_.preview && shows_misplaced(*model_)) {
+            builder_.show(csg::Showing::Result);
+            exported_ = build_it();
+            if (!wants(options_, Format::Png)) {
+                model_ = exported_;
+            }
+        }
+        for (const std::string& warning : exported_->warnings) {
             language_.messages().warn(warning);
         }
         if (needs_geometry(options_)) {
-            need_whole(*model_);
+            need_whole(*exported_);
         }
-        for (const std::string& failure : model_->failures) {
+        for (const std::string& failure : exported_->failures) {
             language_.messages().warn(failure);  // A picture shows what there is.
         }
-        if (options_.hard_warnings && !(model_->warnings.empty() && model_->failures.empty())) {
+        if (options_.hard_warnings && !(exported_->warnings.empty() && exported_->failures.empty())) {
             throw ModelError("stopped at a warning");
         }
         const CameraRequest request{options_.camera, options_.projection, options_.view_all, options_.autocenter};
@@ -166,21 +191,24 @@ class Run {
         return *options_.context == gl::ContextKind::Auto ? Painter::Auto : Painter::OpenGl;
     }
 
-    [[nodiscard]] Renderer make_renderer(const gl::Context* context) const {
-        return context != nullptr ? Renderer(*context, options_.engine, painter())
-                                  : Renderer(options_.engine, painter());
+    /// The same for all pictures of the run.
+    Renderer& renderer() {
+        if (!renderer_) {
+            context_ = wanted_context();
+            context_ ? renderer_.emplace(*context_, options_.engine, painter())
+                     : renderer_.emplace(options_.engine, painter());
+        }
+        return *renderer_;
     }
 
     void pick() {
         begin("Picking…", "picking");
-        const std::unique_ptr<gl::Context> context = wanted_context();
-        Renderer renderer = make_renderer(context.get());
         const glm::ivec2 at = options_.pick->at;
         const base::Camera pixel = pixel_camera(picture_.camera, picture_.size, glm::dvec2(at) + 0.5);
         const int layers = picture_.layers == npr::kLayersOfStyle ? goldfeather::kAllLayers : picture_.layers;
         PickReport report{*shown_, *language_.evaluation().sources, at, picture_.size, picture_.camera, {}};
         if (!shown_->empty()) {
-            report.surfaces = renderer.pick(*shown_, pixel, layers);
+            report.surfaces = renderer().pick(*shown_, pixel, layers);
         }
         language_.progress().say("");
         write_output("-", options_.pick->json ? text_of(pick_json(report)) : printable(pick_text(report)));
@@ -189,8 +217,7 @@ class Run {
     void draw() {
         begin("Drawing…", "drawing");
         Stopwatch watch;
-        const std::unique_ptr<gl::Context> context = wanted_context();
-        Renderer renderer = make_renderer(context.get());
+        Renderer& renderer = this->renderer();
         const double context_ms = watch.lap();
         const bool lines =
             extent_of(*model_) == Extent::Flat && is_flat_picture(*model_, picture_) && picture_.samples == 1;
@@ -277,8 +304,10 @@ class Run {
     TimeLimit limit_;
     LanguageRun language_;
     ModelBuilder builder_;
-    std::shared_ptr<const Model> model_;
-    Geometry geometry_;  ///< Once it was needed.
+    std::unique_ptr<gl::Context> context_;
+    std::optional<Renderer> renderer_;               ///< Once it was needed.
+    std::shared_ptr<const Model> model_, exported_;  ///< Two where the preview shows what the result leaves out.
+    Geometry geometry_;                              ///< Once it was needed.
     SectionedModel sectioned_;
     const Model* shown_ = nullptr;  ///< model_, less what sections cut away.
     csg::Box box_;                  ///< Of model_.

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "base/stop.h"
+#include "csg/scad/syntax/appended_text.h"
 #include "csg/tree/out_of_memory.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/program_runner.h"
@@ -18,6 +19,16 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     request.path = source.path;
     request.text = source.text;
     request.definitions = source.definitions;
+    if (csg::scad::has_statements(request.definitions)) {
+        if (!source.text) {
+            revision.files.emplace(source.path, csg::scad::disk_state(source.path));
+        }
+        auto text = source.text ? csg::scad::ReadResult(*source.text) : csg::scad::read_source_file(source.path);
+        if (auto* const read = std::get_if<std::string>(&text)) {  // Why there is none, the run tells.
+            csg::scad::append_statements(*read, request.definitions);
+            request.text = std::move(*read);
+        }
+    }
     request.preview = source.preview;
     request.by_error = source.by_error;
     request.view = camera;

@@ -20,7 +20,7 @@ namespace ui {
 struct Source {
     std::string path;                      ///< Names the text; read from there unless `text` is given.
     std::optional<std::string> text;       ///< Standard input.
-    std::vector<std::string> definitions;  ///< name=expression
+    std::vector<std::string> definitions;  ///< Statements that come after the text.
     bool preview = true;                   ///< $preview
     bool hard_warnings = false;            ///< A warning is an error.
     bool by_error = false;                 ///< $fe has its meaning.

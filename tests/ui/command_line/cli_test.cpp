@@ -320,7 +320,7 @@ TEST_F(Cli, WhatCannotBeDoneSaysSoAndLeavesNoFile) {
         {"missing.scad -o m.png", "missing.scad"},
         {"dir -o m.png", "dir"},
         {"m.scad -o nowhere/m.png", "nowhere/m.png"},
-        {"m.scad -o m.step", "pdf, csg, ast, echo and param"},
+        {"m.scad -o m.step", "pdf, csg, ast, echo, term and param"},
         {"m.scad -o m.png --style bluprint", "Did you mean \"blueprint\"?"},
         {"m.scad -o m.png --set nonsense=1", "nonsense"},
         {"m.scad -o m.png --style blueprint --set width=thick", "thick"},

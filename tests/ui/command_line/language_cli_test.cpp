@@ -134,6 +134,36 @@ TEST_F(LanguageCli, ParameterSetsThenDefinitions) {
     EXPECT_TRUE(contains(messages_of("x.scad -p sets.json"), "ECHO: 1, 2, \"a\""));
 }
 
+/// They are lines behind the file, as in the newest OpenSCAD.
+TEST_F(LanguageCli, DefinitionsMayBeAnyStatements) {
+    folder_.write("lib.scad", "b = 7; module lm() sphere(b); function lf() = 99; cylinder(1);\n");
+    folder_.write("x.scad", "a = 1;\nfunction f(x) = x;\nmodule m() cube(a);\necho(a, f(2));\nm();");
+    const auto text = [&](const std::string& arguments) {
+        const std::string all = text_of("x.scad " + arguments);
+        return all.substr(all.find("}\n") + 2);
+    };
+    const std::string sphere = "sphere($fn = 0, $fa = 12, $fs = 2, r = ";
+    EXPECT_EQ(text("-D 'sphere(3);'"), sphere + "3);\n");
+    EXPECT_EQ(text("-D 'sphere(3)'"), sphere + "3);\n");
+    EXPECT_EQ(text("-D a=5 -D 'sphere(a)' -D a=7"), sphere + "7);\n") << "the last counts, everywhere";
+    EXPECT_EQ(text("-D '%cube(a)'"), "%cube(size = [1, 1, 1], center = false);\n");
+    EXPECT_EQ(text_of("x.scad -D 'module m() sphere(a);'"), "group() {\n\t" + sphere + "1);\n}\n");
+    EXPECT_EQ(text_of("x.scad -D '!sphere(4)'"), sphere + "4);\n");
+    EXPECT_EQ(text("-D 'include <lib.scad>' -D 'lm();'"),
+              "cylinder($fn = 0, $fa = 12, $fs = 2, h = 1, r1 = 1, r2 = 1, center = false);\ngroup() {\n\t" + sphere +
+                  "7);\n}\n");
+    EXPECT_TRUE(contains(messages_of("x.scad -D 'function f(x) = 10 * x;'"), "ECHO: 1, 20"));
+    EXPECT_TRUE(contains(messages_of("x.scad -D 'use <lib.scad>' -D 'echo(lf())'"), "ECHO: 1, 2\nECHO: 99\n"));
+    EXPECT_TRUE(contains(messages_of("x.scad -D '{a=9;}'"), "ECHO: 9, 2"));
+    EXPECT_TRUE(contains(messages_of("x.scad -D 'echo(none)'"), "unknown variable \"none\" in file x.scad, line 6"));
+    folder_.write("sets.json", "{\"parameterSets\": {\"big\": {\"a\": \"10\"}}, \"fileFormatVersion\": \"1\"}");
+    EXPECT_TRUE(contains(messages_of("x.scad -p sets.json -P big -D 'echo(a)'"), "ECHO: 10, 2\nECHO: 10\n"));
+    EXPECT_TRUE(contains(messages_of("x.scad -p sets.json -P big -D 'echo(a)' -D a=3"), "ECHO: 3, 2\nECHO: 3\n"));
+    const Result bad = run("x.scad -o x.csg -D 'foo bar'");
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_TRUE(contains(bad.err, "x.scad")) << bad.err;
+}
+
 TEST_F(LanguageCli, FeaturesAreAlwaysOn) {
     folder_.write("x.scad", "echo(object(a = 1).a, [1, 2].yx);\nroof() square(1);\n");
     EXPECT_TRUE(contains(messages_of("x.scad"), "ECHO: 1, [2, 1]"));

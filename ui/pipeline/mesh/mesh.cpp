@@ -54,9 +54,10 @@ std::string part_name(const Model& model, std::size_t number, csg::LeafId leaf) 
 }  // namespace
 
 std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format,
-                        const csg::reference::ThreeMfOptions& three_mf, const std::stop_token& stop) {
+                        const csg::reference::ThreeMfOptions& three_mf, const csg::reference::PovView& view,
+                        const std::stop_token& stop) {
     // One part of the file for each color, in the order of the leaves.
-    csg::reference::MeshDocument document{mesh.mesh, {}, {}, three_mf};
+    csg::reference::MeshDocument document{mesh.mesh, {}, {}, three_mf, view};
     std::map<std::array<float, 4>, std::uint32_t> known;
     const csg::reference::MeshPart plain;
     std::vector<std::uint32_t> of_leaf(model.scene.leaves.size());
@@ -69,7 +70,10 @@ std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat fo
             continue;
         }
         const csg::Rgba& c = model.scene.leaves[leaf].color;
-        const std::array<float, 4> rgba = c.given() ? std::array{c.r, c.g, c.b, c.a} : plain.rgba;
+        std::array<float, 4> rgba{c.r, c.g, c.b, c.a};
+        for (std::size_t i = 0; i < rgba.size(); ++i) {
+            rgba[i] = rgba[i] < 0 ? plain.rgba[i] : std::min(rgba[i], 1.0F);
+        }
         const auto [at, added] = known.try_emplace(rgba, static_cast<std::uint32_t>(document.parts.size()));
         if (added) {
             document.parts.push_back(

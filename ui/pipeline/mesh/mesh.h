@@ -24,11 +24,11 @@ struct ModelMesh {
 /// object that could not be made, base::Stopped where `stop` asked for it.
 [[nodiscard]] ModelMesh make_mesh(const Model& model, const std::stop_token& stop = {});
 
-/// The bytes of a file. Parts of the file are the colors of the model; each is named by the place in the source where
-/// the first object of that color stands.
+/// The bytes of a file; `view` is for scenes. Parts of the file are the colors of the model; each is named by the place
+/// in the source where the first object of that color stands.
 [[nodiscard]] std::string encode_mesh(const Model& model, const ModelMesh& mesh, MeshFormat format,
                                       const csg::reference::ThreeMfOptions& three_mf = {},
-                                      const std::stop_token& stop = {});
+                                      const csg::reference::PovView& view = {}, const std::stop_token& stop = {});
 
 /// For summaries, in OpenSCAD's form: {"dimensions": 3, "facets": …, "vertices": …, "simple": true, "area": …,
 /// "volume": …, "bounding_box": {"min": …, "max": …, "size": …}}.

@@ -10,11 +10,15 @@ namespace ui {
 
 namespace {
 
+bool counts(const csg::Part& part) {
+    return part.kind == csg::PartKind::Solid || part.kind == csg::PartKind::Translucent;
+}
+
 /// The first leaf of the model that is flat, and the first that is not; none where there are no such leaves.
 std::array<std::optional<csg::LeafId>, 2> first_leaves(const Model& model) {
     std::array<std::optional<csg::LeafId>, 2> first;
     for (const csg::Part& part : model.scene.parts) {
-        if (part.kind != csg::PartKind::Solid && part.kind != csg::PartKind::Translucent) {
+        if (!counts(part)) {
             continue;
         }
         for (csg::LeafId leaf = part.first_leaf; leaf < part.first_leaf + part.leaf_count; ++leaf) {
@@ -28,8 +32,13 @@ std::array<std::optional<csg::LeafId>, 2> first_leaves(const Model& model) {
     return first;
 }
 
+/// A whole tree that is one leaf has no place: that of its first child is told.
 std::string place_of(const Model& model, csg::LeafId leaf) {
-    const csg::SourceLocation& where = model.scene.leaves[leaf].where;
+    csg::SourceLocation where = model.scene.leaves[leaf].where;
+    for (csg::NodeId node = model.scene.leaves[leaf].node; !where.known() && !model.tree->children(node).empty();) {
+        node = model.tree->children(node)[0];
+        where = model.tree->node(node).where;
+    }
     const auto& files = model.tree->files();
     return where.known() && where.file < files.size()
                ? fmt::format("{}:{}:{}", files[where.file], where.line, where.column)
@@ -71,6 +80,17 @@ bool convex(const csg::solid::Outline& outline) {
 Extent extent_of(const Model& model) {
     const auto [flat, solid] = first_leaves(model);
     return flat && solid ? Extent::Mixed : flat ? Extent::Flat : solid ? Extent::Solid : Extent::None;
+}
+
+bool shows_misplaced(const Model& model) {
+    const bool flat = csg::is_flat(*model.tree);
+    for (std::size_t leaf = 0; leaf < model.scene.leaves.size(); ++leaf) {
+        if (model.geometry.leaves[leaf].solid->flat != flat &&
+            counts(model.scene.parts[model.scene.leaves[leaf].part])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void need_solid(const Model& model) {

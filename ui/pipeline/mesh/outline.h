@@ -12,6 +12,9 @@ enum class Extent { None, Flat, Solid, Mixed };
 
 [[nodiscard]] Extent extent_of(const Model& model);
 
+/// Whether a preview shows outlines among solids or solids among outlines, which its result leaves out.
+[[nodiscard]] bool shows_misplaced(const Model& model);
+
 /// Throw ModelError, with places, where the model is not what a file of solids, or one of drawings, can hold: empty, in
 /// the other dimension, or in both at once.
 void need_solid(const Model& model);

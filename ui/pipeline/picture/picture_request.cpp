@@ -28,7 +28,7 @@ bool translucent(const csg::Scene& scene) {
     return std::any_of(scene.parts.begin(), scene.parts.end(),
                        [](const csg::Part& part) { return part.kind != csg::PartKind::Solid; }) ||
            std::any_of(scene.leaves.begin(), scene.leaves.end(),
-                       [](const csg::LeafInstance& leaf) { return leaf.color.given() && leaf.color.a < 1; });
+                       [](const csg::LeafInstance& leaf) { return leaf.color.translucent(); });
 }
 
 }  // namespace ui

@@ -1,0 +1,108 @@
+// Options and formats that OpenSCAD has besides pictures and meshes of one moment.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/image.h"
+#include "tests/support/program_test.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class OpenScadOptions : public test_support::ProgramTest {
+  protected:
+    OpenScadOptions() : ProgramTest(60) {}
+    void works(const std::string& arguments) {
+        const Result result = run(arguments);
+        EXPECT_EQ(result.status, 0) << arguments << result.err;
+    }
+    void fails(const std::string& arguments, const std::string& why) {
+        const Result result = run(arguments);
+        EXPECT_EQ(result.status, 1) << arguments;
+        EXPECT_NE(result.err.find(why), std::string::npos) << result.err;
+    }
+    [[nodiscard]] bool exists(const std::string& name) const { return fs::exists(folder_.path(name)); }
+};
+
+TEST_F(OpenScadOptions, AnAnimationIsNumberedFiles) {
+    folder_.write("x.scad", "echo(t = $t);\ncube(1 + 4 * $t);\nif ($t == 0.5) square(2);\n");
+    works("x.scad -o x.csg -o x.stl --animate 4");
+    EXPECT_NE(folder_.read("x00000.csg").find("size = [1, 1, 1]"), std::string::npos);
+    EXPECT_NE(folder_.read("x00003.csg").find("size = [4, 4, 4]"), std::string::npos);
+    EXPECT_NE(folder_.read("x00002.stl").find("vertex 3 3 3"), std::string::npos);
+    EXPECT_FALSE(exists("x00004.csg") || exists("x.csg")) << "four of them, from 0 on";
+    works("x.scad -o s.csg --animate 7 --animate_sharding 2/3");
+    for (int frame = 0; frame < 7; ++frame) {
+        EXPECT_EQ(exists("s0000" + std::to_string(frame) + ".csg"), frame >= 2 && frame < 4) << frame;
+    }
+    fails("x.scad --animate 3", "-o");
+    fails("x.scad -o x.csg --animate 0", "--animate");
+    fails("x.scad -o x.csg --animate_sharding 1/2", "--animate");
+    fails("x.scad -o x.csg --animate 4 --animate_sharding 3/2", "--animate_sharding");
+}
+
+TEST_F(OpenScadOptions, PicturesOfAnAnimation) {
+    folder_.write("x.scad", "translate([9 * $t, 0, 0]) cube(2);\n");
+    works("x.scad -o f.png --animate 2 --imgsize 64,64 --camera 5,1,0,0,0,0,40 --samples 1");
+    const auto lit = [&](const char* name) {
+        const base::Image image = base::read_png(folder_.path(name));
+        int left = 0, right = 0;
+        for (int x = 0; x < 64; ++x) {
+            const bool differs = !std::equal(image.pixel(x, 32), image.pixel(x, 32) + 3, image.pixel(0, 0));
+            (x < 32 ? left : right) += differs ? 1 : 0;
+        }
+        return std::pair(left > 0, right > 0);
+    };
+    EXPECT_EQ(lit("f00000.png"), std::pair(true, false));
+    EXPECT_TRUE(lit("f00001.png").second);
+}
+
+TEST_F(OpenScadOptions, ADistanceOfZeroIsForViewAll) {
+    works("m.scad -o a.png --imgsize 64,64 --camera 0,0,0,55,0,25,0 --viewall");
+    works("m.scad -o b.png --imgsize 64,64 --camera 0,0,0,55,0,25,140 --viewall");
+    EXPECT_EQ(folder_.read("a.png"), folder_.read("b.png"));
+    fails("m.scad -o c.png --camera 0,0,0,55,0,25,0", "--viewall");
+}
+
+TEST_F(OpenScadOptions, PythonIsDeclined) {
+    folder_.write("m.py", "print(1)\n");
+    fails("m.py -o x.png", "Python");
+    fails("m.scad --trust-python -o x.png", "Python");
+}
+
+/// Whatever begins with these is a file of OpenSCAD's to others.
+TEST_F(OpenScadOptions, HeadersOfFiles) {
+    folder_.write("flat.scad", "square(3);");
+    works("m.scad -o x.stl -o x.obj -o x.pov -o x.term");
+    works("m.scad -o b.stl --export-format binstl");
+    works("flat.scad -o x.svg");
+    EXPECT_TRUE(folder_.read("x.stl").starts_with("solid OpenSCAD_Model\n"));
+    EXPECT_TRUE(folder_.read("x.stl").ends_with("endsolid OpenSCAD_Model\n"));
+    EXPECT_TRUE(folder_.read("b.stl").starts_with("OpenSCAD Model\n"));
+    EXPECT_TRUE(folder_.read("x.obj").starts_with("# OpenSCAD obj exporter\n"));
+    EXPECT_TRUE(folder_.read("x.svg").starts_with("<?xml version=\"1.0\" standalone=\"no\"?>\n<!DOCTYPE svg "));
+    EXPECT_NE(folder_.read("x.svg").find("<title>OpenSCAD Model</title>"), std::string::npos);
+    EXPECT_EQ(folder_.read("x.term"), "No top-level CSG object\n");
+}
+
+TEST_F(OpenScadOptions, ScenesOfPovRay) {
+    folder_.write("x.scad", "color(\"red\", 0.25) cube(2); translate([9, 0, 0]) cube(1);\n");
+    works("x.scad -o x.pov --camera 1,2,3,0,0,0,50 --imgsize 200,100");
+    const std::string text = folder_.read("x.pov");
+    for (const char* part : {"#version 3.7;", "color srgbt <1, 0, 0, 0.75>", "location <1, 2, 53>", "look_at <1, 2, 3>",
+                             "sky <0, 1, 0>", "right -x * 2", "light_source {"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    }
+    std::size_t meshes = 0;
+    for (std::size_t at = 0; (at = text.find("mesh2 {", at)) != std::string::npos; ++at) {
+        ++meshes;
+    }
+    EXPECT_EQ(meshes, 2U) << "one for each color";
+    EXPECT_EQ(std::count(text.begin(), text.end(), '{'), std::count(text.begin(), text.end(), '}'));
+    works("x.scad -o o.pov --camera 1,2,3,0,0,0,50 --projection o");
+    EXPECT_NE(folder_.read("o.pov").find("orthographic"), std::string::npos);
+}
+
+}  // namespace
