@@ -43,8 +43,8 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
     table.leaves.reserve(scene.leaves.size());
     for (const csg::LeafInstance& leaf : scene.leaves) {
         const csg::Part& part = scene.parts[leaf.part];
-        table.leaves.push_back({color_of(leaf, part.kind),
-                                {leaf.part, static_cast<std::uint32_t>(kind_of(part)), leaf.hatching, 0}});
+        table.leaves.push_back(
+            {color_of(leaf, part.kind), {leaf.part, static_cast<std::uint32_t>(kind_of(part)), leaf.hatching, 0}});
     }
     table.planes.clear();
     table.planes.reserve(geometry.planes.planes().size());

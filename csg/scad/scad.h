@@ -53,6 +53,7 @@ struct Request {
     bool check_parameters = true;  ///< Warn of arguments that user definitions do not take (--check-parameters).
     bool check_ranges = false;     ///< Warn of dimensions that make nothing (--check-parameter-ranges).
     bool by_error = false;         ///< $fe has its meaning (--enable discretization-by-error).
+    bool lazy_union = false;       ///< Loops, branches, children() make no groups (--enable lazy-union).
     std::shared_ptr<Measures> measures;  ///< Answers textmetrics(), dxf_dim() and the like; may be null.
     View view;                           ///< What the $vp… variables hold before the file sets them.
 };

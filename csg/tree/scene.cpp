@@ -180,6 +180,9 @@ class SceneMaker {
                 }
                 continue;
             }
+            if (walk_.is_leaf(frame.node) && (plan.kind == PartKind::Solid || plan.kind == PartKind::Translucent)) {
+                walk_.set_operands_aside(frame);
+            }
             const std::uint32_t expression = leave(frame);
             stack.pop_back();
             if (stack.empty()) {

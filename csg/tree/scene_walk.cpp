@@ -106,6 +106,26 @@ void SceneWalk::set_root_aside() {
     }
 }
 
+void SceneWalk::set_operands_aside(const Frame& leaf) {
+    if (showing_ != Showing::Preview || tree_.node(leaf.node).operation != Operation::Mesh) {
+        return;
+    }
+    const MeshOperation& mesh = tree_.mesh(leaf.node);
+    if (!std::holds_alternative<Hull>(mesh) && !std::holds_alternative<Minkowski>(mesh) &&
+        !std::holds_alternative<Resize>(mesh) && !std::holds_alternative<Fill>(mesh)) {
+        return;  // OpenSCAD shows none of others.
+    }
+    const auto children = tree_.children(leaf.node);
+    for (std::uint32_t i = 0; i < children.size(); ++i) {
+        const NodeId id = children[i];
+        const bool background = tree_.node(id).modifiers.background;
+        if (background || (highlighted_[id].is() && dimensions_[id] != Dimension::None)) {
+            wait(background ? PartKind::Background : PartKind::Highlight,
+                 {id, leaf.to_world, leaf.color, leaf.occurrence, i, false});
+        }
+    }
+}
+
 bool SceneWalk::stands_out(NodeId child, NodeId parent) const {
     return highlighted_[child].is() && !highlighted_[parent].by_operands && dimensions_[child] != Dimension::None;
 }

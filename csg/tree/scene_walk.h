@@ -88,6 +88,8 @@ class SceneWalk {
     }
     /// A part that waits for the whole tree, where it is highlighted.
     void set_root_aside();
+    /// Operands of a hull and its kin that show beside it: those with `%` or `#`.
+    void set_operands_aside(const Frame& leaf);
     /// True where `child` is not part of the expression of a part of this kind, but of a part of its own, which waits
     /// then.
     [[nodiscard]] bool set_aside(const Piece& child, const Frame& parent, PartKind kind);

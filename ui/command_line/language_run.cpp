@@ -104,6 +104,7 @@ void LanguageRun::read() {
     request_.check_parameters = options_.check_parameters;
     request_.check_ranges = options_.check_ranges;
     request_.by_error = options_.by_error;
+    request_.lazy_union = options_.lazy_union;
     request_.trace_parameters = options_.trace_parameters;
     request_.trace_depth = static_cast<std::size_t>(options_.trace_depth);
     if (!options_.make_command.empty()) {

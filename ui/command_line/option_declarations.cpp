@@ -56,7 +56,9 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--check-parameter-ranges", raw.check_ranges, "Warn of dimensions that make nothing: on or off (off)", "BOOL",
          checks);
     list("--enable", raw.features,
-         "Experiments of OpenSCAD: discretization-by-error turns $fe on; all others are always on", "FEATURE", checks);
+         "Experiments of OpenSCAD: discretization-by-error turns $fe on, lazy-union leaves groups of loops out, all "
+         "both; the others are always on",
+         "FEATURE", checks);
     text("--trace-depth", raw.trace_depth, "Steps shown at either end of a trace (12)", "N", checks);
     text("--trace-usermodule-parameters", raw.trace_parameters, "Parameters in traces: on or off (on)", "BOOL", checks);
 
@@ -84,6 +86,8 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--samples", raw.samples,
          "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
     flag("--transparent-background", o.picture.transparent_background, "No background", picture);
+    text("--view", raw.view, "Show axes, scales (of the axes), crosshairs and edges; several with commas between",
+         "WHAT", picture);
     flag("--render", raw.render,
          "Draw the result: $preview false, neither % nor # parts, outlines flat, framed exactly", picture);
     flag("--preview", raw.preview, "Evaluate with $preview true (default)", picture);
@@ -109,7 +113,6 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     flag("--info", o.information, "Print version and OpenGL", other);
     const char* const accepted = "Accepted for OpenSCAD's sake, without effect";
     text("--csglimit", raw.csg_limit, "Nothing is left out, however large the model", "N", accepted);
-    text("--view", raw.view, "View options of OpenSCAD's window", "WHAT", accepted);
     text("--backend", raw.backend, "Geometry backend", "NAME", accepted);
     text("--debug", raw.debug, "Messages of OpenSCAD's own sources", "WHAT", accepted);
     flag("--trust-python", raw.trust_python, "Declined: no Python runs", accepted);

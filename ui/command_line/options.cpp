@@ -40,9 +40,12 @@ void interpret_limits(Options& o, const RawOptions& raw) {
     o.check_parameters = on("--check-parameters", raw.check_parameters, o.check_parameters);
     o.check_ranges = on("--check-parameter-ranges", raw.check_ranges, o.check_ranges);
     o.trace_parameters = on("--trace-usermodule-parameters", raw.trace_parameters, o.trace_parameters);
-    o.by_error = std::ranges::any_of(raw.features, [](const std::string& feature) {
-        return feature == "discretization-by-error" || feature == "all";
-    });
+    const auto enabled = [&raw](std::string_view name) {
+        return std::any_of(raw.features.begin(), raw.features.end(),
+                           [name](const std::string& feature) { return feature == name || feature == "all"; });
+    };
+    o.by_error = enabled("discretization-by-error");
+    o.lazy_union = enabled("lazy-union");
     if (!raw.trace_depth.empty()) {
         o.trace_depth = read_integer("--trace-depth", raw.trace_depth, 0, kDeepestTrace);
     }
@@ -152,6 +155,24 @@ void interpret_animation(Options& o, const RawOptions& raw) {
     }
 }
 
+/// OpenSCAD's view options; edges are what the style of that name draws.
+void interpret_view(Options& o, const RawOptions& raw) {
+    for (std::size_t begin = 0; begin < raw.view.size();) {
+        const std::size_t end = std::min(raw.view.find(',', begin), raw.view.size());
+        using Show = void (*)(Options&);
+        read_name<Show>("--view", raw.view.substr(begin, end - begin),
+                        {{"axes", [](Options& to) { to.marks.axes = true; }},
+                         {"crosshairs", [](Options& to) { to.marks.crosshairs = true; }},
+                         {"edges",
+                          [](Options& to) {
+                              to.picture_texts.style =
+                                  to.picture_texts.style == "shaded" ? "edges" : to.picture_texts.style;
+                          }},
+                         {"scales", [](Options& to) { to.marks.scales = true; }}})(o);
+        begin = end + 1;
+    }
+}
+
 /// What is written or read by that name, whatever links lead there.
 std::filesystem::path file_behind(const std::string& path) {
     std::error_code error;
@@ -250,6 +271,7 @@ void interpret(Options& o, const RawOptions& raw) {
     }
     interpret_engine(o, raw);
     interpret_animation(o, raw);
+    interpret_view(o, raw);
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);
     o.summary_file = given(raw.summary_file);

@@ -14,6 +14,7 @@
 #include "ui/command_line/picture_options.h"
 #include "ui/command_line/summary_parts.h"
 #include "ui/command_line/usage_error.h"
+#include "ui/pipeline/picture/view_marks.h"
 
 namespace ui {
 
@@ -54,7 +55,9 @@ struct Options {
     bool check_parameters = true;
     bool check_ranges = false;
     bool by_error = false;  ///< $fe has its meaning.
-    bool preview = true;    ///< $preview
+    bool lazy_union = false;
+    ViewMarks marks;
+    bool preview = true;  ///< $preview
     bool quiet = false;
     bool hard_warnings = false;
     bool summary = false;  ///< Printed.

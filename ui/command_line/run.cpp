@@ -227,6 +227,9 @@ class Run {
             draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), picture_.camera,
                             picture_.scheme.edge_2d);
         }
+        if (options_.marks.any()) {
+            draw_marks(image);
+        }
         if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }
@@ -241,6 +244,15 @@ class Run {
         picture_json_["opengl"] = used != nullptr ? used->version() : "";
         language_.progress().say("");
         write_outputs(options_, Format::Png, png);
+    }
+
+    void draw_marks(base::Image& image) {
+        const base::View view(picture_.camera, picture_.size, model_->geometry.box.lo, model_->geometry.box.hi);
+        MarkColors colors;
+        const glm::vec3& b = picture_.scheme.background;
+        colors.axes = glm::vec3(b.r + b.g + b.b < 1.5F ? 1.0F : 0.0F);
+        const auto first = model_->empty() ? nullptr : renderer().first_layer(*model_, view);
+        draw_view_marks(image, options_.marks, colors, view, first ? *first : layers::HostStack{});
     }
 
     /// What is written beside the outputs.
@@ -327,6 +339,7 @@ int open_window(const Options& options) {
     window.source.preview = options.preview;
     window.source.hard_warnings = options.hard_warnings;
     window.source.by_error = options.by_error;
+    window.source.lazy_union = options.lazy_union;
     window.source.parts = options.parts;
     window.source.sections = options.picture.sections;
     window.camera = {options.camera, options.projection, options.view_all, options.autocenter};

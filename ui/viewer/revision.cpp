@@ -31,6 +31,7 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     }
     request.preview = source.preview;
     request.by_error = source.by_error;
+    request.lazy_union = source.lazy_union;
     request.view = camera;
     request.stop = stop;
     const ProgramRun run = runner.run(request, source.hard_warnings, [&](const auto& message, const auto& sources) {

@@ -24,6 +24,7 @@ struct Source {
     bool preview = true;                   ///< $preview
     bool hard_warnings = false;            ///< A warning is an error.
     bool by_error = false;                 ///< $fe has its meaning.
+    bool lazy_union = false;
     csg::PartRule parts{};
     npr::Sections sections{};  ///< Those by parts are made of the model at once.
 };

@@ -15,6 +15,15 @@ void combine(const ModuleContext& c, Operation operation, const Nodes& children,
     out.push_back(c.evaluator.builder().combine(operation, children, c.location(), c.modifiers));
 }
 
+/// A group; of the experiment lazy-union the children themselves, where nothing is to be said of all of them.
+void group(const ModuleContext& c, const Nodes& children, Nodes& out) {
+    if (c.evaluator.request().lazy_union && c.modifiers == csg::Modifiers{}) {
+        out.insert(out.end(), children.begin(), children.end());
+    } else {
+        combine(c, Operation::Group, children, out);
+    }
+}
+
 /// A loop of a for: runs the children once for each combination of the values of its variables.
 class ForLoop {
   public:
@@ -86,7 +95,11 @@ template <Operation kOperation>
 void run_for(const ModuleContext& c, Nodes& out) {
     Nodes children;
     ForLoop(c, children).run();
-    combine(c, kOperation, children, out);
+    if (kOperation == Operation::Group) {
+        group(c, children, out);
+    } else {
+        combine(c, kOperation, children, out);
+    }
 }
 
 void run_let(const ModuleContext& c, Nodes& out) {
@@ -108,7 +121,7 @@ void run_let(const ModuleContext& c, Nodes& out) {
         }
         evaluator.run_block(block, frame.get(), children);
     }
-    combine(c, Operation::Group, children, out);
+    group(c, children, out);
 }
 
 void run_assign(const ModuleContext& c, Nodes& out) {
@@ -126,7 +139,7 @@ void run_group(const ModuleContext& c, Nodes& out) {
 void pass_children(const ModuleContext& c, Nodes& out) {
     const Program& program = c.evaluator.program();
     if (program.blocks[c.instantiation.children].instantiations.count != 0) {
-        combine(c, Operation::Group, c.children(), out);
+        group(c, c.children(), out);
     }
 }
 
@@ -180,7 +193,7 @@ class ChildSelection {
             c_.evaluator.run_child(call_, i, nodes);
         }
         if (!indices_.empty() || list_) {
-            combine(c_, Operation::Group, nodes, out);
+            group(c_, nodes, out);
         }
     }
 
@@ -225,7 +238,7 @@ void run_children(const ModuleContext& c, Nodes& out) {
     if (c.evaluator.child_count(*call) != 0) {
         c.evaluator.children_of(*call->instantiation, call->caller, nodes);
     }
-    combine(c, Operation::Group, nodes, out);
+    group(c, nodes, out);
 }
 
 constexpr std::array kControl{

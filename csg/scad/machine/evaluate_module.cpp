@@ -125,6 +125,9 @@ void Evaluator::instantiate_if(const Instantiation& first, const Frame* frame, N
         chain.pop_back();  // The last makes nothing.
     }
     for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
+        if (request_.lazy_union && modifiers(**i) == csg::Modifiers{}) {
+            continue;
+        }
         const NodeId group = builder_.combine(Operation::Group, nodes, location((*i)->where), modifiers(**i));
         nodes.assign(1, group);
         note_statement(**i);

@@ -68,6 +68,8 @@ Request request_for(const Case& c) {
             request.trace_parameters = false;
         } else if (c.arguments[i] == "--enable=discretization-by-error") {
             request.by_error = true;
+        } else if (c.arguments[i] == "--enable=lazy-union") {
+            request.lazy_union = true;
         } else if (c.arguments[i] == "--check-parameter-ranges=on") {
             request.check_ranges = true;
         } else if (c.arguments[i] == "--camera" && i + 1 < c.arguments.size()) {
@@ -96,7 +98,8 @@ std::vector<Case> cases() {
     std::vector<Case> result;
     for (const auto& row : suite::cases()) {
         const std::string kind = row["kind"];
-        if (kind == "echo" || kind == "csg") {
+        const bool text_of_lazy_union = kind == "lazyunion" && row["suffix"] == "csg";
+        if (kind == "echo" || kind == "csg" || text_of_lazy_union) {
             result.push_back({row["name"], kind, suite::input(row), suite::expected(row), row["args"]});
         }
     }
@@ -111,7 +114,7 @@ std::string difference(const Case& c) {
             got += render_openscad(message, sources, c.input.parent_path().string()) + '\n';
         }
     });
-    if (c.kind == "csg") {
+    if (c.kind != "echo") {
         got = evaluation.ok ? csg_text(*evaluation.tree) : "";  // A failed run writes nothing.
     }
     std::string expected = test_support::read_file(c.expected);

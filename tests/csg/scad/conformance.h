@@ -9,7 +9,7 @@ namespace conformance {
 
 struct Case {
     std::string name;
-    std::string kind;  ///< "echo" or "csg"
+    std::string kind;  ///< "echo", "csg" or "lazyunion", whose texts are .csg
     std::filesystem::path input;
     std::filesystem::path expected;
     std::vector<std::string> arguments;  ///< Of the command line.

@@ -52,5 +52,8 @@ TEST(Conformance, Echo) {
 TEST(Conformance, Csg) {
     run_kind("csg");
 }
+TEST(Conformance, LazyUnion) {
+    run_kind("lazyunion");
+}
 
 }  // namespace

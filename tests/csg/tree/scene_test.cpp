@@ -70,6 +70,9 @@ TEST(SceneOfNodes, WhatAHighlightTakesAway) {
         {"#union() { #cube(1); sphere(2); } cube(4);", "solid:1 highlight:2 "},
         {"color(\"red\", 0.5) #cube(1); sphere(2);", "solid:1 highlight:1 "},
         {"#%cube(1); sphere(2);", "solid:1 background:1 "},
+        {"hull() { #cube(1); sphere(2); %cylinder(); }", "solid:1 highlight:1 background:1 "},
+        {"minkowski() { cube(1); translate([1, 0, 0]) #sphere(2); }", "solid:1 highlight:1 "},
+        {"linear_extrude(1) { #square(1); circle(2); }", "solid:1 "},
     };
     for (const auto& [model, parts] : table) {
         EXPECT_EQ(parts_of(model), parts) << model;

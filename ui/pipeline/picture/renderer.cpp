@@ -64,14 +64,16 @@ base::Image Renderer::image() {
     return on_cpu_ ? cpu_.image() : gl_->image();
 }
 
-std::vector<PickedSurface> Renderer::pick(const Model& model, const base::Camera& camera, int layers) {
+std::shared_ptr<const layers::HostStack> Renderer::peel(const Model& model, const base::View& view, int layers) {
     const goldfeather::EngineChoice of_picture = choice_;
     const bool on_cpu = choose_cpu(model, nullptr, layers);
     const goldfeather::EngineChoice choice = std::exchange(choice_, of_picture);
+    return on_cpu ? cpu_.pick(model, view, layers, *choice.engine) : with_opengl().pick(model, view, layers, choice);
+}
+
+std::vector<PickedSurface> Renderer::pick(const Model& model, const base::Camera& camera, int layers) {
     const base::View view(camera, {1, 1}, model.geometry.box.lo, model.geometry.box.hi);
-    const auto stack =
-        on_cpu ? cpu_.pick(model, view, layers, *choice.engine) : with_opengl().pick(model, view, layers, choice);
-    return picked(model, view, *stack);
+    return picked(model, view, *peel(model, view, layers));
 }
 
 base::Image Renderer::render(const Model& model, const PictureRequest& request, const std::stop_token& stop) {

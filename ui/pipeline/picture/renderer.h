@@ -48,6 +48,11 @@ class Renderer {
     /// first (0: all).
     [[nodiscard]] std::vector<PickedSurface> pick(const Model& model, const base::Camera& camera, int layers = 1);
 
+    /// The first layer of a whole view.
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> first_layer(const Model& model, const base::View& view) {
+        return peel(model, view, 1);
+    }
+
     /// An EditableModel has changed in place. To be told by each commit to every renderer that may have drawn it,
     /// before it draws it again; what it holds of the model is made good as far as it can be, instead of being made
     /// anew.
@@ -62,6 +67,7 @@ class Renderer {
     /// Sets choice_; is the CPU to draw it? `engine`: null where it is for wanted_ to say. `layers`: 0 for all.
     bool choose_cpu(const Model& model, const goldfeather::EngineInfo* engine, int layers);
     GlRenderer& with_opengl();
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> peel(const Model& model, const base::View& view, int layers);
 
     goldfeather::EngineOptions wanted_;
     Painter painter_;

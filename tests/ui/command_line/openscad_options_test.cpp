@@ -72,6 +72,62 @@ TEST_F(OpenScadOptions, PythonIsDeclined) {
     fails("m.scad --trust-python -o x.png", "Python");
 }
 
+TEST_F(OpenScadOptions, LazyUnionLeavesOutGroups) {
+    folder_.write("x.scad",
+                  "module m() children();\nfor (i = [1, 2]) cube(i);\nif (true) { cube(3); cube(4); }\n"
+                  "m() { cube(5); cube(6); }\n#for (i = [7]) cube(i);\n");
+    const auto groups = [&](const std::string& arguments) {
+        works("x.scad -o x.csg " + arguments);
+        const std::string text = folder_.read("x.csg");
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = text.find("group() {", at)) != std::string::npos; ++at) {
+            ++count;
+        }
+        return count;
+    };
+    EXPECT_EQ(groups(""), 5U);
+    EXPECT_EQ(groups("--enable=lazy-union"), 2U) << "the module's, and the one that is highlighted";
+    EXPECT_EQ(groups("--enable all"), 2U);
+}
+
+TEST_F(OpenScadOptions, ViewsShowMarks) {
+    folder_.write("x.scad", "cube(4, center = true);");
+    const auto picture = [&](const std::string& view) {
+        works("x.scad -o x.png --imgsize 200,200 --samples 1 --camera 0,0,0,90,0,0,40 " + view);
+        return base::read_png(folder_.path("x.png"));
+    };
+    const auto is = [](const base::Image& image, int x, int y, int r, int g, int b) {
+        const std::uint8_t* p = image.pixel(x, y);
+        return p[0] == r && p[1] == g && p[2] == b;
+    };
+    const base::Image plain = picture(""), axes = picture("--view axes"), scales = picture("--view axes,scales"),
+                      crosshairs = picture("--view crosshairs");
+    EXPECT_TRUE(is(axes, 180, 99, 0, 0, 0) || is(axes, 180, 100, 0, 0, 0)) << "x, seen from the front";
+    EXPECT_TRUE(std::equal(axes.pixel(100, 100), axes.pixel(100, 100) + 3, plain.pixel(100, 100))) << "hidden";
+    int dashes = 0, changed = 0, ticks = 0, cross = 0;
+    for (int x = 0; x < 60; ++x) {
+        dashes += is(axes, x, 99, 0, 0, 0) || is(axes, x, 100, 0, 0, 0) ? 1 : 0;
+    }
+    EXPECT_GT(dashes, 20);
+    EXPECT_LT(dashes, 40);
+    for (int y = 0; y < 200; ++y) {
+        for (int x = 0; x < 200; ++x) {
+            const bool same = std::equal(axes.pixel(x, y), axes.pixel(x, y) + 3, plain.pixel(x, y));
+            changed += same ? 0 : 1;
+            ticks += std::equal(axes.pixel(x, y), axes.pixel(x, y) + 3, scales.pixel(x, y)) ? 0 : 1;
+            cross += is(crosshairs, x, y, 128, 0, 0) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(changed, 150);
+    EXPECT_LT(changed, 500);
+    EXPECT_GT(ticks, 50);
+    EXPECT_GT(cross, 50);
+    works("x.scad -o a.png --imgsize 99,99 --view edges");
+    works("x.scad -o b.png --imgsize 99,99 --style edges");
+    EXPECT_EQ(folder_.read("a.png"), folder_.read("b.png"));
+    fails("x.scad -o c.png --view axis", "axes");
+}
+
 /// Whatever begins with these is a file of OpenSCAD's to others.
 TEST_F(OpenScadOptions, HeadersOfFiles) {
     folder_.write("flat.scad", "square(3);");

@@ -1,0 +1,28 @@
+// OpenSCAD's marks in space, drawn into a picture: axes, their scales, and where the camera looks.
+#pragma once
+
+#include "base/camera.h"
+#include "base/image.h"
+#include "layers/host_stack.h"
+
+namespace ui {
+
+struct ViewMarks {
+    bool axes = false;
+    bool scales = false;  ///< Ticks and numbers of the axes; not without these.
+    bool crosshairs = false;
+    [[nodiscard]] bool any() const { return axes || crosshairs; }
+    bool operator==(const ViewMarks&) const = default;
+};
+
+struct MarkColors {
+    glm::vec3 axes{0.0F}, crosshairs{0.5F, 0.0F, 0.0F};  ///< sRGB.
+};
+
+/// Lines one pixel wide without antialiasing, hidden by what lies before them. Axes are as long as the eye is far from
+/// where it looks, their negative halves dashed. `view`: of the image; `first`: the first layer of the model in that
+/// view, or no layer.
+void draw_view_marks(base::Image& image, const ViewMarks& marks, const MarkColors& colors, const base::View& view,
+                     const layers::HostStack& first);
+
+}  // namespace ui
