@@ -247,11 +247,11 @@ class Run {
     }
 
     void draw_marks(base::Image& image) {
-        const base::View view(picture_.camera, picture_.size, model_->geometry.box.lo, model_->geometry.box.hi);
+        const base::View view(picture_.camera, picture_.size, shown_->geometry.box.lo, shown_->geometry.box.hi);
         MarkColors colors;
         const glm::vec3& b = picture_.scheme.background;
         colors.axes = glm::vec3(b.r + b.g + b.b < 1.5F ? 1.0F : 0.0F);
-        const auto first = model_->empty() ? nullptr : renderer().first_layer(*model_, view);
+        const auto first = shown_->empty() ? nullptr : renderer().first_layer(*shown_, view);
         draw_view_marks(image, options_.marks, colors, view, first ? *first : layers::HostStack{});
     }
 
