@@ -17,6 +17,7 @@
 #include "ui/command_line/compare_picture.h"
 #include "ui/command_line/compare_report.h"
 #include "ui/command_line/compare_table.h"
+#include "ui/command_line/compare_versions.h"
 #include "ui/command_line/compare_views.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/time_limit.h"
@@ -161,7 +162,9 @@ int run_compare(const std::vector<std::string>& arguments) {
     TimeLimit limit(options.time_limit);
     options.stop = limit.token();
     try {
-        const int status = options.reference.empty() ? compare_with_mesh(options) : compare_with_picture(options);
+        const int status = !options.later.empty()      ? compare_versions(options)
+                           : options.reference.empty() ? compare_with_mesh(options)
+                                                       : compare_with_picture(options);
         limit.end();
         return status;
     } catch (const base::Stopped&) {

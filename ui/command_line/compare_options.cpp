@@ -30,9 +30,12 @@ glm::ivec2 read_size(const std::string& text) {
 CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     CompareOptions o;
     std::string camera, size, projection = "p", engine(o.engine->name);
-    OptionTable table("csgscope compare draws a model and compares all layers of the picture with a mesh.",
-                      "csgscope compare");
+    OptionTable table(
+        "csgscope compare draws a model and compares all layers of the picture with a mesh; of two files, "
+        "versions of one model, it tells what has changed.",
+        "csgscope compare");
     table.add({"file", "The .scad file"}, o.input, true);
+    table.add({"later", "A later version of it"}, o.later);
     table.add(
         {"--against", "cgal (the exact mesh), openscad (its tree, mesh and picture), FILE.stl, FILE.off or FILE.png"},
         o.against);

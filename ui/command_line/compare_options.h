@@ -15,6 +15,7 @@ namespace ui {
 
 struct CompareOptions {
     std::string input;             ///< Empty: help was asked for, and printed.
+    std::string later;             ///< A later version, which `input` is compared with; empty: none.
     std::string against = "cgal";  ///< Or "openscad", or a file.
     const goldfeather::EngineInfo* engine = &goldfeather::fallback_engine();
     std::string report;                  ///< Folder; empty: none.

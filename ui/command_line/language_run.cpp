@@ -198,6 +198,22 @@ bool LanguageRun::evaluate() {
     return run_.good();
 }
 
+std::shared_ptr<const csg::Tree> LanguageRun::evaluate_other(const std::string& path) {
+    csg::scad::Request request = request_;
+    request.path = path;
+    request.text = read_source(path);
+    const ProgramRun other =
+        runner_.run_once(std::move(request), options_.hard_warnings, [this](const auto& message, const auto& sources) {
+            messages_.add(message, sources);
+            return messages_.warnings();
+        });
+    if (limit_.passed() && other.evaluation.stopped) {
+        limit_.tell();
+        return nullptr;
+    }
+    return other.good() ? other.evaluation.tree : nullptr;
+}
+
 /// The text has been read: there is a program.
 std::shared_ptr<csg::scad::LoadedProgram> LanguageRun::load() {
     loaded_ = true;

@@ -46,6 +46,8 @@ class LanguageRun {
     /// Makes the outputs that are texts, evaluating only where one of all outputs needs it. False where an error in the
     /// file, or the time, ended the run; the messages have said why.
     [[nodiscard]] bool operator()();
+    /// The tree of another file, evaluated in the same way, once the source has been; null where an error ended that.
+    [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_other(const std::string& path);
     void write_dependencies() const;
     /// The options' memory limit, if there is one, for the stage that comes (memory_limit.h).
     void hold_memory_limit() const;

@@ -73,6 +73,10 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "What is a part: model (all of it), top (children of the top-level union), color, depth=N or "
          "module=NAME[,NAME] (model; with --section color)",
          "RULE", picture);
+    text("--changes-from", o.changes_from,
+         "Draw what has changed since that version of the file: what is new green, what is gone red, the rest seen "
+         "through",
+         "FILE", picture);
     list(
         "--section", raw.sections,
         "Cut away what is on the eye's side of a plane (z=12), on one side of it (z>12, z<12), where the normal points "

@@ -29,6 +29,7 @@ struct Options {
     std::string input;                ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
     ExportOptions exports;
+    std::string changes_from;              ///< An earlier version, of which changes are drawn; empty: none.
     std::vector<std::string> definitions;  ///< Statements that come after the file's text.
     std::string parameter_file;            ///< Parameter sets; empty: none.
     std::string parameter_set;             ///< The one to take.

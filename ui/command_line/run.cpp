@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/stop.h"
+#include "csg/tree/changes.h"
 #include "csg/tree/out_of_memory.h"
 #include "gl/error.h"
 #include "ui/command_line/compare.h"
@@ -84,6 +85,14 @@ class Run {
         if (language_.evaluation().tree == nullptr) {
             return true;  // Nothing needed to run, or an error is what the console was to show.
         }
+        tree_ = language_.evaluation().tree;
+        if (!options_.changes_from.empty()) {
+            const auto before = language_.evaluate_other(options_.changes_from);
+            if (before == nullptr) {
+                return false;
+            }
+            tree_ = std::make_shared<const csg::Tree>(csg::versions(*before, *tree_).all);
+        }
         if (needs_geometry(options_) || wants(options_, Format::Png) || options_.statistics || options_.summary ||
             options_.summary_file || options_.pick) {
             build();
@@ -123,6 +132,9 @@ class Run {
                 fmt::format("only one of {} can go to standard output", fmt::join(to_standard_output, ", ")));
         }
         picture_ = picture_of(options_.picture, options_.picture_texts);
+        if (!options_.changes_from.empty() && needs_geometry(options_)) {
+            throw UsageError("--changes-from is of pictures; csgscope compare OLD NEW tells the volumes");
+        }
         if (!picture_.sections.cuts.empty() && needs_geometry(options_)) {
             throw UsageError("--section is of pictures; in a mesh or a drawing, cut with difference() in the file");
         }
@@ -133,9 +145,7 @@ class Run {
         builder_.show(options_.preview ? csg::Showing::Preview : csg::Showing::Result);
         builder_.divide(options_.parts);
         builder_.cut(picture_.sections);
-        const auto build_it = [&] {
-            return builder_.build(language_.evaluation().tree, limit_.token(), language_.evaluation().program);
-        };
+        const auto build_it = [&] { return builder_.build(tree_, limit_.token(), language_.evaluation().program); };
         model_ = exported_ = build_it();
         if (needs_geometry(options_) && options_.preview && shows_misplaced(*model_)) {
             builder_.show(csg::Showing::Result);
@@ -315,6 +325,7 @@ class Run {
     Options options_;
     TimeLimit limit_;
     LanguageRun language_;
+    std::shared_ptr<const csg::Tree> tree_;  ///< That is drawn, or written.
     ModelBuilder builder_;
     std::unique_ptr<gl::Context> context_;
     std::optional<Renderer> renderer_;               ///< Once it was needed.
@@ -328,6 +339,9 @@ class Run {
 };
 
 int open_window(const Options& options) {
+    if (!options.changes_from.empty()) {
+        throw UsageError("--changes-from is of pictures: write one with -o");
+    }
     WindowOptions window;
     window.source.path = options.input;
     if (options.input == "-") {
