@@ -2,44 +2,23 @@
 
 #include <fmt/format.h>
 
-#include "csg/reference/boolean.h"
 #include "csg/tree/changes.h"
 #include "ui/command_line/compare_input.h"
 #include "ui/command_line/files.h"
-#include "ui/pipeline/mesh/mesh.h"
+#include "ui/pipeline/comparison/solid_of_tree.h"
 #include "ui/pipeline/plain_text.h"
 
 namespace ui {
 
 namespace {
 
-struct Piece {
-    double volume = 0;
-    csg::Box box;  ///< Empty where there is nothing.
-};
-
-Piece piece_of(csg::Tree tree, const CompareOptions& o) {
-    ModelBuilder builder;
-    builder.show(csg::Showing::Result);
-    const auto model = builder.build(std::make_shared<const csg::Tree>(std::move(tree)), o.stop);
-    need_whole(*model);
-    if (model->flat) {
-        throw ModelError("outlines in the plane are compared by their files: csgscope FILE.scad -o FILE.svg");
-    }
-    if (model->empty()) {
-        return {};
-    }
-    const auto found = csg::reference::make_mesh(model->scene, model->geometry, {.method = {}, .stop = o.stop});
-    return found.mesh.empty() ? Piece{} : Piece{found.facts.volume, found.facts.box};
-}
-
-Json to_json(const Piece& piece) {
+Json to_json(const MeasuredSolid& piece) {
     const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
     return {{"volume", piece.volume},
             {"box", piece.box.empty() ? Json(nullptr) : Json{array(piece.box.lo), array(piece.box.hi)}}};
 }
 
-std::string line_of(const char* name, const Piece& piece) {
+std::string line_of(const char* name, const MeasuredSolid& piece) {
     const auto& [lo, hi] = piece.box;
     return piece.box.empty()
                ? fmt::format("{:<8} nothing\n", name)
@@ -54,7 +33,8 @@ int compare_versions(const CompareOptions& o) {
     other.input = o.later;
     const auto before = evaluate(o, false).tree, after = evaluate(other, false).tree;
     csg::Versions changed = csg::versions(*before, *after);
-    const Piece added = piece_of(std::move(changed.added), o), removed = piece_of(std::move(changed.removed), o);
+    const MeasuredSolid added = solid_of(std::move(changed.added), o.stop),
+                        removed = solid_of(std::move(changed.removed), o.stop);
     const bool same = added.box.empty() && removed.box.empty();
     if (o.json) {
         write_output("-", text_of(Json{{"before", o.input},
