@@ -132,6 +132,7 @@ void subtract_part(Scene& scene, PartId tool, std::span<const char> cut) {
     Scene made;
     made.parts = scene.parts;
     made.occurrences = std::move(scene.occurrences);
+    made.left_out = std::move(scene.left_out);
     PartCopier copier(scene, made);
     for (PartId id = 0; id < scene.parts.size(); ++id) {
         Part& part = made.parts[id];
