@@ -43,6 +43,8 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--animate", raw.animate,
          "Write each output N times, with $t from 0 on in steps of 1/N: x00000.png, x00001.png, … for -o x.png", "N",
          in);
+    text("--turntable", raw.turntable,
+         "Write each picture N times, the camera turned about the z axis in steps of 360/N degrees", "N", in);
     text("--animate_sharding", raw.sharding, "Of these, write the I-th of M shares only", "I/M", in);
     flag("-q,--quiet", o.quiet, "Print errors only", in);
     flag("--hardwarnings", o.hard_warnings, "Stop at the first warning", in);
@@ -139,6 +141,7 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--set",
                                    "--animate",
                                    "--animate_sharding",
+                                   "--turntable",
                                    "--colorscheme",
                                    "--samples",
                                    "--transparent-background",

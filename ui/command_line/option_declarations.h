@@ -16,7 +16,7 @@ struct RawOptions {
     std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget,
         minimal_fraction, parts, at, format, hatching;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
-    std::string animate, sharding;
+    std::string animate, sharding, turntable;
     std::string debug;  ///< Taken and left alone.
     std::vector<std::string> summary, features;
     bool version = false, help_export = false, trust_python = false;

@@ -131,13 +131,18 @@ PickOptions read_pick(const RawOptions& raw, glm::ivec2 size) {
 /// The frames of this run's share: as many as of the others, or one more or less.
 void interpret_animation(Options& o, const RawOptions& raw) {
     constexpr int kMostFrames = 10'000'000;
-    if (raw.animate.empty()) {
+    if (raw.animate.empty() && raw.turntable.empty()) {
         if (!raw.sharding.empty()) {
             throw UsageError("--animate_sharding: there is no --animate");
         }
         return;
     }
-    o.frames = read_integer("--animate", raw.animate, 1, kMostFrames);
+    if (!raw.animate.empty() && !raw.turntable.empty()) {
+        throw UsageError("--turntable and --animate are two films; write one after the other");
+    }
+    o.turntable = !raw.turntable.empty();
+    const char* const option = o.turntable ? "--turntable" : "--animate";
+    o.frames = read_integer(option, o.turntable ? raw.turntable : raw.animate, 1, kMostFrames);
     o.end_frame = o.frames;
     if (!raw.sharding.empty()) {
         const std::size_t slash = raw.sharding.find('/');
@@ -151,7 +156,11 @@ void interpret_animation(Options& o, const RawOptions& raw) {
     }
     if (o.outputs.empty() ||
         std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.path == "-"; })) {
-        throw UsageError("--animate: frames go to files, which -o is to name");
+        throw UsageError(fmt::format("{}: frames go to files, which -o is to name", option));
+    }
+    if (o.turntable &&
+        std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.format != Format::Png; })) {
+        throw UsageError("--turntable: frames are pictures, -o FILE.png");
     }
 }
 

@@ -68,9 +68,19 @@ class Run {
         }
         const std::vector<Output> outputs = options_.outputs;
         for (int frame = options_.first_frame; frame < options_.end_frame; ++frame) {
+            const double part = static_cast<double>(frame) / options_.frames;
             std::transform(outputs.begin(), outputs.end(), options_.outputs.begin(),
                            [frame](const Output& output) { return output_of_frame(output, frame); });
-            language_.set_time(static_cast<double>(frame) / options_.frames);
+            if (options_.turntable && frame > options_.first_frame) {
+                picture_.camera.rotation.z = first_rotation_ + 360 * part;
+                draw();
+                continue;
+            }
+            if (options_.turntable) {
+                turned_by_ = 360 * part;
+            } else {
+                language_.set_time(part);
+            }
             if (!make_outputs()) {
                 return false;
             }
@@ -173,6 +183,8 @@ class Run {
         box_ = framed && !options_.preview ? exact_bounds(*model_, limit_.token()) : model_->box;
         picture_.camera = choose_camera(request, language_.evaluation().view, box_);
         cut();
+        first_rotation_ = picture_.camera.rotation.z;
+        picture_.camera.rotation.z += turned_by_;
     }
 
     /// What is drawn and picked: the camera is chosen for the whole model, so that a section moves nothing.
@@ -335,6 +347,7 @@ class Run {
     const Model* shown_ = nullptr;  ///< model_, less what sections cut away.
     csg::Box box_;                  ///< Of model_.
     npr::Picture picture_;
+    double first_rotation_ = 0, turned_by_ = 0;  ///< Degrees about z: of the camera chosen, and of its first picture.
     Json picture_json_;
 };
 

@@ -59,6 +59,24 @@ TEST_F(OpenScadOptions, PicturesOfAnAnimation) {
     EXPECT_TRUE(lit("f00001.png").second);
 }
 
+TEST_F(OpenScadOptions, ATurntableTurnsTheCamera) {
+    const std::string size = " --imgsize 64,64 --samples 1 --style edges";
+    works("m.scad -o t.png --turntable 4 --camera 0,0,0,55,0,25,60 --section quarter" + size);
+    EXPECT_FALSE(exists("t00004.png"));
+    works("m.scad -o one.png --camera 0,0,0,55,0,25,60 --section quarter" + size);
+    EXPECT_EQ(folder_.read("t00000.png"), folder_.read("one.png"));
+    works("m.scad -o plain.png --camera 0,0,0,55,0,115,60" + size);
+    works("m.scad -o u.png --turntable 4 --camera 0,0,0,55,0,25,60" + size);
+    EXPECT_EQ(folder_.read("u00001.png"), folder_.read("plain.png"));
+    EXPECT_NE(folder_.read("t00002.png"), folder_.read("t00000.png")) << "the section stays where it is";
+    works("m.scad -o s.png --turntable 4 --animate_sharding 2/2 --camera 0,0,0,55,0,25,60 --section quarter" + size);
+    EXPECT_FALSE(exists("s00001.png"));
+    EXPECT_EQ(folder_.read("s00003.png"), folder_.read("t00003.png"));
+    fails("m.scad -o t.stl --turntable 4", "--turntable");
+    fails("m.scad --turntable 4", "-o");
+    fails("m.scad -o t.png --turntable 4 --animate 4", "--animate");
+}
+
 TEST_F(OpenScadOptions, ADistanceOfZeroIsForViewAll) {
     works("m.scad -o a.png --imgsize 64,64 --camera 0,0,0,55,0,25,0 --viewall");
     works("m.scad -o b.png --imgsize 64,64 --camera 0,0,0,55,0,25,140 --viewall");
