@@ -239,9 +239,10 @@ TEST_P(HardCases, AFlushInlayShowsItself) {
 
 TEST_P(HardCases, HighlightedPartsComeFirstThenById) {
     Model a = cube(2, 2, 2), b = cube(2, 2, 3);
+    const Model plain = cube(2, 2, 4);
     a.modifiers.highlight = b.modifiers.highlight = true;
-    const auto stack = peel(combine(Operation::Union, {a, b}), from({1.1, 1.2, -20}, {1.1, 1.2, 0}));
-    const Subject subject(random_tree::make_tree(combine(Operation::Union, {a, b})));
+    const auto stack = peel(combine(Operation::Union, {a, b, plain}), from({1.1, 1.2, -20}, {1.1, 1.2, 0}));
+    const Subject subject(random_tree::make_tree(combine(Operation::Union, {a, b, plain})));
     std::vector<csg::PartId> parts;
     for (int layer = 0; layer < 3; ++layer) {
         parts.push_back(subject.scene.leaves[stack.at(layer, 32, 32).leaf].part);

@@ -164,7 +164,7 @@ void interpret_animation(Options& o, const RawOptions& raw) {
     }
 }
 
-/// OpenSCAD's view options; edges are what the style of that name draws.
+/// OpenSCAD's view options.
 void interpret_view(Options& o, const RawOptions& raw) {
     for (std::size_t begin = 0; begin < raw.view.size();) {
         const std::size_t end = std::min(raw.view.find(',', begin), raw.view.size());
@@ -172,11 +172,7 @@ void interpret_view(Options& o, const RawOptions& raw) {
         read_name<Show>("--view", raw.view.substr(begin, end - begin),
                         {{"axes", [](Options& to) { to.marks.axes = true; }},
                          {"crosshairs", [](Options& to) { to.marks.crosshairs = true; }},
-                         {"edges",
-                          [](Options& to) {
-                              to.picture_texts.style =
-                                  to.picture_texts.style == "shaded" ? "edges" : to.picture_texts.style;
-                          }},
+                         {"edges", [](Options& to) { to.marks.edges = true; }},
                          {"scales", [](Options& to) { to.marks.scales = true; }}})(o);
         begin = end + 1;
     }

@@ -274,7 +274,7 @@ class Run {
         const glm::vec3& b = picture_.scheme.background;
         colors.axes = glm::vec3(b.r + b.g + b.b < 1.5F ? 1.0F : 0.0F);
         const auto first = shown_->empty() ? nullptr : renderer().first_layer(*shown_, view);
-        draw_view_marks(image, options_.marks, colors, view, first ? *first : layers::HostStack{});
+        draw_view_marks(image, options_.marks, colors, view, shown_->geometry, first ? *first : layers::HostStack{});
     }
 
     /// What is written beside the outputs.

@@ -176,7 +176,7 @@ TEST_F(Pick, ModifiersAndTranslucentPartsAreTold) {
         kinds.push_back(surface.at("part").at("kind"));
     }
     EXPECT_EQ(kinds, (std::vector<std::string>{"translucent", "translucent", "background", "background", "highlight",
-                                               "solid", "highlight", "solid"}));
+                                               "highlight"}));
     EXPECT_EQ(s[0].at("color"), "#0000ff40");
     EXPECT_EQ(surfaces("parts.scad", 1, 1, "--render").size(), 4u) << "a result has neither % nor #";
     EXPECT_EQ(surfaces("parts.scad", 1, 1, "--layers 3").size(), 3u);

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,8 +31,10 @@ class DepthCanvas {
         }
     }
 
+    enum class Line : std::uint8_t { Solid, Dashed, OnSurface };
+
     /// World coordinates. What lies behind the eye is not seen.
-    void line(const glm::dvec3& from, const glm::dvec3& to, bool dashed = false) {
+    void line(const glm::dvec3& from, const glm::dvec3& to, Line kind = Line::Solid) {
         constexpr double kLeast = 1e-9;
         glm::dvec4 a = clip_ * glm::dvec4(from, 1), b = clip_ * glm::dvec4(to, 1);
         if (a.w < kLeast && b.w < kLeast) {
@@ -39,14 +45,14 @@ class DepthCanvas {
         } else if (b.w < kLeast) {
             b += (a - b) * ((kLeast - b.w) / (a.w - b.w));
         }
-        line_on_screen(on_screen(a), on_screen(b), dashed);
+        line_on_screen(on_screen(a), on_screen(b), kind);
     }
 
     [[nodiscard]] ScreenPoint place(const glm::dvec3& point) const { return on_screen(clip_ * glm::dvec4(point, 1)); }
     [[nodiscard]] bool before_eye(const glm::dvec3& point) const { return (clip_ * glm::dvec4(point, 1)).w > 0; }
 
     /// The depth of base::View is an affine function of the pixel along a line.
-    void line_on_screen(const ScreenPoint& a, const ScreenPoint& b, bool dashed = false) {
+    void line_on_screen(const ScreenPoint& a, const ScreenPoint& b, Line kind = Line::Solid) {
         const int major = std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? 0 : 1;
         const double way = b[major] - a[major];
         const double size = major == 0 ? image_.width : image_.height;
@@ -56,7 +62,9 @@ class DepthCanvas {
             const double part = way == 0 ? 0 : (at + 0.5 - a[major]) / way;
             const ScreenPoint p = a + part * (b - a);
             constexpr double kDash = 3;  // Pixels on, and off.
-            if (!dashed || std::fmod(std::floor(std::abs(at + 0.5 - a[major]) / kDash), 2) == 0) {
+            if (kind == Line::OnSurface) {
+                lighten(p);
+            } else if (kind == Line::Solid || std::fmod(std::floor(std::abs(at + 0.5 - a[major]) / kDash), 2) == 0) {
                 set(p);
             }
         }
@@ -82,6 +90,42 @@ class DepthCanvas {
         const std::size_t pixel = (static_cast<std::size_t>(image_.height) - 1 - row) * width + column;
         std::copy(rgb_.begin(), rgb_.end(), image_.rgba.begin() + static_cast<std::ptrdiff_t>(4 * pixel));
         image_.rgba[4 * pixel + 3] = 255;
+    }
+
+    /// Where it lies in the surface that is seen, as far as the pixels about it tell.
+    void lighten(const ScreenPoint& p) {
+        const double x = std::floor(p.x), y = std::floor(p.y);
+        if (x < 0 || y < 0 || x >= image_.width || y >= image_.height || first_.planes.empty()) {
+            return;
+        }
+        const int column = static_cast<int>(x), row = static_cast<int>(y);
+        const auto depth_at = [this](int i, int j) {
+            return static_cast<double>(
+                first_.planes[0].depth[static_cast<std::size_t>(j) * static_cast<std::size_t>(image_.width) +
+                                       static_cast<std::size_t>(i)]);
+        };
+        if (depth_at(column, row) == 0) {
+            return;
+        }
+        double least = std::numeric_limits<double>::infinity(), most = 0;
+        for (int j = std::max(row - 1, 0); j <= std::min(row + 1, image_.height - 1); ++j) {
+            for (int i = std::max(column - 1, 0); i <= std::min(column + 1, image_.width - 1); ++i) {
+                if (const double depth = depth_at(i, j); depth > 0) {
+                    least = std::min(least, depth);
+                    most = std::max(most, depth);
+                }
+            }
+        }
+        constexpr double kShare = 1e-5;
+        if (p.z < least * (1 - kShare) || p.z > most * (1 + kShare)) {
+            return;
+        }
+        std::uint8_t* pixel =
+            &image_
+                 .rgba[4 * (static_cast<std::size_t>(image_.height - 1 - row) * static_cast<std::size_t>(image_.width) +
+                            static_cast<std::size_t>(column))];
+        std::transform(pixel, pixel + 3, pixel,
+                       [](std::uint8_t c) { return static_cast<std::uint8_t>((c + 255) / 2); });
     }
 
     base::Image& image_;
@@ -134,6 +178,25 @@ void put_number(DepthCanvas& canvas, ScreenPoint at, const std::string& number) 
     }
 }
 
+/// Between faces of different planes.
+void draw_edges(DepthCanvas& canvas, const csg::solid::PlacedLeaf& leaf) {
+    using Corners = std::pair<std::uint32_t, std::uint32_t>;
+    std::map<Corners, csg::solid::PlaneRef> half;  // Edges of which one side is known.
+    for (std::size_t t = 0; t < leaf.triangles.size(); ++t) {
+        const glm::uvec3& triangle = leaf.triangles[t];
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t from = triangle[k], to = triangle[(k + 1) % 3];
+            const auto [known, added] = half.try_emplace(std::minmax(from, to), leaf.planes[t]);
+            if (!added) {
+                if (known->second.index != leaf.planes[t].index) {
+                    canvas.line(leaf.points[from], leaf.points[to], DepthCanvas::Line::OnSurface);
+                }
+                half.erase(known);
+            }
+        }
+    }
+}
+
 /// Ten small steps are a large one, which has its number.
 void draw_scale(DepthCanvas& canvas, int axis, double reach) {
     constexpr int kSmall = 10;
@@ -163,16 +226,21 @@ void draw_scale(DepthCanvas& canvas, int axis, double reach) {
 }  // namespace
 
 void draw_view_marks(base::Image& image, const ViewMarks& marks, const MarkColors& colors, const base::View& view,
-                     const layers::HostStack& first) {
+                     const csg::solid::Geometry& geometry, const layers::HostStack& first) {
     DepthCanvas canvas(image, view, first);
     const base::Camera& camera = view.camera();
+    if (marks.edges) {
+        for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
+            draw_edges(canvas, leaf);
+        }
+    }
     if (marks.axes) {
         canvas.set_color(colors.axes);
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 end(0.0);
             end[axis] = camera.distance;
             canvas.line(glm::dvec3(0.0), end);
-            canvas.line(glm::dvec3(0.0), -end, true);
+            canvas.line(glm::dvec3(0.0), -end, DepthCanvas::Line::Dashed);
             if (marks.scales) {
                 draw_scale(canvas, axis, camera.distance);
             }

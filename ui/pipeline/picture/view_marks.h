@@ -1,8 +1,9 @@
-// OpenSCAD's marks in space, drawn into a picture: axes, their scales, and where the camera looks.
+// OpenSCAD's marks in space, drawn into a picture: axes, their scales, where the camera looks, and edges of faces.
 #pragma once
 
 #include "base/camera.h"
 #include "base/image.h"
+#include "csg/solid/placed.h"
 #include "layers/host_stack.h"
 
 namespace ui {
@@ -11,7 +12,8 @@ struct ViewMarks {
     bool axes = false;
     bool scales = false;  ///< Ticks and numbers of the axes; not without these.
     bool crosshairs = false;
-    [[nodiscard]] bool any() const { return axes || crosshairs; }
+    bool edges = false;
+    [[nodiscard]] bool any() const { return axes || crosshairs || edges; }
     bool operator==(const ViewMarks&) const = default;
 };
 
@@ -20,9 +22,10 @@ struct MarkColors {
 };
 
 /// Lines one pixel wide without antialiasing, hidden by what lies before them. Axes are as long as the eye is far from
-/// where it looks, their negative halves dashed. `view`: of the image; `first`: the first layer of the model in that
-/// view, or no layer.
+/// where it looks, their negative halves dashed. Edges are those of the shapes that the model is made of, where they
+/// lie in what is seen: half as dark as that. `view`: of the image; `first`: the first layer of the model in that view,
+/// or no layer.
 void draw_view_marks(base::Image& image, const ViewMarks& marks, const MarkColors& colors, const base::View& view,
-                     const layers::HostStack& first);
+                     const csg::solid::Geometry& geometry, const layers::HostStack& first);
 
 }  // namespace ui
