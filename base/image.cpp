@@ -53,12 +53,39 @@ void append(png_structp png, png_bytep data, std::size_t size) {
 
 enum class Outcome { Done, Stopped, Failed };
 
+/// How rows are told: as they are, or minus the row above.
+enum class RowFilter : std::uint8_t { None, Up };
+
+/// What repeats is what packing is about. In a drawing, pixels repeat as they are, and differences to the row above
+/// hide it; in smooth shading rows resemble each other. So the one with fewer changes from pixel to pixel is taken;
+/// libpng's own choice, row by row for the least differences, takes twice as long for larger files.
+RowFilter better_filter(const Image& image) {
+    std::size_t changes = 0, changes_of_differences = 0;
+    for (int y = 1; y < image.height; ++y) {
+        const std::uint8_t *row = image.pixel(0, y), *above = image.pixel(0, y - 1);
+        for (int i = 4; i < 4 * image.width; i += 4) {
+            int change = 0, change_of_differences = 0;
+            for (int k = i; k < i + 4; ++k) {
+                const int by = row[k] - row[k - 4];
+                change |= by;
+                change_of_differences |= by - (above[k] - above[k - 4]);
+            }
+            changes += change != 0 ? 1 : 0;
+            changes_of_differences += change_of_differences != 0 ? 1 : 0;
+        }
+    }
+    return 5 * changes_of_differences < 4 * changes ? RowFilter::Up : RowFilter::None;
+}
+
 /// Nothing here has a destructor that an error of libpng could jump over. `row`: room for one without alpha.
-Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alpha, std::uint8_t* row,
+Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alpha, RowFilter filter, std::uint8_t* row,
                    const std::stop_token& stop) {
     if (setjmp(png_jmpbuf(png)) != 0) {
         return Outcome::Failed;
     }
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, filter == RowFilter::Up ? PNG_FILTER_UP : PNG_FILTER_NONE);
+    png_set_compression_level(png, filter == RowFilter::Up ? 6 : 5);
+    png_set_compression_strategy(png, 0);  // zlib's Z_DEFAULT_STRATEGY
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                  alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -124,7 +151,7 @@ std::string encode_png(const Image& image, const std::stop_token& stop) {
     png_set_write_fn(png, &written, append, nullptr);
     const bool alpha = !opaque(image);
     std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
-    const Outcome outcome = write_rows(png, info, image, alpha, row.data(), stop);
+    const Outcome outcome = write_rows(png, info, image, alpha, better_filter(image), row.data(), stop);
     png_destroy_write_struct(&png, &info);
     if (written.out_of_memory) {
         throw std::bad_alloc();

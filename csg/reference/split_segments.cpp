@@ -1,5 +1,7 @@
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 #include "base/stop.h"
 #include "csg/reference/plane_axes.h"
@@ -109,45 +111,68 @@ class Splitter {
     std::vector<Item> items_;
 };
 
-/// Points of `from` that lie on `to` split it; true where there are new ones.
-bool pass_on(Content& content, std::uint32_t from, std::uint32_t to) {
-    const SegmentTable::Segment &s = content.segments[from], &t = content.segments[to];
-    const glm::dvec3 start = content.points[t.from], along = content.points[t.to] - start;
-    const double length = glm::length(along), tolerance = content.points.tolerance();
-    std::vector<std::uint32_t> found;
-    for (const std::uint32_t p : s.splits) {
-        const double at = glm::dot(content.points[p] - start, along) / length;
-        if (p == t.from || p == t.to || at <= 0 || at >= length) {
-            continue;
-        }
-        if (glm::length(glm::cross(content.points[p] - start, along)) <= 2 * tolerance * length &&
-            std::find(t.splits.begin(), t.splits.end(), p) == t.splits.end() &&
-            std::find(found.begin(), found.end(), p) == found.end()) {
-            found.push_back(p);
-        }
-    }
-    for (const std::uint32_t p : found) {
-        content.segments.split(to, p);
-    }
-    return !found.empty();
-}
-
 /// Where more than two planes share a line, a segment on it may be split in a plane that its neighbor on the line does
 /// not lie in: what is split in one is split in all.
-void share_splits(Content& content, std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps,
-                  const std::stop_token& stop) {
-    base::PacedStop paced(stop);
-    std::sort(overlaps.begin(), overlaps.end());
-    overlaps.erase(std::unique(overlaps.begin(), overlaps.end()), overlaps.end());
-    for (bool again = true; again;) {
-        again = false;
-        for (const auto& [a, b] : overlaps) {
-            paced();
-            again |= pass_on(content, a, b);
-            again |= pass_on(content, b, a);
+class SplitSharer {
+  public:
+    SplitSharer(Content& content, std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps)
+        : content_(content), overlaps_(std::move(overlaps)), splits_(content.segments.size()) {
+        std::sort(overlaps_.begin(), overlaps_.end());
+        overlaps_.erase(std::unique(overlaps_.begin(), overlaps_.end()), overlaps_.end());
+        for (const auto& [a, b] : overlaps_) {
+            for (const std::uint32_t id : {a, b}) {
+                if (splits_[id].empty()) {
+                    splits_[id] = content.segments[id].splits;
+                    std::sort(splits_[id].begin(), splits_[id].end());
+                    splits_[id].erase(std::unique(splits_[id].begin(), splits_[id].end()), splits_[id].end());
+                }
+            }
         }
     }
-}
+
+    void share(const std::stop_token& stop) {
+        base::PacedStop paced(stop);
+        for (bool again = true; again;) {
+            again = false;
+            for (const auto& [a, b] : overlaps_) {
+                paced();
+                again |= pass_on(a, b);
+                again |= pass_on(b, a);
+            }
+        }
+    }
+
+  private:
+    /// Points of `from` that lie on `to` split it; true where there are new ones.
+    bool pass_on(std::uint32_t from, std::uint32_t to) {
+        found_.clear();
+        std::set_difference(splits_[from].begin(), splits_[from].end(), splits_[to].begin(), splits_[to].end(),
+                            std::back_inserter(found_));
+        if (found_.empty()) {
+            return false;
+        }
+        const SegmentTable::Segment& t = content_.segments[to];
+        const glm::dvec3 start = content_.points[t.from], along = content_.points[t.to] - start;
+        const double length = glm::length(along), tolerance = content_.points.tolerance();
+        std::erase_if(found_, [&](std::uint32_t p) {
+            const double at = glm::dot(content_.points[p] - start, along) / length;
+            return p == t.from || p == t.to || at <= 0 || at >= length ||
+                   glm::length(glm::cross(content_.points[p] - start, along)) > 2 * tolerance * length;
+        });
+        for (const std::uint32_t p : found_) {
+            content_.segments.split(to, p);
+        }
+        std::vector<std::uint32_t>& all = splits_[to];
+        const auto middle = all.insert(all.end(), found_.begin(), found_.end());
+        std::inplace_merge(all.begin(), middle, all.end());
+        return !found_.empty();
+    }
+
+    Content& content_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps_;
+    std::vector<std::vector<std::uint32_t>> splits_;  ///< By segment, of those that overlap: sorted, each once.
+    std::vector<std::uint32_t> found_;
+};
 
 }  // namespace
 
@@ -159,7 +184,7 @@ void split_segments(Content& content, const std::stop_token& stop) {
             Splitter(content, plane, overlaps, stop).split();
         }
     }
-    share_splits(content, std::move(overlaps), stop);
+    SplitSharer(content, std::move(overlaps)).share(stop);
 }
 
 }  // namespace csg::reference

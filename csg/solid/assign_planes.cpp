@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -29,7 +27,8 @@ int accuracy(const PlacedLeaf& leaf, std::uint32_t triangle) {
     }
     const glm::uvec3& t = leaf.triangles[triangle];
     const glm::dvec3 &a = leaf.points[t.x], &b = leaf.points[t.y], &c = leaf.points[t.z];
-    const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+    const double longest =
+        std::sqrt(std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)}));
     const double height = glm::length(glm::cross(b - a, c - a)) / longest;
     return height > 0 && std::isfinite(height) ? std::ilogb(height) : kUnknown;
 }
@@ -45,26 +44,29 @@ void assign_planes(Geometry& geometry, const std::stop_token& stop) {
     }
     std::vector<Item> items;
     items.reserve(count);
-    std::map<int, std::uint32_t, std::greater<>>
-        place;  // Of the next item of this accuracy; first, how many there are.
+    // Of the next item of this accuracy, from the best down; first, how many there are.
+    std::vector<std::uint32_t> place(kExact - kUnknown + 1, 0);
+    const auto place_of = [&](int accuracy) -> std::uint32_t& {
+        return place[static_cast<std::size_t>(kExact - accuracy)];
+    };
     for (std::uint32_t l = 0; l < geometry.leaves.size(); ++l) {
         base::end_if_asked(stop);
         PlacedLeaf& leaf = geometry.leaves[l];
         leaf.planes.resize(leaf.triangles.size());
         for (std::uint32_t t = 0; t < leaf.triangles.size(); ++t) {
             items.push_back({accuracy(leaf, t), l, t});
-            ++place[items.back().accuracy];
+            ++place_of(items.back().accuracy);
         }
     }
     std::uint32_t next = 0;
-    for (auto& [accuracy, at] : place) {
+    for (std::uint32_t& at : place) {
         at = std::exchange(next, next + at);
     }
     base::PacedStop paced(stop);
     std::vector<std::uint32_t> order(items.size());
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         paced();
-        order[place[items[i].accuracy]++] = i;
+        order[place_of(items[i].accuracy)++] = i;
     }
     for (const std::uint32_t i : order) {
         paced();

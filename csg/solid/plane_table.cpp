@@ -24,13 +24,18 @@ double distance(const Plane& plane, const glm::dvec3& p) {
     return std::abs(glm::dot(plane.normal, p) - plane.offset);
 }
 
+/// The next whole number below, as std::floor, which is a call where the processor is not known to have SSE 4.1.
+std::int64_t floor_of(double x) {
+    const auto whole = static_cast<std::int64_t>(x);
+    return whole - (static_cast<double>(whole) > x ? 1 : 0);
+}
+
 /// The cells that a value within `margin` of x can lie in: one or two.
 struct Cells {
     std::int64_t first, last;
 };
 Cells cells(double x, double cell, double margin) {
-    return {static_cast<std::int64_t>(std::floor((x - margin) / cell)),
-            static_cast<std::int64_t>(std::floor((x + margin) / cell))};
+    return {floor_of((x - margin) / cell), floor_of((x + margin) / cell)};
 }
 
 }  // namespace
@@ -67,7 +72,7 @@ std::uint64_t PlaneTable::Cell::hash() const {
 }
 
 PlaneTable::Cell PlaneTable::cell(const Plane& plane) const {
-    const auto at = [](double x, double size) { return static_cast<std::int64_t>(std::floor(x / size)); };
+    const auto at = [](double x, double size) { return floor_of(x / size); };
     return {at(plane.normal.x, kNormalCell), at(plane.normal.y, kNormalCell), at(plane.normal.z, kNormalCell),
             at(plane.offset, kOffsetCell * length())};
 }

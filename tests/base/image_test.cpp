@@ -41,6 +41,25 @@ TEST_F(ImageTest, PngGivesBackWhatWasWritten) {
     }
 }
 
+TEST_F(ImageTest, PngGivesBackWhatIsShadedAndWhatIsDrawn) {
+    // Rows that resemble each other are told by their differences, others as they are.
+    for (const bool shaded : {true, false}) {
+        base::Image image{90, 70, {}};
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                const int value = shaded ? x * x + 3 * y : (x / 20 + y / 9) % 2 * 200;
+                for (int k = 0; k < 3; ++k) {
+                    image.rgba.push_back(static_cast<std::uint8_t>(value + k));
+                }
+                image.rgba.push_back(255);
+            }
+        }
+        base::write_file(folder_ / "a.png", base::encode_png(image));
+        EXPECT_EQ(base::read_png(folder_ / "a.png").rgba, image.rgba);
+        EXPECT_LT(std::filesystem::file_size(folder_ / "a.png"), 700u) << shaded;
+    }
+}
+
 TEST_F(ImageTest, WritingLeavesNothingElseBehind) {
     base::write_file(folder_ / "a", "first");
     base::write_file(folder_ / "a", "second");
