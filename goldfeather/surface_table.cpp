@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "goldfeather/local_frame.h"
+#include "goldfeather/smooth_groups.h"
 
 namespace goldfeather {
 
@@ -41,16 +42,20 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
     table.diagonal = frame.diagonal;
     table.leaves.clear();
     table.leaves.reserve(scene.leaves.size());
-    for (const csg::LeafInstance& leaf : scene.leaves) {
+    for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
+        const csg::LeafInstance& leaf = scene.leaves[i];
         const csg::Part& part = scene.parts[leaf.part];
-        table.leaves.push_back(
-            {color_of(leaf, part.kind), {leaf.part, static_cast<std::uint32_t>(kind_of(part)), leaf.hatching, 0}});
+        const auto& solid = geometry.leaves[i].solid;
+        table.leaves.push_back({color_of(leaf, part.kind),
+                                {leaf.part, static_cast<std::uint32_t>(kind_of(part)), leaf.hatching,
+                                 solid && solid->groups_estimated ? 1U : 0U}});
     }
     table.planes.clear();
     table.planes.reserve(geometry.planes.planes().size());
     for (const csg::solid::Plane& plane : geometry.planes.planes()) {
         table.planes.push_back(row_of(plane, frame.center));
     }
+    table.groups = smooth_groups(geometry);
 }
 
 }  // namespace
@@ -70,6 +75,9 @@ void update(layers::SurfaceTable& table, const csg::Scene& scene, const csg::sol
     table.diagonal = local_frame(geometry).diagonal;
     for (const std::uint32_t plane : change.planes) {
         table.planes[plane] = row_of(geometry.planes.planes()[plane], table.local_center);
+    }
+    if (!change.leaves.empty()) {
+        table.groups = smooth_groups(geometry);
     }
 }
 

@@ -19,14 +19,16 @@ enum class PartKind : std::uint32_t {
 /// In the layout of the storage blocks of layers/layer_stack.glsl, under the same names.
 struct LeafRow {
     glm::vec4 color{0};  ///< Straight alpha; below 0: not given.
-    glm::uvec4 part{0};  ///< Part, its PartKind, hatching (csg::LeafInstance), 0.
+    glm::uvec4 part{0};  ///< Part, its PartKind, hatching (csg::LeafInstance), 1 where its groups are estimated.
 };
 
 struct SurfaceTable {
     std::vector<LeafRow> leaves;    ///< By leaf.
     std::vector<glm::vec4> planes;  ///< By plane: normal in world coordinates, offset from local_center.
-    glm::dvec3 local_center{0.0};   ///< World coordinates.
-    double diagonal = 1;            ///< Of the scene's box.
+    /// Of planes and leaves: smooth surfaces (layers/smooth_groups.glsl).
+    std::vector<std::uint32_t> groups;
+    glm::dvec3 local_center{0.0};  ///< World coordinates.
+    double diagonal = 1;           ///< Of the scene's box.
 };
 
 }  // namespace layers

@@ -16,9 +16,10 @@ void clear_from(const gl::Functions& gl, const TextureStack& stack, int layer) {
 }  // namespace
 
 SurfaceBuffers::SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& table)
-    : leaves(gl), planes(gl), local_center(table.local_center), diagonal(table.diagonal) {
+    : leaves(gl), planes(gl), groups(gl), local_center(table.local_center), diagonal(table.diagonal) {
     leaves.upload<LeafRow>(table.leaves);
     planes.upload<glm::vec4>(table.planes);
+    groups.upload<std::uint32_t>(table.groups);
 }
 
 void SurfaceBuffers::update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes) {
@@ -26,6 +27,7 @@ void SurfaceBuffers::update(const SurfaceTable& table, std::span<const std::uint
     for (const std::uint32_t plane : changed_planes) {
         planes.write<glm::vec4>(plane * sizeof(glm::vec4), {&table.planes[plane], 1});
     }
+    groups.upload<std::uint32_t>(table.groups);
 }
 
 void grow(const gl::Functions& gl, TextureStack& stack, int layers) {
@@ -72,6 +74,7 @@ void bind(const TextureStack& stack) {
     stack.surface.bind(1);
     stack.table->leaves.bind(GL_SHADER_STORAGE_BUFFER, 0);
     stack.table->planes.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    stack.table->groups.bind(GL_SHADER_STORAGE_BUFFER, 5);
 }
 
 }  // namespace layers

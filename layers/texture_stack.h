@@ -20,6 +20,7 @@ struct SurfaceBuffers {
 
     gl::Buffer leaves;  ///< Of LeafRow.
     gl::Buffer planes;
+    gl::Buffer groups;
     glm::dvec3 local_center;
     double diagonal;
 };
@@ -43,7 +44,7 @@ void grow(const gl::Functions& gl, TextureStack& stack, int layers);
 /// The stack itself, where it is in main memory, or a copy.
 [[nodiscard]] std::shared_ptr<const HostStack> in_main_memory(const gl::Functions& gl, const Stack& stack);
 
-/// Binds `stack` for shaders that include layers/layer_stack.glsl: texture units 0 and 1, storage blocks 0 and 1.
+/// Binds `stack` for shaders that include layers/layer_stack.glsl: texture units 0 and 1, storage blocks 0, 1 and 5.
 void bind(const TextureStack& stack);
 
 /// This folder's shader files.

@@ -8,6 +8,7 @@ Frame::Frame(const CpuFrame& frame)
       view(base::view_values(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal)),
       leaf_rows(frame.layers.table->leaves.data()),
       plane_rows(frame.layers.table->planes.data()),
+      group_words(frame.layers.table->groups.data()),
       size(frame.layers.size),
       srgb(&SrgbTables::get()) {
     for (int i = 0; i < layer_count; ++i) {

@@ -22,6 +22,7 @@ struct Frame : FrameValues, LineCode {
     base::ViewValues view;
     const layers::LeafRow* leaf_rows;
     const vec4* plane_rows;
+    const uint* group_words;
     ivec2 size;
     std::vector<const uvec2*> surfaces;  ///< By layer, then by pixel.
     std::vector<const float*> depths;

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include "csg/solid/mesh_checks.h"
+#include "csg/solid/outline_curves.h"
 #include "csg/solid/segments.h"
 #include "csg/solid/slices.h"
 #include "csg/solid/triangulate_region.h"
+#include "csg/solid/wall_bends.h"
 #include "csg/tree/degrees.h"
 
 namespace csg::solid {
@@ -51,6 +53,9 @@ void finish(Solid& solid) {
     }
     if (!solid.triangles.empty()) {
         check_mesh(solid);
+        if (solid.groups.size() != solid.triangles.size()) {
+            estimate_groups(solid);
+        }
     }
 }
 
@@ -77,12 +82,16 @@ std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude&
         add_ring(*solid, outline.points, i == slices ? end : begin + way * t, how.twist.value_or(0) * t,
                  glm::dvec2(1.0) + (how.scale - glm::dvec2(1.0)) * t);
     }
+    const OutlineCurves curves = curves_of(given, divided);
     const auto n = static_cast<std::uint32_t>(corners);
     const auto top = static_cast<std::uint32_t>(slices * corners);
     for (const glm::uvec3& t : triangulate_region(outline)) {
         solid->triangles.emplace_back(t.x, t.z, t.y);
         solid->triangles.push_back(t + top);
+        solid->groups.emplace_back(curves.count);
+        solid->groups.emplace_back(curves.count + 1);
     }
+    const std::size_t walls = solid->triangles.size();
     for (std::uint32_t i = 0; i < slices; ++i) {
         const std::uint32_t first = i * n;
         const bool flat_top = i + 1 == slices && (how.scale.x == 0 || how.scale.y == 0);
@@ -95,6 +104,7 @@ std::shared_ptr<Solid> linear_extrude(const Outline& given, const LinearExtrude&
             }
         }
     }
+    group_walls(*solid, walls, curves, slices);
     finish(*solid);
     // Where it turns or is not scaled alike, walls are bent, and those of thin places may pass through each other.
     solid->simple = how.twist.value_or(0) == 0 && how.scale.x == how.scale.y && how.scale.x >= 0;

@@ -18,7 +18,7 @@ namespace csg::solid {
 /// How an outline by itself is drawn: a slab of thickness 1 about z = 0, as OpenSCAD's preview does; `flat` is set.
 [[nodiscard]] std::shared_ptr<Solid> slab(const Outline& outline);
 
-/// Sets the box, `closed`, `convex` and `simple` from points and triangles.
+/// Sets the box, `closed`, `convex` and `simple` from points and triangles; and estimates groups, where there are none.
 void finish(Solid& solid);
 
 }  // namespace csg::solid

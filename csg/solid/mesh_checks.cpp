@@ -41,30 +41,40 @@ bool is_convex(const Solid& solid) {
 
 /// Is each directed edge there as often as its opposite?
 bool is_closed(const Solid& solid) {
+    /// An edge by its greater point, among those that have the same lesser one.
     struct Edge {
-        std::uint32_t lo, hi;
+        std::uint32_t hi;
         int direction;
     };
-    std::vector<Edge> edges;
-    edges.reserve(solid.triangles.size() * 3);
+    std::vector<std::uint32_t> first(solid.points.size() + 1);
+    for (const glm::uvec3& t : solid.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            ++first[std::min(t[i], t[(i + 1) % 3]) + 1];
+        }
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Edge> edges(solid.triangles.size() * 3);
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (const glm::uvec3& t : solid.triangles) {
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+            edges[next[std::min(a, b)]++] = {std::max(a, b), a < b ? 1 : -1};
         }
     }
-    std::sort(edges.begin(), edges.end(),
-              [](const Edge& a, const Edge& b) { return std::tie(a.lo, a.hi) < std::tie(b.lo, b.hi); });
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t j = i;
-        int balance = 0;
-        for (; j < edges.size() && edges[j].lo == edges[i].lo && edges[j].hi == edges[i].hi; ++j) {
-            balance += edges[j].direction;
+    for (std::size_t point = 0; point + 1 < first.size(); ++point) {
+        std::sort(edges.begin() + first[point], edges.begin() + first[point + 1],
+                  [](const Edge& a, const Edge& b) { return a.hi < b.hi; });
+        for (std::size_t i = first[point]; i < first[point + 1];) {
+            std::size_t j = i;
+            int balance = 0;
+            for (; j < first[point + 1] && edges[j].hi == edges[i].hi; ++j) {
+                balance += edges[j].direction;
+            }
+            if (balance != 0) {
+                return false;
+            }
+            i = j;
         }
-        if (balance != 0) {
-            return false;
-        }
-        i = j;
     }
     return true;
 }

@@ -50,6 +50,7 @@ double largest_coordinate(const Box& box) {
 void leave_out(PlacedLeaf& leaf) {
     leaf.points.clear();
     leaf.triangles.clear();
+    leaf.groups.clear();
     leaf.face_triangles = 0;
     leaf.box = {};
 }

@@ -61,6 +61,14 @@ std::vector<std::string> once(std::vector<std::string> texts) {
 
 }  // namespace
 
+std::span<const FacetGroup> groups_of(const PlacedLeaf& leaf) {
+    const auto fits = [&](const std::vector<FacetGroup>& groups) { return groups.size() == leaf.triangles.size(); };
+    if (fits(leaf.groups)) {
+        return leaf.groups;
+    }
+    return leaf.solid && fits(leaf.solid->groups) ? std::span(leaf.solid->groups) : std::span<const FacetGroup>();
+}
+
 Geometry place(const Tree& tree, const Scene& scene, SolidCache& cache, double flat, const std::stop_token& stop,
                const Room& room) {
     Geometry geometry;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <unordered_map>
 #include <vector>
@@ -24,10 +25,14 @@ struct PlacedLeaf {
     std::vector<glm::dvec3> points;     ///< World coordinates.
     std::vector<glm::uvec3> triangles;  ///< Into `points`.
     std::vector<PlaneRef> planes;       ///< One per triangle.
+    std::vector<FacetGroup> groups;     ///< The same, of a leaf that has been cut; else they are the solid's.
     Box box;                            ///< World coordinates; empty where the leaf has no volume.
     Plane face;                         ///< Outwards: that of the first triangles, better than their corners tell it.
     std::uint32_t face_triangles = 0;   ///< So many of them.
 };
+
+/// By triangle; empty where each plane is a surface of its own.
+[[nodiscard]] std::span<const FacetGroup> groups_of(const PlacedLeaf& leaf);
 
 /// All leaves of a scene, indexed by LeafId, and their planes.
 struct Geometry {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "csg/solid/extrude.h"
+#include "csg/solid/outline_curves.h"
 #include "csg/solid/triangulate_region.h"
 #include "csg/tree/degrees.h"
 
@@ -84,25 +85,39 @@ std::shared_ptr<Solid> rotate_extrude(const Outline& given, const RotateExtrude&
     }
     const auto rings = add_rings(*solid, corners, sweep);
     const bool flip = (angle < 0) != (lo < 0);
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, FacetGroup group) {
         if (a != b && b != c && c != a) {
             solid->triangles.push_back(flip ? glm::uvec3(a, c, b) : glm::uvec3(a, b, c));
+            solid->groups.push_back(group);
         }
+    };
+    const OutlineCurves curves = curves_of(given);
+    const double step = std::abs(angle) / sweep.steps;
+    const bool has_corners = how.fineness.fn > 0 && step > kMostBend;
+    const std::uint32_t rows = has_corners ? sweep.steps : 1;
+    /// The walls that an edge sweeps turn by less than it does where it is not parallel to the axis.
+    const auto wall_of = [&](FacetGroup edge, const glm::dvec2& way, std::uint32_t k) {
+        FacetGroup wall(edge.surface() + (has_corners ? k * curves.count : 0), edge.stretch());
+        const double upright = std::abs(way.y) / glm::length(way);
+        wall.bends(std::max(static_cast<double>(edge.bend()), has_corners ? 0 : step * upright));
+        return wall;
     };
     for (std::uint32_t k = 0; k < sweep.steps; ++k) {
         const auto &here = rings[k], &there = rings[(k + 1) % rings.size()];
-        for (const auto& loop : outline.loops) {
+        for (std::size_t l = 0; l < outline.loops.size(); ++l) {
+            const std::vector<std::uint32_t>& loop = outline.loops[l];
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const std::uint32_t p = loop[i], q = loop[(i + 1) % loop.size()];
-                add(here[p], there[p], there[q]);
-                add(here[p], there[q], here[q]);
+                const FacetGroup group = wall_of(curves.edges[l][i], corners[q] - corners[p], k);
+                add(here[p], there[p], there[q], group);
+                add(here[p], there[q], here[q], group);
             }
         }
     }
     if (!sweep.closed) {
         for (const glm::uvec3& t : triangulate_region(outline)) {
-            add(rings.front()[t.x], rings.front()[t.y], rings.front()[t.z]);
-            add(rings.back()[t.x], rings.back()[t.z], rings.back()[t.y]);
+            add(rings.front()[t.x], rings.front()[t.y], rings.front()[t.z], FacetGroup(rows * curves.count));
+            add(rings.back()[t.x], rings.back()[t.z], rings.back()[t.y], FacetGroup(rows * curves.count + 1));
         }
     }
     finish(*solid);

@@ -24,6 +24,18 @@ bool usable(double size) {
     return std::isfinite(size) && size > 0;
 }
 
+/// All triangles since the last ones that were marked are of that surface.
+void mark(Solid& solid, std::uint32_t surface, double bend = 0) {
+    FacetGroup group(surface);
+    group.bends(bend);
+    solid.groups.resize(solid.triangles.size(), group);
+}
+
+/// Is a circle of that fineness meant to be a polygon? So it is where $fn asks for a few corners.
+bool has_corners(const Fineness& fineness, int segments) {
+    return fineness.fn > 0 && 360.0 / segments > kMostBend;
+}
+
 /// Appends a ring of `segments` vertices at height z, counter-clockwise seen from above; returns its first index.
 std::uint32_t add_ring(Solid& solid, double radius, double z, int segments) {
     const auto first = static_cast<std::uint32_t>(solid.points.size());
@@ -68,6 +80,7 @@ void build(const Cube& cube, Solid& solid) {
                                            {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& face : faces) {
         triangulate_convex(face, solid.triangles);
+        mark(solid, static_cast<std::uint32_t>(solid.triangles.size()));
     }
 }
 
@@ -95,6 +108,18 @@ void build(const Sphere& sphere, Solid& solid) {
         last = ring;
     }
     add_cap(solid, last, segments, true);
+    mark(solid, 0, std::max(360.0 / segments, 180.0 / rings));
+}
+
+/// The mantle of a cylinder between its caps, or that of a cone.
+void mark_mantle(Solid& solid, const Cylinder& cylinder, int segments, std::size_t triangles_of_facet) {
+    if (!has_corners(cylinder.fineness, segments)) {
+        const double upright = cylinder.height / std::hypot(cylinder.height, cylinder.radius2 - cylinder.radius1);
+        return mark(solid, 1, 360.0 / segments * upright);
+    }
+    for (std::uint32_t facet = 1; solid.groups.size() < solid.triangles.size(); ++facet) {
+        solid.groups.resize(solid.groups.size() + triangles_of_facet, FacetGroup(facet));
+    }
 }
 
 void build(const Cylinder& cylinder, Solid& solid) {
@@ -108,14 +133,18 @@ void build(const Cylinder& cylinder, Solid& solid) {
     if (r1 > 0 && r2 > 0) {
         const std::uint32_t below = add_ring(solid, r1, z1, segments), above = add_ring(solid, r2, z2, segments);
         add_cap(solid, below, segments, false);
+        mark(solid, 0);
         add_band(solid, below, above, segments);
+        mark_mantle(solid, cylinder, segments, 2);
         add_cap(solid, above, segments, true);
+        mark(solid, n + 1);
         return;
     }
     const bool up = r2 == 0;
     const std::uint32_t ring = add_ring(solid, up ? r1 : r2, up ? z1 : z2, segments);
     solid.points.emplace_back(0.0, 0.0, up ? z2 : z1);
     add_cap(solid, ring, segments, !up);
+    mark(solid, 0);
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t a = ring + i, b = ring + (i + 1) % n;
         if (up) {
@@ -124,6 +153,7 @@ void build(const Cylinder& cylinder, Solid& solid) {
             solid.triangles.emplace_back(b, a, ring + n);
         }
     }
+    mark_mantle(solid, cylinder, segments, 1);
 }
 
 /// Fills points and triangles; `first` tells which points are one. False where a face has an index out of bounds.
@@ -254,6 +284,7 @@ std::shared_ptr<const Solid> make_solid(const LeafShape& shape) {
         if (!solid->closed) {
             solid->warnings.emplace_back("polyhedron is not closed, or its faces are not all oriented alike");
         }
+        estimate_groups(*solid);
     }
     return solid;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/solid/smooth_groups.h"
 #include "csg/tree/box.h"
 #include "csg/tree/leaf_shape.h"
 
@@ -24,6 +25,9 @@ inline constexpr std::size_t kMostTriangles = std::size_t{1} << 24;
 struct Solid {
     std::vector<glm::dvec3> points;
     std::vector<glm::uvec3> triangles;
+    std::vector<FacetGroup> groups;  ///< By triangle; none: each plane is a surface of its own.
+    /// Are the groups only told by the angles of the mesh?
+    bool groups_estimated = false;
     Box box;
     bool convex = false;  ///< Computed, never declared. A convex solid is closed and oriented outwards.
     bool flat = false;    ///< An outline, drawn as a slab about z = 0; it stays 1 thick whatever its transform.

@@ -13,6 +13,9 @@
 namespace csg::solid {
 namespace {
 
+/// Of the faces of cuts, which nobody sees.
+const FacetGroup kCut(FacetGroup::kSurfaces - 1);
+
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// The points p with sign * p[axis] <= bound.
@@ -37,10 +40,13 @@ class Cutter {
         : leaf_(leaf), half_(half), crossings_(leaf.points, depths_of(leaf.points, half)) {}
 
     void cut() {
-        for (const glm::uvec3& t : leaf_.triangles) {
-            cut(t);
+        const std::span<const FacetGroup> groups = groups_of(leaf_);
+        for (std::size_t i = 0; i < leaf_.triangles.size(); ++i) {
+            group_ = groups.empty() ? kCut : groups[i];
+            cut(leaf_.triangles[i]);
         }
         leaf_.triangles = std::move(kept_);
+        leaf_.groups = std::move(kept_groups_);
     }
 
   private:
@@ -69,12 +75,14 @@ class Cutter {
         if (apex_ == kNone) {
             apex_ = leaving;
         }
+        group_ = kCut;
         add(apex_, entering, leaving);
     }
 
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         if (a != b && b != c && c != a) {
             kept_.emplace_back(a, b, c);
+            kept_groups_.push_back(group_);
         }
     }
 
@@ -91,6 +99,8 @@ class Cutter {
     Half half_;
     EdgeCrossings crossings_;
     std::vector<glm::uvec3> kept_;
+    std::vector<FacetGroup> kept_groups_;
+    FacetGroup group_;  ///< Of what is cut.
     std::uint32_t apex_ = kNone;
 };
 

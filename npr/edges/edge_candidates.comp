@@ -16,7 +16,7 @@ layout(r32ui, binding = 0) writeonly uniform uimage2DArray edge_points;
 
 uniform bool part_edges;
 uniform bool visible_only;  // only edges of what is not hidden
-uniform float crease_cosine;
+uniform float crease_angle;
 
 void add(uint link, int layer, uint end) {
     uint at = atomicAdd(candidate_count, 1u);
@@ -24,7 +24,11 @@ void add(uint link, int layer, uint end) {
         candidates[at] = uvec2(link, uint(layer) << 1 | end);
 }
 
+layout(std430, binding = 5) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
+
 #include "npr/planes.glsl"
+
+#include "npr/edges/creases.glsl"
 #include "npr/edges/same_surface.glsl"
 
 #include "npr/edges/edge_search.glsl"

@@ -81,7 +81,7 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
         search->program().set("part_edges", settings.parts);
         search->program().set("visible_only", settings.visible_only);
     }
-    find_candidates_.program().set("crease_cosine", std::cos(glm::radians(settings.crease_degrees)));
+    find_candidates_.program().set("crease_angle", glm::radians(settings.crease_degrees));
     base::end_if_asked(frame.stop);
     link_count_ = list_links(frame);
     base::end_if_asked(frame.stop);

@@ -8,7 +8,7 @@ Parameter line_width(float initial) {
     return Parameter::number("width", "Width of lines", initial, 0.25F, 4);
 }
 Parameter crease_angle() {
-    return Parameter::number("crease", "Angle of creases", EdgeSettings().crease_degrees, 0, 180);
+    return Parameter::number("crease", "Angle of creases in meshes", EdgeSettings().crease_degrees, 0, 180);
 }
 Parameter part_edges() {
     return Parameter::toggle("parts", "Edges between parts and colors", EdgeSettings().parts);

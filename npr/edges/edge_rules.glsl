@@ -13,16 +13,51 @@ float bend_ahead(ivec2 pixel, int layer, ivec2 offset) {
 }
 
 // Where a curved surface turns away from the eye, neighboring pixels see facets that are not neighbors, and the angle
-// between them grows beyond that of facets. It is told from a crease by the bends on both sides of it.
-bool is_crease(ivec2 p, int layer, ivec2 q, Continuation c) {
+// between them grows beyond that of facets. It is told from a crease by the bends on both sides of it. Surfaces of one
+// leaf are known, and need no such care.
+bool is_crease(Surface s, ivec2 p, int layer, ivec2 q, Continuation c) {
     float angle = angle_between(c.cosine);
-    if (angle <= crease_angle)
+    Surface t = layer_surface(q, c.layer, pixel_ray(q));
+    float limit = crease_limit(s, t);
+    if (angle <= limit)
         return false;
-    float curved = 0.5f * crease_angle;
-    if (angle > crease_angle + curved)
+    if (limit == kLeastOfLeaf || angle > limit + kCurved)
         return true;
     ivec2 offset = q - p;
-    return angle > crease_angle + min(bend_ahead(p, layer, -offset) + bend_ahead(q, c.layer, offset), curved);
+    float before = bend_ahead(p, layer, -offset);
+    float after = bend_ahead(q, c.layer, offset);
+    return angle > limit + min(s.leaf == t.leaf ? before + after : 2.0f * min(before, after), kCurved);
+}
+
+bool bends_by_crease(Surface s, Surface t) {
+    return angle_between(dot(s.normal, t.normal)) > crease_limit(s, t);
+}
+
+// Is the surface of a pixel what is left of a face that is hidden but for the difference of two tessellations? It lies
+// between curved surfaces of two leaves that go on in each other.
+bool is_sliver(Surface u, ivec2 p, int layer, ivec2 axis) {
+    Surface s = layer_surface(p - axis, layer, pixel_ray(p - axis));
+    Surface t = layer_surface(p + axis, layer, pixel_ray(p + axis));
+    return s.hit && t.hit && s.leaf != t.leaf && s.leaving == t.leaving && u.plane != s.plane && u.plane != t.plane &&
+           bend_of(groups_of(s.plane, s.leaf)) > 0.0f && bend_of(groups_of(t.plane, t.leaf)) > 0.0f &&
+           !bends_by_crease(s, t) && bends_by_crease(s, u) && bends_by_crease(t, u);
+}
+
+// Does a surface stand out before another leaf's that goes on in it, by no more than their tessellations differ?
+bool is_overhang(Surface s, ivec2 p, int layer) {
+    Surface t = layer_surface(p, layer + 2, pixel_ray(p));
+    if (!t.hit || s.leaf == t.leaf || s.leaving != t.leaving || bend_of(groups_of(s.plane, s.leaf)) == 0.0f ||
+        bend_of(groups_of(t.plane, t.leaf)) == 0.0f || bends_by_crease(s, t))
+        return false;
+    vec2 gradient = depth_gradient(s.plane);
+    vec2 other = depth_gradient(t.plane);
+    return meet(nearer(s, gradient, t, other, ivec2(0)), s, gradient, other, dot(s.normal, t.normal));
+}
+
+bool at_sliver(Surface s, ivec2 p, int layer, ivec2 q, int other) {
+    Surface t = layer_surface(q, other, pixel_ray(q));
+    return is_sliver(s, p, layer, ivec2(1, 0)) || is_sliver(s, p, layer, ivec2(0, 1)) ||
+           is_sliver(t, q, other, ivec2(1, 0)) || is_sliver(t, q, other, ivec2(0, 1));
 }
 
 // Where the planes of two surfaces of a pixel meet, seen from the link to its neighbor.
@@ -101,11 +136,13 @@ FoundEdge edge_of(int layer, ivec2 p, ivec2 offset) {
         // Both sides of an outline end together, in one edge: that of the nearer layer.
         if (o.partner >= 0 && o.partner < layer && !continuation(layer_surface(p, o.partner, ray), p, offset).found)
             e.found = false;
+        if (is_overhang(s, p, layer))
+            e.found = false;
         e.point = edge_point(kProfileEdge, 1.0f, o.at, o.across);
         e.other = o.beside < 3.0f ? o.partner : -1;
         return e;
     }
-    e.bends = is_crease(p, layer, p + offset, c);
+    e.bends = is_crease(s, p, layer, p + offset, c) && !at_sliver(s, p, layer, p + offset, c.layer);
     e.found = e.bends || (part_edges && !look_alike(s.leaf, leaf_of(surface_ids(p + offset, c.layer))));
     e.other = c.layer;
     e.layer = min(layer, c.layer);

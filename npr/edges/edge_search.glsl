@@ -37,8 +37,9 @@ bool smooth_joint(ivec2 p, ivec2 q, int layer) {
     float cosine = dot(s.normal, t.normal);
     vec2 gradient = depth_gradient(s.plane);
     vec2 other = depth_gradient(t.plane);
-    return s.leaving == t.leaving && cosine > crease_cosine && !(part_edges && !look_alike(s.leaf, t.leaf)) &&
-           meet(nearer(s, gradient, t, other, q - p), s, gradient, other, cosine);
+    return s.leaving == t.leaving && !(part_edges && !look_alike(s.leaf, t.leaf)) &&
+           meet(nearer(s, gradient, t, other, q - p), s, gradient, other, cosine) &&
+           acos(clamp(cosine, -1.0f, 1.0f)) <= crease_limit(s, t);
 }
 
 // Calls add(link, layer, end) for the surfaces that do not go on in their own plane at the other end of the link from p

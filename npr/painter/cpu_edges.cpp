@@ -19,14 +19,15 @@ struct EdgeSearch : Frame {
           part_edges(settings.parts),
           visible_only(settings.visible_only),
           facts(settings.facts),
-          crease_angle(radians(settings.crease_degrees)),
-          crease_cosine(cos(crease_angle)) {}
+          crease_angle(radians(settings.crease_degrees)) {}
 
     bool part_edges, visible_only, facts;
-    float crease_angle, crease_cosine;
+    float crease_angle;
 
 #include "npr/edges/same_surface.glsl"
 #include "npr/planes.glsl"
+
+#include "npr/edges/creases.glsl"
 
 #include "npr/edges/edge_search.glsl"
 
