@@ -305,8 +305,8 @@ TEST(Architecture, FilesAreShort) {
 
 /// A test of one folder of the program is where that folder's path leads below tests/; the others concern several.
 TEST(Architecture, TestsMirrorTheProgram) {
-    const Names concern_several = {"architecture", "bench", "fuzz",   "gallery",   "models",  "opencsg", "outlines",
-                                   "pictures",     "plot",  "random", "stability", "support", "truth"};
+    const Names concern_several = {"architecture", "bench",    "edges", "fuzz",   "gallery",   "models",  "opencsg",
+                                   "outlines",     "pictures", "plot",  "random", "stability", "support", "truth"};
     int mirrored = 0;
     for (const std::string& file : files_of({"tests"}, {".cpp", ".h"})) {
         const fs::path folder = fs::path(file).parent_path().lexically_relative("tests");
