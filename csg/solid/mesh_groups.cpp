@@ -24,7 +24,8 @@ constexpr char kPerhaps = 2;
 
 class Estimate {
   public:
-    explicit Estimate(Solid& solid) : solid_(solid), faces_(solid), smooth_(faces_.edges().size()) {}
+    explicit Estimate(Solid& solid)
+        : solid_(solid), faces_(solid), smooth_(faces_.edges().size()), row_(faces_.edges().size()) {}
 
     void run() {
         const auto& edges = faces_.edges();
@@ -36,6 +37,7 @@ class Estimate {
                 look_for_row(i);
             }
         }
+        extend_rows();
         judge_uneven();
         take_back_lonely();
         number();
@@ -59,9 +61,10 @@ class Estimate {
         return glm::length(glm::cross(along, to)) / glm::length(along);
     }
 
-    [[nodiscard]] static bool alike(float a, float b) {
+    /// `most_ratio`: of the larger to the smaller.
+    [[nodiscard]] static bool alike(float a, float b, float most_ratio) {
         const float least = std::min(std::abs(a), std::abs(b)), most = std::max(std::abs(a), std::abs(b));
-        return a * b > 0 && most <= static_cast<float>(kMostBend) && most <= kMostRatio * least;
+        return a * b > 0 && most <= static_cast<float>(kMostBend) && most <= most_ratio * least;
     }
 
     /// Does the middle of `other` lie beside `edge`, not beyond its ends?
@@ -72,20 +75,39 @@ class Estimate {
         return at > -1e-3 && at < 1 + 1e-3;
     }
 
-    /// Across a face from one of its edges to those that bend alike.
-    void add_next(std::uint32_t from, std::uint32_t face, std::vector<Next>& found) const {
+    /// Across a face from one of its edges to those that bend alike; where it is half a bent quadrilateral, across
+    /// that.
+    void add_next(std::uint32_t from, std::uint32_t face, float most_ratio, std::vector<Next>& found) const {
         const auto around = faces_.around(face);
         if (around.size() > kMostEdges) {
             return;
         }
+        add_alike(from, from, around, most_ratio, found);
+        for (const std::uint32_t i : around) {
+            const MeshEdge& middle = faces_.edges()[i];
+            if (around.size() != 3 || i == from || std::abs(middle.degrees) >= kUneven) {
+                continue;
+            }
+            const auto beyond = faces_.around(faces_.side(middle, faces_.side(middle, 0) == face ? 1 : 0));
+            if (beyond.size() == 3) {
+                add_alike(from, i, beyond, most_ratio, found);
+            }
+        }
+    }
+
+    /// `around`: a face whose edge `across` leads from the edge `from`, or is that.
+    void add_alike(std::uint32_t from, std::uint32_t across, std::span<const std::uint32_t> around, float most_ratio,
+                   std::vector<Next>& found) const {
         const MeshEdge& edge = faces_.edges()[from];
         for (const std::uint32_t i : around) {
             const MeshEdge& other = faces_.edges()[i];
-            if (i != from && alike(edge.degrees, other.degrees) && (around.size() == 3 || opposite(edge, other))) {
-                // Edges in one line are no row.
-                if (const double across = width(edge, other); across > 1e-6 * glm::length(way(edge))) {
-                    found.push_back({i, across});
-                }
+            if (i == from || i == across || !alike(edge.degrees, other.degrees, most_ratio) ||
+                ((around.size() > 3 || across != from) && !opposite(edge, other))) {
+                continue;
+            }
+            // Edges in one line are no row.
+            if (const double wide = width(edge, other); wide > 1e-6 * glm::length(way(edge))) {
+                found.push_back({i, wide});
             }
         }
     }
@@ -95,20 +117,46 @@ class Estimate {
         for (std::vector<Next>* side : {&before_, &after_}) {
             side->clear();
         }
-        add_next(i, faces_.side(edge, 0), before_);
-        add_next(i, faces_.side(edge, 1), after_);
+        add_next(i, faces_.side(edge, 0), kMostRatio, before_);
+        add_next(i, faces_.side(edge, 1), kMostRatio, after_);
         for (const Next& a : before_) {
             for (const Next& b : after_) {
                 const float most = std::max({std::abs(edge.degrees), std::abs(faces_.edges()[a.edge].degrees),
                                              std::abs(faces_.edges()[b.edge].degrees)});
                 if (std::max(a.width, b.width) <= most_ratio_of_widths(most) * std::min(a.width, b.width)) {
-                    smooth_[i] = smooth_[a.edge] = smooth_[b.edge] = 1;
+                    const auto wide = static_cast<float>(std::max(a.width, b.width));
+                    for (const std::uint32_t k : {i, a.edge, b.edge}) {
+                        smooth_[k] = 1;
+                        row_[k] = std::max(row_[k], wide);
+                    }
                     return;
                 }
             }
         }
         if (std::abs(edge.degrees) < kUneven && uneven(edge, 0) && uneven(edge, 1)) {
             smooth_[i] = kPerhaps;
+        }
+    }
+
+    /// A row goes on where it bends less, by whatever ratio, with facets not much wider than its own.
+    void extend_rows() {
+        constexpr double kWider = 2;
+        const auto& edges = faces_.edges();
+        for (std::uint32_t i = 0; i < edges.size(); ++i) {
+            const float angle = std::abs(edges[i].degrees);
+            if (smooth_[i] == 1 || angle >= kUneven) {
+                continue;
+            }
+            before_.clear();
+            add_next(i, faces_.side(edges[i], 0), 1e3F, before_);
+            add_next(i, faces_.side(edges[i], 1), 1e3F, before_);
+            const bool in_row = std::any_of(before_.begin(), before_.end(), [&](const Next& next) {
+                return row_[next.edge] > 0 && std::abs(edges[next.edge].degrees) > angle &&
+                       next.width <= kWider * static_cast<double>(row_[next.edge]);
+            });
+            if (in_row) {
+                smooth_[i] = 1;
+            }
         }
     }
 
@@ -247,6 +295,7 @@ class Estimate {
     Solid& solid_;
     MeshFaces faces_;
     std::vector<char> smooth_;          ///< By edge.
+    std::vector<float> row_;            ///< By edge: how wide facets of the row are that it is of; 0: of none.
     std::vector<Next> before_, after_;  ///< Kept for their memory.
 };
 
