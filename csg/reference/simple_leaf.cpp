@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/stop.h"
 #include "csg/reference/box_pairs.h"
 #include "csg/reference/components.h"
 #include "csg/reference/manifold.h"
+#include "csg/reference/simple_prism.h"
 
 namespace csg::reference {
 namespace {
@@ -134,6 +136,9 @@ class Meeting {
 };
 
 bool meets_itself(const Mesh& mesh, const std::stop_token& stop) {
+    if (const std::optional<bool> meets = prism_meets_itself(mesh, stop)) {
+        return *meets;
+    }
     const std::vector<Box> boxes = triangle_boxes(mesh.points, mesh.triangles);
     const Meeting meeting(mesh);
     base::PacedStop paced(stop);
