@@ -27,12 +27,14 @@ glm::vec4 row_of(const csg::solid::Plane& plane, const glm::dvec3& local_center)
     return {glm::vec3(plane.normal), static_cast<float>(plane.offset - glm::dot(plane.normal, local_center))};
 }
 
-/// Without an opacity of its own it is opaque, and what is in the background has that of the background. Components
-/// above 1 are lit as they are, as in OpenSCAD.
-glm::vec4 color_of(const csg::LeafInstance& leaf, csg::PartKind kind) {
-    const csg::Rgba& c = leaf.color;
+/// Without an opacity of its own it is opaque, and what is in the background has that of the background; what is of the
+/// solid has that of its part. Components above 1 are lit as they are, as in OpenSCAD.
+glm::vec4 color_of(const csg::Rgba& c, csg::PartKind kind) {
     const bool none = c.r < 0 && c.g < 0 && c.b < 0;
-    const float a = kind == csg::PartKind::Background && none && !c.translucent() ? -1 : c.a < 0 ? 1 : c.a;
+    const float a = kind == csg::PartKind::Solid                                    ? 1
+                    : kind == csg::PartKind::Background && none && !c.translucent() ? -1
+                    : c.a < 0                                                       ? 1
+                                                                                    : c.a;
     return {c.r, c.g, c.b, std::min(a, 1.0F)};
 }
 
@@ -40,13 +42,19 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
     const LocalFrame frame = local_frame(geometry);
     table.local_center = frame.center;
     table.diagonal = frame.diagonal;
+    table.parts.clear();
+    for (const csg::Part& part : scene.parts) {
+        table.parts.push_back({part.name, kind_of(part), color_of(part.color, part.kind)});
+    }
     table.leaves.clear();
     table.leaves.reserve(scene.leaves.size());
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
         const csg::LeafInstance& leaf = scene.leaves[i];
         const csg::Part& part = scene.parts[leaf.part];
+        // A part that is seen through has its own color on cuts as well.
+        const csg::Rgba& color = part.kind == csg::PartKind::Translucent ? part.color : leaf.color;
         const auto& solid = geometry.leaves[i].solid;
-        table.leaves.push_back({color_of(leaf, part.kind),
+        table.leaves.push_back({color_of(color, part.kind),
                                 {leaf.part, static_cast<std::uint32_t>(kind_of(part)), leaf.hatching,
                                  solid && solid->groups_estimated ? 1U : 0U}});
     }

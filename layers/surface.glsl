@@ -13,7 +13,8 @@ struct Surface {
     uint part_kind;
     bool reversed;   // of a subtracted leaf: a cut
     bool leaving;    // a back face of the result
-    vec4 color;      // as given by color(); below 0 what is not
+    bool covered;    // not seen, whatever is before it: see npr/transparency.glsl
+    vec4 color;      // as given by color(), with its part's opacity; below 0 what is not
 };
 
 Surface no_surface() {
@@ -41,6 +42,7 @@ Surface surface_of(uvec2 ids, float depth, vec3 ray) {
     s.reversed = is_reversed(ids);
     s.plane = plane_of(ids);
     s.leaving = is_leaving(ids);
+    s.covered = false;
     s.part = leaf_rows[s.leaf].part.x;
     s.part_kind = leaf_rows[s.leaf].part.y;
     s.color = leaf_rows[s.leaf].color;

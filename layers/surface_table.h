@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "layers/surface.h"
@@ -22,7 +23,15 @@ struct LeafRow {
     glm::uvec4 part{0};  ///< Part, its PartKind, hatching (csg::LeafInstance), 1 where its groups are estimated.
 };
 
+/// A part, by its id.
+struct PartLook {
+    std::string name;
+    PartKind kind = PartKind::Solid;
+    glm::vec4 color{-1, -1, -1, 1};  ///< Of its material: straight alpha; red < 0: not given.
+};
+
 struct SurfaceTable {
+    std::vector<PartLook> parts;
     std::vector<LeafRow> leaves;    ///< By leaf.
     std::vector<glm::vec4> planes;  ///< By plane: normal in world coordinates, offset from local_center.
     /// Of planes and leaves: smooth surfaces (layers/smooth_groups.glsl).

@@ -16,7 +16,12 @@ void clear_from(const gl::Functions& gl, const TextureStack& stack, int layer) {
 }  // namespace
 
 SurfaceBuffers::SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& table)
-    : leaves(gl), planes(gl), groups(gl), local_center(table.local_center), diagonal(table.diagonal) {
+    : parts(table.parts),
+      leaves(gl),
+      planes(gl),
+      groups(gl),
+      local_center(table.local_center),
+      diagonal(table.diagonal) {
     leaves.upload<LeafRow>(table.leaves);
     planes.upload<glm::vec4>(table.planes);
     groups.upload<std::uint32_t>(table.groups);

@@ -18,6 +18,7 @@ struct SurfaceBuffers {
     /// The table, as large as before, has other rows for these planes, and another diagonal.
     void update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes);
 
+    std::vector<PartLook> parts;
     gl::Buffer leaves;  ///< Of LeafRow.
     gl::Buffer planes;
     gl::Buffer groups;

@@ -4,6 +4,14 @@
 // What every pass of a style knows: the uniforms of npr/frame_values.h, whose table declares them.
 #include "npr/frame_values.glsl"
 
+// The media of parts (npr/medium_rows.h).
+struct MediumRow {
+    ivec4 high;
+    ivec4 low;
+    ivec4 is_medium;
+};
+layout(std430, binding = 5) readonly buffer MediumRows { MediumRow medium_rows[]; };
+
 ivec2 picture_size() {
     return textureSize(layer_depths, 0).xy;
 }
@@ -15,6 +23,11 @@ bool in_picture(ivec2 pixel) {
 // Leaf and plane as the stack holds them; kNoSurface where the pixel, which must be in the picture, has no such layer.
 uvec2 surface_ids(ivec2 pixel, int layer) {
     return layer < layer_count ? texelFetch(layer_surfaces, ivec3(pixel, layer), 0).xy : uvec2(kNoSurface);
+}
+
+// Reversed; 0 where the pixel, which must be in the picture, has no such layer.
+float layer_depth(ivec2 pixel, int layer) {
+    return layer < layer_count ? texelFetch(layer_depths, ivec3(pixel, layer), 0).x : 0.0;
 }
 
 #include "npr/pixel.glsl"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "npr/frame_values.h"
+#include "npr/medium_rows.h"
 #include "peel/shaders.h"
 
 namespace npr {
@@ -24,15 +25,20 @@ gl::ShaderLibrary shaders(const OwnShaders& own) {
 
 FrameProgram::FrameProgram(const gl::Functions& gl, std::initializer_list<std::string_view> files,
                            const OwnShaders& own)
-    : program_(gl, shaders(own), files, own.defines), view_block_(gl) {}
+    : program_(gl, shaders(own), files, own.defines), view_block_(gl), media_(gl) {}
 
 void FrameProgram::use(const Frame& frame) {
     view_block_.update(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal);
     view_block_.bind();
     layers::bind(frame.layers);
-    FrameValues::table().set_uniforms(program_,
-                                      frame_values(frame.picture, frame.view, frame.layers.table->local_center,
-                                                   frame.layers.table->diagonal, frame.layers.layers));
+    const layers::SurfaceBuffers& table = *frame.layers.table;
+    const MediumTable media = media_of(frame.picture, table.parts, table.diagonal);
+    media_.upload<MediumRow>(media.rows, GL_DYNAMIC_DRAW);
+    media_.bind(GL_SHADER_STORAGE_BUFFER, 5);
+    FrameValues values =
+        frame_values(frame.picture, frame.view, table.local_center, table.diagonal, frame.layers.layers);
+    values.medium_unit = media.unit;
+    FrameValues::table().set_uniforms(program_, values);
     program_.use();
 }
 

@@ -21,7 +21,7 @@ struct OwnShaders {
 };
 
 /// A program that may include layers/layer_stack.glsl, gl/view.glsl and npr/frame.glsl. Texture units from 2, storage
-/// blocks from 2 and all image units are free for its own use.
+/// blocks from 2 to 4 and all image units are free for its own use.
 class FrameProgram {
   public:
     /// File names from the repository's root, such as "npr/styles/shaded.frag". Throws gl::Error.
@@ -35,6 +35,7 @@ class FrameProgram {
   private:
     gl::Program program_;
     gl::ViewBlock view_block_;
+    gl::Buffer media_;  ///< Of MediumRow.
 };
 
 }  // namespace npr

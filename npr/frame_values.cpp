@@ -38,6 +38,9 @@ const SettingsTable<FrameValues>& FrameValues::table() {
         setting<&FrameValues::ghost_color>(),
         setting<&FrameValues::section_spacing>(),
         setting<&FrameValues::transparent_background>(),
+        setting<&FrameValues::transparency>(),
+        setting<&FrameValues::medium_unit>(),
+        setting<&FrameValues::medium_light>(),
     };
     return all;
 }
@@ -57,6 +60,8 @@ FrameValues frame_values(const Picture& picture, const base::View& view, const g
     v.ghost_color = picture.scheme.ghost;
     v.section_spacing = section_spacing(picture.sections, diagonal);
     v.transparent_background = picture.transparent_background;
+    v.transparency = static_cast<int>(picture.transparency);
+    v.medium_light = {picture.medium_light.ambient, picture.medium_light.directional};
     return v;
 }
 

@@ -18,6 +18,9 @@ struct FrameValues {
     glm::vec4 ghost_color{};
     float section_spacing{};  ///< Of hatching, in world units; 0: none.
     bool transparent_background{};
+    int transparency{};        ///< A Transparency.
+    float medium_unit{};       ///< See npr/medium_rows.h.
+    glm::vec2 medium_light{};  ///< Ambient and directional.
 
     static const SettingsTable<FrameValues>& table();
 };

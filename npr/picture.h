@@ -2,12 +2,14 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "base/camera.h"
 #include "layers/limits.h"
 #include "npr/color_scheme.h"
 #include "npr/parameter.h"
 #include "npr/section.h"
+#include "npr/transparency.h"
 
 namespace npr {
 
@@ -28,10 +30,13 @@ struct Picture {
     Parameters parameters;             ///< Of the style.
     ColorScheme scheme;
     base::Camera camera;
-    glm::ivec2 size{512, 512};            ///< Pixels.
-    int samples = 4;                      ///< Per pixel, as npr::sample_offsets takes them.
-    int layers = kLayersOfStyle;          ///< The first so many, or one of the constants above.
-    Sections sections;                    ///< What is cut away.
+    glm::ivec2 size{512, 512};    ///< Pixels.
+    int samples = 4;              ///< Per pixel, as npr::sample_offsets takes them.
+    int layers = kLayersOfStyle;  ///< The first so many, or one of the constants above.
+    Sections sections;            ///< What is cut away.
+    Transparency transparency = Transparency::Exact;
+    std::vector<PartMedium> media;        ///< In Volume: of parts; what is not said follows from color and opacity.
+    MediumLight medium_light;             ///< In Volume.
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
 
     /// Another style, with its parameters' defaults.

@@ -21,7 +21,13 @@ bool look_alike(uint leaf, uint other) {
            (leaf_rows[leaf].part.x == leaf_rows[other].part.x && leaf_rows[leaf].color == leaf_rows[other].color);
 }
 
+// Is it drawn as a body of which only what is within is seen?
+bool is_medium(uint part) {
+    return medium_rows[part].is_medium.x != 0;
+}
+
 // Hides everything behind it.
 bool opaque(uvec2 ids) {
-    return leaf_rows[leaf_of(ids)].part.y == kPartSolid && leaf_rows[leaf_of(ids)].color.a >= 1.0f;
+    uvec4 part = leaf_rows[leaf_of(ids)].part;
+    return part.y == kPartSolid && !is_medium(part.x);
 }

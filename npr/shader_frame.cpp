@@ -11,6 +11,9 @@ Frame::Frame(const CpuFrame& frame)
       group_words(frame.layers.table->groups.data()),
       size(frame.layers.size),
       srgb(&SrgbTables::get()) {
+    MediumTable media = media_of(frame.picture, frame.layers.table->parts, frame.layers.table->diagonal);
+    medium_unit = media.unit;
+    medium_rows = std::move(media.rows);
     for (int i = 0; i < layer_count; ++i) {
         const layers::HostLayer& layer = frame.layers.planes[static_cast<std::size_t>(i)];
         surfaces.push_back(layer.surface.data());

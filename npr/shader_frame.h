@@ -7,6 +7,7 @@
 #include "base/view_values.h"
 #include "npr/edges/line_code.h"
 #include "npr/frame_values.h"
+#include "npr/medium_rows.h"
 #include "npr/painter/cpu_frame.h"
 #include "npr/srgb.h"
 
@@ -27,6 +28,7 @@ struct Frame : FrameValues, LineCode {
     std::vector<const uvec2*> surfaces;  ///< By layer, then by pixel.
     std::vector<const float*> depths;
     const SrgbTables* srgb;
+    std::vector<MediumRow> medium_rows;  ///< By part.
 
 #include "gl/view_distance.glsl"
 #include "layers/surface.glsl"
@@ -40,6 +42,9 @@ struct Frame : FrameValues, LineCode {
     }
     [[nodiscard]] std::size_t index(ivec2 p) const {
         return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(p.x);
+    }
+    [[nodiscard]] float layer_depth(ivec2 p, int layer) const {
+        return layer < layer_count ? depths[static_cast<std::size_t>(layer)][index(p)] : 0.0F;
     }
     [[nodiscard]] uvec2 surface_ids(ivec2 p, int layer) const {
         return layer < layer_count ? surfaces[static_cast<std::size_t>(layer)][index(p)] : uvec2(kNoSurface);
@@ -57,6 +62,10 @@ struct Frame : FrameValues, LineCode {
 
 #include "npr/edges/line_ink.glsl"
 
+    /// Does what is seen change from pixel to pixel, even where they see the same surfaces?
+    [[nodiscard]] bool everywhere_new() const {
+        return transparency != kExact && medium_unit > 0;
+    }
     /// Do two pixels see the same planes of the same leaves, in all layers?
     [[nodiscard]] bool same_surfaces(ivec2 p, ivec2 q) const;
 };

@@ -4,16 +4,18 @@
 #include "peel/composite.glsl"
 
 // Ambient light and two lights from opposite sides, fixed to the eye; flat, as the facets are.
+const vec3 kLightDirection = vec3(-0.57735027f, 0.57735027f, 0.57735027f);  // in the eye's coordinates
+
 float light(vec3 normal) {
-    vec3 direction = vec3(-0.57735027f, 0.57735027f, 0.57735027f);
-    return 0.2f + abs(dot(mat3(view.eye_from_world) * normal, direction));
+    return 0.2f + abs(dot(mat3(view.eye_from_world) * normal, kLightDirection));
 }
 
 // Not lit; straight alpha.
 vec4 base_color(Surface s) {
     if (s.part_kind == kPartHighlight)
         return highlight_color;
-    vec4 otherwise = s.part_kind == kPartBackground ? ghost_color : vec4(s.reversed ? cut_color : face_color, 1.0f);
+    bool cut = s.reversed && s.part_kind == kPartSolid;
+    vec4 otherwise = s.part_kind == kPartBackground ? ghost_color : vec4(cut ? cut_color : face_color, 1.0f);
     return vec4(s.color.r >= 0.0f ? s.color.r : otherwise.r, s.color.g >= 0.0f ? s.color.g : otherwise.g,
                 s.color.b >= 0.0f ? s.color.b : otherwise.b, s.color.a >= 0.0f ? s.color.a : otherwise.a);
 }
@@ -21,7 +23,7 @@ vec4 base_color(Surface s) {
 // The same; of translucent parts only the faces toward the eye are seen.
 vec4 seen_color(Surface s) {
     vec4 color = base_color(s);
-    return color.a < 1.0f && s.leaving ? vec4(0.0f) : color;
+    return s.covered || (color.a < 1.0f && s.leaving) ? vec4(0.0f) : color;
 }
 
 // Lit, sRGB with straight alpha.
@@ -32,6 +34,8 @@ vec4 surface_color(Surface s) {
         lit = mix(lit, 1.0f, 0.6f);  // Nearly flat, as in drawings: hatching is as clear on all of them.
     return vec4(min(vec3(color) * lit, 1.0f), color.a);
 }
+
+#include "npr/transparency.glsl"
 
 // What lies before the background, as the picture's linear light. `color` is premultiplied; so much light comes
 // `through` it.

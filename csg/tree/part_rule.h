@@ -8,8 +8,9 @@
 namespace csg {
 
 /// Which pieces of the solid are parts of their own. The union of all parts is the solid: each surface of the scene is
-/// of one part, and where two parts touch both have one there. `%` and `#` subtrees are parts in any case, and so are
-/// translucent ones of the top-level union.
+/// of one part, and where two parts touch both have one there. `%` and `#` subtrees are parts in any case, and so is
+/// what has a color that is seen through, wherever it is added: below a first operand it is divided from the rest as
+/// below.
 ///
 /// Where a difference or an intersection is divided, its first operand is, and each part has copies of the others: of
 /// `(a ∪ b) − c` the parts are `a − c` and `b − c`. That is done through at most kMostShared of them above each other.

@@ -43,7 +43,7 @@ class SceneMaker {
         if (tree().root() == kNoNode) {
             return {};
         }
-        if (rule.kind == PartRule::Kind::Model) {
+        if (rule.kind == PartRule::Kind::Model && !walk_.has_translucent()) {
             build({PartKind::Solid, "model", {{tree().root()}}});
         } else {
             for (const PartPlan& plan : split_parts(walk_, rule)) {

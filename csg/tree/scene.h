@@ -56,7 +56,7 @@ struct Expression {
 
 enum class PartKind : std::uint8_t {
     Solid,        ///< What the model is.
-    Translucent,  ///< A subtree of the top-level union whose color() has an opacity below 1.
+    Translucent,  ///< What a color() with an opacity below 1 is of, where it is added to the solid.
     Background,   ///< `%`
     Highlight,    ///< `#`, drawn over what it belongs to; in a union, instead of it.
 };
@@ -116,9 +116,9 @@ enum class Showing : std::uint8_t {
 /// Flattens `tree`: transforms are multiplied through, colors inherited (the outermost wins, as in OpenSCAD), shared
 /// subtrees become occurrences, `%` subtrees parts of their own, `#` subtrees highlight parts (beside what they make
 /// where they are operands of a difference or intersection, or all there is; a difference is highlighted as its first
-/// operand is), translucent subtrees of the top-level union parts of their own. Groups that hold one child are that
-/// child.
-/// The first part, if any, is a Solid one, of several where `rule` says so. A tree without geometry gives no parts.
+/// operand is), translucent subtrees parts of their own (PartRule). Groups that hold one child are that child. The
+/// first part is the Solid one, where there is one; of several where `rule` says so. A tree without geometry gives no
+/// parts.
 [[nodiscard]] Scene make_scene(const Tree& tree, Showing showing = Showing::Preview, const PartRule& rule = {});
 
 /// The way from the root down to an occurrence, which comes last.

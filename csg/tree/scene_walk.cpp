@@ -6,6 +6,15 @@
 namespace csg {
 namespace {
 
+bool holds_translucent(const Tree& tree) {
+    for (NodeId id = 0; id < tree.size(); ++id) {
+        if (tree.node(id).operation == Operation::Color && tree.color(id).translucent()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::vector<char> marked_below(const Tree& tree) {
     std::vector<char> marked(tree.size(), 0);
     for (NodeId id = 0; id < tree.size(); ++id) {
@@ -49,7 +58,8 @@ SceneWalk::SceneWalk(const Tree& tree, Showing showing)
       showing_(showing),
       dimensions_(dimensions(tree)),
       marked_(marked_below(tree)),
-      highlighted_(highlighted(tree, dimensions_)) {}
+      highlighted_(highlighted(tree, dimensions_)),
+      translucent_(holds_translucent(tree)) {}
 
 bool SceneWalk::is_leaf(NodeId id) const {
     if (showing_ == Showing::Result && id == tree_.root() && dimensions_[id] == Dimension::Flat) {
@@ -69,15 +79,10 @@ bool SceneWalk::is_union(NodeId id) const {
            (op == Operation::Mesh && !is_leaf(id));
 }
 
-bool SceneWalk::is_translucent(NodeId id, const Frame& parent) const {
-    return tree_.node(id).operation == Operation::Color && !parent.color.given() && tree_.color(id).translucent() &&
-           parent.top_level && is_union(parent.node);
-}
-
 Frame SceneWalk::enter(const Piece& piece) {
     const auto occurrence = static_cast<OccurrenceId>(occurrences.size());
     occurrences.push_back({piece.parent, piece.node, piece.child});
-    Frame frame{piece.node, piece.to_world, piece.color, occurrence, piece.top_level, 0, {}};
+    Frame frame{piece.node, piece.to_world, piece.color, occurrence, 0, {}};
     if (is_leaf(piece.node)) {
         return frame;
     }
@@ -95,7 +100,6 @@ void SceneWalk::wait(PartKind kind, const Piece& piece) {
         return;
     }
     Piece root = piece;
-    root.top_level = true;
     root.cut = kNoCut;
     waiting.push_back({kind, name_of(root), {root}});
 }
@@ -121,7 +125,7 @@ void SceneWalk::set_operands_aside(const Frame& leaf) {
         const bool background = tree_.node(id).modifiers.background;
         if (background || (highlighted_[id].is() && dimensions_[id] != Dimension::None)) {
             wait(background ? PartKind::Background : PartKind::Highlight,
-                 {id, leaf.to_world, leaf.color, leaf.occurrence, i, false});
+                 {id, leaf.to_world, leaf.color, leaf.occurrence, i});
         }
     }
 }
@@ -145,10 +149,6 @@ bool SceneWalk::set_aside(const Piece& child, const Frame& parent, PartKind kind
         if (is_union(parent.node)) {
             return true;
         }
-    }
-    if (kind == PartKind::Solid && is_translucent(child.node, parent)) {
-        wait(PartKind::Translucent, child);
-        return true;
     }
     return false;
 }

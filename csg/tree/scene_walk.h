@@ -21,7 +21,6 @@ struct Piece {
     Rgba color{};
     OccurrenceId parent = kNoOccurrence;
     std::uint32_t child = 0;  ///< Which of the parent's.
-    bool top_level = true;    ///< Only unions above.
     CutId cut = kNoCut;       ///< What it is an operand of, where that is shared with other parts.
 };
 
@@ -31,7 +30,6 @@ struct Frame {
     glm::dmat4 to_world;
     Rgba color{};
     OccurrenceId occurrence;
-    bool top_level;
     std::uint32_t next_child = 0;
     std::vector<std::uint32_t> built;  ///< Expressions of the children that are done.
 };
@@ -77,14 +75,14 @@ class SceneWalk {
         return showing_ == Showing::Result && dimensions_[id] == Dimension::Flat &&
                !tree_.node(id).modifiers.background;
     }
-    /// Whether it begins a translucent part where it is a child of `parent`.
-    [[nodiscard]] bool is_translucent(NodeId id, const Frame& parent) const;
+    /// Whether some color is seen through.
+    [[nodiscard]] bool has_translucent() const { return translucent_; }
 
     /// Records an occurrence of it.
     [[nodiscard]] Frame enter(const Piece& piece);
     /// A child of the node entered.
     [[nodiscard]] Piece child(const Frame& parent, NodeId id, std::uint32_t index) const {
-        return {id, parent.to_world, parent.color, parent.occurrence, index, parent.top_level && is_union(parent.node)};
+        return {id, parent.to_world, parent.color, parent.occurrence, index};
     }
     /// A part that waits for the whole tree, where it is highlighted.
     void set_root_aside();
@@ -113,9 +111,10 @@ class SceneWalk {
     const std::vector<Dimension> dimensions_;
     const std::vector<char> marked_;  ///< By node: something below has a color or a modifier of its own to show.
     const std::vector<Highlighted> highlighted_;  ///< By node.
+    const bool translucent_;
 };
 
-/// The parts of the solid by a rule other than Model.
+/// The parts of the solid.
 [[nodiscard]] std::vector<PartPlan> split_parts(SceneWalk& walk, const PartRule& rule);
 
 }  // namespace csg

@@ -17,6 +17,7 @@ struct Tint {
 class Splitter {
   public:
     Splitter(SceneWalk& walk, const PartRule& rule) : walk_(walk), tree_(walk.tree()), rule_(rule) {
+        find_translucent();
         if (rule.kind == PartRule::Kind::Color) {
             find_tints();
         } else if (rule.kind == PartRule::Kind::Module) {
@@ -26,7 +27,7 @@ class Splitter {
 
     std::vector<PartPlan> split() {
         std::vector<Level> stack;
-        visit({tree_.root()}, PartKind::Solid, rule_.depth, stack);
+        visit({tree_.root()}, {PartKind::Solid, rule_.depth, kNoPlan}, stack);
         while (!stack.empty()) {
             Level& level = stack.back();
             const auto children = tree_.children(level.frame.node);
@@ -37,13 +38,8 @@ class Splitter {
             const std::uint32_t index = level.frame.next_child++;
             Piece child = walk_.child(level.frame, children[index], index);
             child.cut = level.cut;
-            PartKind kind = level.kind;
-            if (kind == PartKind::Solid && walk_.is_translucent(child.node, level.frame) &&
-                !walk_.is_left_out(child.node)) {
-                kind = PartKind::Translucent;
-            }
-            if (!walk_.set_aside(child, level.frame, PartKind::Translucent)) {  // That kind was looked after above.
-                visit(child, kind, unsigned{level.divisions}, stack);
+            if (!walk_.set_aside(child, level.frame, level.place.kind)) {
+                visit(child, Place(level.place), stack);
             }
         }
         std::erase_if(plans_, [](const PartPlan& plan) { return plan.pieces.empty(); });
@@ -51,71 +47,109 @@ class Splitter {
     }
 
   private:
+    static constexpr std::size_t kNoPlan = ~std::size_t{0};
+
+    /// What is known of a piece from above.
+    struct Place {
+        PartKind kind;
+        unsigned divisions;  ///< That it may go through.
+        std::size_t plan;    ///< The part that all of it belongs to, but for what is translucent; kNoPlan: several.
+    };
     /// A node that is divided.
     struct Level {
         Frame frame;
         std::uint32_t end;  ///< Behind the last child that is divided.
-        PartKind kind;
         CutId cut;
-        unsigned divisions;  ///< That its children may go through.
+        Place place;  ///< Of its children.
     };
 
     /// Takes the piece as a whole, or begins to divide it.
-    void visit(const Piece& piece, PartKind kind, unsigned divisions, std::vector<Level>& stack) {
+    void visit(const Piece& piece, Place place, std::vector<Level>& stack) {
         const NodeId id = piece.node;
+        if (place.kind == PartKind::Solid && begins_translucent(piece)) {
+            place = {PartKind::Translucent, place.divisions, kNoPlan};
+        }
         const bool is_union = walk_.is_union(id);
         const std::uint32_t first = first_operand(id);
         const auto count = static_cast<std::uint32_t>(tree_.children(id).size());
         const unsigned shared = piece.cut == kNoCut ? 0 : walk_.cuts[piece.cut].depth;
+        const bool whole = place.plan != kNoPlan || is_whole(piece, place.divisions);
+        const bool mixed = place.kind == PartKind::Solid && holds_translucent(piece);
         if (walk_.is_leaf(id) || first == count || (!is_union && shared >= PartRule::kMostShared) ||
-            is_whole(piece, kind, divisions)) {
-            take(piece, kind);
+            (whole && !mixed)) {
+            plans_[place.plan != kNoPlan ? place.plan : plan_for(piece, place.kind)].pieces.push_back(piece);
             return;
         }
+        if (whole && place.plan == kNoPlan) {
+            place.plan = plan_for(piece, place.kind);
+        }
         Frame frame = walk_.enter(piece);
+        if (!is_union || has_several(id)) {
+            place.divisions -= std::min(place.divisions, 1U);
+        }
         if (is_union) {
-            stack.push_back({std::move(frame), count, kind, piece.cut, divisions - (has_several(id) ? 1U : 0U)});
+            stack.push_back({std::move(frame), count, piece.cut, place});
             return;
         }
         Cut cut{frame, piece.cut, shared + 1};
         cut.frame.next_child = first + 1;
         walk_.cuts.push_back(std::move(cut));
         const auto id_of_cut = static_cast<CutId>(walk_.cuts.size() - 1);
-        stack.push_back({std::move(frame), first + 1, kind, id_of_cut, divisions - 1});
+        stack.push_back({std::move(frame), first + 1, id_of_cut, place});
     }
 
-    [[nodiscard]] bool is_whole(const Piece& piece, PartKind kind, unsigned divisions) const {
+    /// The color that what the piece is made of has, as far as nothing below gives one.
+    [[nodiscard]] Rgba own_color(const Piece& piece) const {
+        return !piece.color.given() && tree_.node(piece.node).operation == Operation::Color ? tree_.color(piece.node)
+                                                                                            : piece.color;
+    }
+    /// Is all that the piece is made of of one color that is seen through?
+    [[nodiscard]] bool begins_translucent(const Piece& piece) const {
+        const Rgba color = own_color(piece);
+        return color.translucent() && (color.given() || colors_below_[piece.node] == 0);
+    }
+    /// Is some of it?
+    [[nodiscard]] bool holds_translucent(const Piece& piece) const {
+        const Rgba color = own_color(piece);
+        return !color.given() && (color.translucent() || translucent_below_[piece.node] != 0);
+    }
+
+    [[nodiscard]] bool is_whole(const Piece& piece, unsigned divisions) const {
         switch (rule_.kind) {
             case PartRule::Kind::Model:
                 return true;
             case PartRule::Kind::Depth:
                 return divisions == 0;
-            case PartRule::Kind::Color: {
-                const Rgba color = color_of(piece);
-                const bool further =
-                    kind == PartKind::Solid && piece.top_level && color.translucent() && !piece.color.given();
-                return (piece.color.given() || tints_[piece.node].kind != Tint::Kind::Several) && !further;
-            }
+            case PartRule::Kind::Color:
+                return piece.color.given() || tints_[piece.node].kind != Tint::Kind::Several;
             case PartRule::Kind::Module:
                 return is_named_[piece.node] != 0 || holds_named_[piece.node] == 0;
         }
         return true;
     }
 
-    void take(const Piece& piece, PartKind kind) {
-        const Rgba color = rule_.kind == PartRule::Kind::Color ? color_of(piece) : Rgba{};
-        const bool own =
-            rule_.kind == PartRule::Kind::Depth || (rule_.kind == PartRule::Kind::Module && is_named_[piece.node] != 0);
+    /// The part that the piece belongs to as a whole; a new one, where there is none yet.
+    [[nodiscard]] std::size_t plan_for(const Piece& piece, PartKind kind) {
+        const PartRule::Kind rule = rule_.kind;
+        const bool own = rule == PartRule::Kind::Depth ||
+                         (rule == PartRule::Kind::Module && is_named_[piece.node] != 0) ||
+                         (rule == PartRule::Kind::Model && kind == PartKind::Translucent);
         if (own) {
-            plans_.push_back({kind, walk_.name_of(piece), {piece}});
-            return;
+            plans_.push_back({kind, walk_.name_of(piece), {}});
+            return plans_.size() - 1;
         }
+        const bool colored = rule == PartRule::Kind::Color;
+        const Rgba color = kind == PartKind::Translucent ? own_color(piece) : colored ? color_of(piece) : Rgba{};
         const auto [known, added] = plan_of_.try_emplace({kind, color.r, color.g, color.b, color.a}, plans_.size());
         if (added) {
-            const bool colored = rule_.kind == PartRule::Kind::Color;
-            plans_.push_back({kind, !colored ? "rest" : color.given() ? color_name(color) : "uncolored", {}});
+            plans_.push_back({kind,
+                              rule == PartRule::Kind::Model ? "model"
+                              : !colored                    ? "rest"
+                              : color.given()               ? color_name(color)
+                                                            : "uncolored",
+                              {}});
         }
-        plans_[known->second].pieces.push_back(piece);
+        return known->second;
     }
 
     [[nodiscard]] Rgba color_of(const Piece& piece) const {
@@ -161,6 +195,21 @@ class Splitter {
         return values;
     }
 
+    void find_translucent() {
+        translucent_below_ =
+            from_below<char>([](NodeId) { return char{0}; },
+                             [this](NodeId id, char& into, NodeId, char from) {
+                                 const bool colors = tree_.node(id).operation == Operation::Color;
+                                 const bool own = colors && tree_.color(id).translucent();
+                                 into = into != 0 || own || (from != 0 && !(colors && tree_.color(id).given())) ? 1 : 0;
+                             });
+        colors_below_ = from_below<char>(
+            [](NodeId) { return char{0}; },
+            [this](NodeId, char& into, NodeId child, char from) {
+                into = into != 0 || from != 0 || tree_.node(child).operation == Operation::Color ? 1 : 0;
+            });
+    }
+
     void find_tints() {
         tints_ = from_below<Tint>(
             [](NodeId) {
@@ -201,6 +250,8 @@ class Splitter {
     SceneWalk& walk_;
     const Tree& tree_;
     const PartRule& rule_;
+    std::vector<char> translucent_below_;       ///< By node: a color that is seen through, at it or below.
+    std::vector<char> colors_below_;            ///< By node: there is a color() below.
     std::vector<Tint> tints_;                   ///< By node, for the rule Color.
     std::vector<char> is_named_, holds_named_;  ///< By node, for the rule Module: it is one of them; one is below.
     std::vector<PartPlan> plans_;

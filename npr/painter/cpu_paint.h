@@ -18,7 +18,7 @@ struct LinedFrame : shader::Frame {
     void begin(int tile) { ink.draw(tile, *this); }
     [[nodiscard]] bool as_left(glm::ivec2 p) const {
         const glm::ivec2 left(p.x - 1, p.y);
-        return !ink.near(p) && !ink.near(left) && same_surfaces(p, left);
+        return !everywhere_new() && !ink.near(p) && !ink.near(left) && same_surfaces(p, left);
     }
 
     [[nodiscard]] bool line_near(int layer) const { return layer < kLayersApart && ink.near(at); }

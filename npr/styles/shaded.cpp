@@ -19,7 +19,7 @@ struct ShadedPixels : shader::Frame {
         return shaded(p);
     }
     [[nodiscard]] bool as_left(glm::ivec2 p) const {
-        return same_surfaces(p, {p.x - 1, p.y});
+        return !everywhere_new() && same_surfaces(p, {p.x - 1, p.y});
     }
 };
 

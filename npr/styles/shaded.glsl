@@ -3,8 +3,11 @@
 vec4 shaded(ivec2 pixel) {
     vec3 ray = pixel_ray(pixel);
     Composite seen = nothing_seen();
-    while (goes_on(seen, layer_count, 0.0f)) {
-        Surface s = layer_surface(pixel, seen.layer, ray);
+    Media media = media_at_eye(pixel);
+    while (goes_on(seen, layer_count, least_seen())) {
+        Surface s = seen_surface(pixel, seen.layer, ray);
+        seen = reached(seen, media, s, ray);
+        media = beyond(media, s);
         vec4 c = vec4(0.0f);
         if (s.hit)
             c = hatched(surface_color(s), s.leaf, s.plane, pixel);

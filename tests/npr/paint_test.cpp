@@ -102,6 +102,24 @@ TEST_P(PaintTest, IsWhatOpenGlDraws) {
     }
 }
 
+TEST_P(PaintTest, AllModelsOfTransparencyAreWhatOpenGlDraws) {
+    Easel easel(scene::combine(
+        Operation::Union, {mixed(), scene::colored({0.2F, 0.4F, 0.9F, 0.7F}, scene::box({-4, -9, -12}, {9, 18, 30})),
+                           scene::colored({0.2F, 0.4F, 0.9F, 0.7F}, scene::box({-9, -11, -9}, {18, 9, 9}))}));
+    for (const npr::TransparencyInfo& transparency : npr::transparencies()) {
+        for (const View& view : views(easel.box())) {
+            for (const char* style : {"shaded", "edges"}) {
+                npr::Picture p = picture(*npr::find_style(style), {}, view);
+                p.transparency = transparency.model;
+                EXPECT_LE(
+                    differing(easel.paint(p), easel.draw(gl(), p), golden::tolerance(context_->renderer()).channel),
+                    view.samples * kTurned * view.size.x * view.size.y)
+                    << transparency.name << ", " << style << ", " << view.name;
+            }
+        }
+    }
+}
+
 TEST(Paint, TheSameBytesWithAnyNumberOfThreads) {
     Easel easel(mixed());
     const View view = views(easel.box())[0];

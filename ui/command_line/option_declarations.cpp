@@ -1,8 +1,25 @@
 #include "ui/command_line/option_declarations.h"
 
+#include <fmt/format.h>
+
+#include "base/alternatives.h"
 #include "goldfeather/engines.h"
+#include "npr/transparency.h"
 
 namespace ui {
+
+namespace {
+
+std::string transparency_help() {
+    std::vector<std::string> names;
+    for (const npr::TransparencyInfo& each : npr::transparencies()) {
+        names.emplace_back(each.name);
+    }
+    return fmt::format("What is seen through parts that are not opaque: {} ({})", base::alternatives(names),
+                       names.front());
+}
+
+}  // namespace
 
 void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string& styles) {
     // Values may hold commas and begin with '-': every option takes exactly the argument after it.
@@ -65,8 +82,15 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--trace-usermodule-parameters", raw.trace_parameters, "Parameters in traces: on or off (on)", "BOOL", checks);
 
     const char* const picture = "Picture";
+    const std::string transparencies = transparency_help();
     text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
     text("--style", o.picture_texts.style, styles.c_str(), "STYLE", picture);
+    text("--transparency", raw.transparency, transparencies.c_str(), "NAME", picture);
+    list("--medium", raw.media,
+         "In volume: what a part is made of, as 'PART: tau=0.3/mm, albedo=#aabbcc'; may be repeated", "MEDIUM",
+         picture);
+    text("--medium-light", raw.medium_light, "In volume: light from everywhere and from one side (0.5,0.5)",
+         "AMBIENT,DIRECTIONAL", picture);
     list("--set", raw.settings, "Set a parameter of the style; may be repeated", "NAME=VALUE", picture);
     text("--colorscheme", raw.scheme, "OpenSCAD's color scheme (Cornfield)", "NAME", picture);
     text("--layers", raw.layers, "The first N surfaces behind each pixel, or all (what the style needs)", "N|all",
@@ -144,6 +168,9 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--turntable",
                                    "--colorscheme",
                                    "--samples",
+                                   "--transparency",
+                                   "--medium",
+                                   "--medium-light",
                                    "--transparent-background",
                                    "--minimal-fraction",
                                    "--log-frames",

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "layers/limits.h"
+#include "ui/command_line/medium_options.h"
 #include "ui/command_line/option_declarations.h"
 #include "ui/command_line/option_values.h"
 #include "ui/command_line/section_text.h"
@@ -178,6 +179,25 @@ void interpret_view(Options& o, const RawOptions& raw) {
     }
 }
 
+void interpret_transparency(npr::Picture& picture, const RawOptions& raw) {
+    if (!raw.transparency.empty()) {
+        std::vector<std::pair<std::string, npr::Transparency>> names;
+        for (const npr::TransparencyInfo& each : npr::transparencies()) {
+            names.emplace_back(each.name, each.model);
+        }
+        picture.transparency = read_name<npr::Transparency>("--transparency", raw.transparency, names);
+    }
+    for (const std::string& medium : raw.media) {
+        picture.media.push_back(read_medium(medium));
+    }
+    if (!raw.medium_light.empty()) {
+        picture.medium_light = read_medium_light(raw.medium_light);
+    }
+    if (picture.transparency != npr::Transparency::Volume && !(raw.media.empty() && raw.medium_light.empty())) {
+        throw UsageError("--medium and --medium-light are for --transparency volume");
+    }
+}
+
 /// What is written or read by that name, whatever links lead there.
 std::filesystem::path file_behind(const std::string& path) {
     std::error_code error;
@@ -274,6 +294,7 @@ void interpret(Options& o, const RawOptions& raw) {
     if (!raw.samples.empty()) {
         o.picture.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
+    interpret_transparency(o.picture, raw);
     interpret_engine(o, raw);
     interpret_animation(o, raw);
     interpret_view(o, raw);

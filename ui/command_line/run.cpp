@@ -15,6 +15,7 @@
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
+#include "ui/command_line/medium_options.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/pick.h"
 #include "ui/command_line/standard_streams.h"
@@ -164,6 +165,7 @@ class Run {
                 model_ = exported_;
             }
         }
+        need_parts(picture_.media, model_->scene);
         for (const std::string& warning : exported_->warnings) {
             language_.messages().warn(warning);
         }

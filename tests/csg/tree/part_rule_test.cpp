@@ -46,6 +46,31 @@ TEST(PartRules, TheModelIsOnePart) {
     EXPECT_EQ(parts_of("", {}), Parts{});
 }
 
+TEST(PartRules, WhatIsTranslucentIsApartWhereverItIsAdded) {
+    EXPECT_EQ(parts_of("difference() { union() { color(\"red\", 0.5) cube(3); cube(4); } sphere(1); }", {}),
+              (Parts{"model:2", "#ff000080:2 translucent"}));
+    EXPECT_EQ(parts_of("difference() { color(\"red\", 0.5) cube(3); sphere(1); }", {}),
+              (Parts{"#ff000080:2 translucent"}));
+    EXPECT_EQ(
+        parts_of("intersection() { translate([1, 0, 0]) { color(\"red\", 0.5) cube(3); cube(1); } cube(2); }", {}),
+        (Parts{"model:2", "#ff000080:2 translucent"}));
+    EXPECT_EQ(parts_of("translate([1, 0, 0]) { cube(1); color(\"red\", 0.5) sphere(2); sphere(); } cube(3);", kTop),
+              (Parts{"part 1:2", "#ff000080:1 translucent", "part 3:1"}))
+        << "the rest of a part stays one";
+}
+
+TEST(PartRules, CuttersAndColorsFurtherOutAreNotTranslucent) {
+    EXPECT_EQ(parts_of("difference() { cube(3); color(\"red\", 0.5) sphere(1); }", {}), (Parts{"model:2"}));
+    EXPECT_EQ(parts_of("color(\"blue\") { color(\"red\", 0.5) cube(1); cube(2); }", {}), (Parts{"model:2"}));
+    EXPECT_EQ(parts_of("color(\"nonsense\") cube(1);", {}), (Parts{"model:1"}));
+}
+
+TEST(PartRules, OpacityAloneMakesAPartTranslucent) {
+    EXPECT_EQ(parts_of("color(alpha = 0.5) cube(1); cube(2);", {}), (Parts{"model:1", "translucent:1 translucent"}));
+    EXPECT_EQ(parts_of("color(alpha = 0.5) { cube(1); color(\"red\") cube(2); color(\"lime\", 0.2) cube(3); }", {}),
+              (Parts{"model:1", "translucent:1 translucent", "#00ff0033:1 translucent"}));
+}
+
 TEST(PartRules, TopIsTheChildrenOfTheTopLevelUnion) {
     const std::string model =
         "module cover() { cube(1); sphere(1); }\n"

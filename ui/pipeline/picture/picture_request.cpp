@@ -21,14 +21,13 @@ npr::Picture flat_picture(npr::Picture picture, bool lines) {
 }
 
 int layers_to_peel(const npr::Picture& picture, const Model& model) {
-    return picture.layers != npr::kLayersOfStyle ? picture.layers : picture.style->layers(translucent(model.scene));
+    const bool seen_through = translucent(model.scene) || !picture.media.empty();
+    return picture.layers != npr::kLayersOfStyle ? picture.layers : picture.style->layers(seen_through);
 }
 
 bool translucent(const csg::Scene& scene) {
     return std::any_of(scene.parts.begin(), scene.parts.end(),
-                       [](const csg::Part& part) { return part.kind != csg::PartKind::Solid; }) ||
-           std::any_of(scene.leaves.begin(), scene.leaves.end(),
-                       [](const csg::LeafInstance& leaf) { return leaf.color.translucent(); });
+                       [](const csg::Part& part) { return part.kind != csg::PartKind::Solid; });
 }
 
 }  // namespace ui

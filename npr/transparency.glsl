@@ -1,0 +1,106 @@
+// What is seen through parts that are not opaque, by the picture's model of transparency. Valid in shaders and, within a
+// struct with the same names, in C++. Styles that shade surfaces walk the layers so:
+//
+//     Composite seen = nothing_seen();
+//     Media media = media_at_eye(pixel);
+//     while (goes_on(seen, layer_count, least_seen())) {
+//         Surface s = seen_surface(pixel, seen.layer, ray);
+//         seen = reached(seen, media, s, ray);
+//         media = beyond(media, s);
+//         seen = behind(seen, s.hit, (its color, by seen_color or surface_color));
+//     }
+
+#include "peel/media.glsl"
+
+// As Transparency (npr/transparency.h).
+const int kExact = 0;
+const int kVolume = 1;
+
+// Less light than this is as good as none.
+float least_seen() {
+    return transparency == kVolume ? 1.0f / 4096.0f : 0.0f;
+}
+
+// Of the faces that parts have in one place, which one is seen? The most opaque; of those the one of the larger color,
+// so that no order of parts matters, and `%` only where it is alone. Highlights are seen in any case.
+bool yields(vec4 color, uint kind, vec4 other, uint other_kind) {
+    bool highlight = kind == kPartHighlight;
+    if (highlight != (other_kind == kPartHighlight))
+        return false;
+    bool background = kind == kPartBackground;
+    if (background != (other_kind == kPartBackground))
+        return background;
+    if (color.a != other.a)
+        return color.a < other.a;
+    if (color.r != other.r)
+        return color.r < other.r;
+    if (color.g != other.g)
+        return color.g < other.g;
+    return color.b < other.b;
+}
+
+bool yields_to(Surface s, vec4 color, Surface t) {
+    return t.plane == s.plane && t.leaving == s.leaving && yields(color, s.part_kind, base_color(t), t.part_kind);
+}
+
+// Is the face that of another part as well, which is seen in its place?
+bool shared_with_another(Surface s, ivec2 pixel, int layer, vec3 ray) {
+    vec4 color = base_color(s);
+    if (color.a >= 1.0f || s.leaving)
+        return false;
+    for (int i = layer - 1; i >= 0 && layer_depth(pixel, i) == s.depth; --i) {
+        Surface t = layer_surface(pixel, i, ray);
+        bool twin = t.plane == s.plane && t.leaving == s.leaving && t.part_kind == s.part_kind;
+        if (yields_to(s, color, t) || (twin && base_color(t) == color))
+            return true;
+    }
+    for (int i = layer + 1; i < layer_count && layer_depth(pixel, i) == s.depth; ++i) {
+        if (yields_to(s, color, layer_surface(pixel, i, ray)))
+            return true;
+    }
+    return false;
+}
+
+// A layer of what is seen.
+Surface seen_surface(ivec2 pixel, int layer, vec3 ray) {
+    Surface s = layer_surface(pixel, layer, ray);
+    if (s.hit)
+        s.covered = is_medium(s.part) || shared_with_another(s, pixel, layer, ray);
+    return s;
+}
+
+// The media that hold the eye: those that rays leave once more often than they enter them.
+Media media_at_eye(ivec2 pixel) {
+    Media m = no_media(view.depth_range.z > 0.5f ? view.depth_range.x : 0.0f);
+    if (transparency != kVolume)
+        return m;
+    for (int i = 0; i < layer_count; ++i) {
+        uvec2 ids = surface_ids(pixel, i);
+        if (ids.x == kNoSurface)
+            break;
+        uint part = leaf_rows[leaf_of(ids)].part.x;
+        m = crossed(m, medium_rows[part].high, medium_rows[part].low, !is_leaving(ids));
+    }
+    return m;
+}
+
+// Is it where a ray enters a medium, which has no color of its own?
+bool bounds_medium(Surface s) {
+    return is_medium(s.part) && !s.leaving;
+}
+
+// What is seen up to a surface.
+Composite reached(Composite c, Media m, Surface s, vec3 ray) {
+    if (transparency != kVolume || !s.hit)
+        return c;
+    float facing = dot(normalize(mat3(view.eye_from_world) * ray), kLightDirection);
+    float light = medium_light.x + medium_light.y * rayleigh(facing);
+    return through_medium(c, density(m, medium_unit), light, (view_distance(s.depth) - m.at) * length(ray));
+}
+
+Media beyond(Media m, Surface s) {
+    if (transparency != kVolume || !s.hit)
+        return m;
+    m.at = view_distance(s.depth);
+    return crossed(m, medium_rows[s.part].high, medium_rows[s.part].low, s.leaving);
+}

@@ -1,0 +1,143 @@
+#include "tests/npr/analytic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace analytic {
+namespace {
+
+using comparison::Subject;
+
+glm::dvec4 color_of(const Subject& subject, const npr::Picture& picture, const truth::Surface& s) {
+    const csg::LeafInstance& leaf = subject.scene.leaves[s.leaves.front()];
+    const csg::Part& part = subject.scene.parts[leaf.part];
+    if (part.kind == csg::PartKind::Highlight) {
+        return picture.scheme.highlight;
+    }
+    if (part.kind == csg::PartKind::Background) {
+        return picture.scheme.ghost;
+    }
+    const bool translucent = part.kind == csg::PartKind::Translucent;
+    const csg::Rgba& c = translucent ? part.color : leaf.color;
+    const double opacity = translucent ? c.a : 1;
+    if (c.given()) {
+        return {c.r, c.g, c.b, opacity};
+    }
+    const bool cut = !s.reversed.empty() && !translucent;
+    return {cut ? picture.scheme.cut : picture.scheme.face, opacity};
+}
+
+/// Two lights fixed to the eye, and ambient light.
+double light_on(const Subject& subject, const base::View& view, const truth::Surface& s) {
+    const glm::dvec3 normal = subject.geometry.planes.planes()[s.planes.front()].normal;
+    return 0.2 + std::abs(glm::dot(glm::dmat3(view.eye_from_world()) * normal, glm::dvec3(-1, 1, 1) / std::sqrt(3.0)));
+}
+
+struct Seen {
+    glm::dvec3 color{0};
+    double through = 1;
+
+    void add(const glm::dvec3& c, double opacity) {
+        color += through * opacity * c;
+        through *= 1 - opacity;
+    }
+};
+
+void add_surface(Seen& seen, const Subject& subject, const npr::Picture& picture, const base::View& view,
+                 const truth::Surface& s) {
+    const glm::dvec4 color = color_of(subject, picture, s);
+    if (color.a < 1 && s.leaving) {
+        return;
+    }
+    seen.add(glm::min(glm::dvec3(color) * light_on(subject, view, s), 1.0), color.a);
+}
+
+glm::dvec3 exact(const Subject& subject, const npr::Picture& picture, const base::View& view, const truth::Ray& ray) {
+    Seen seen;
+    for (const truth::Surface& s : ray.surfaces) {
+        add_surface(seen, subject, picture, view, s);
+    }
+    return seen.color + seen.through * glm::dvec3(picture.scheme.background);
+}
+
+/// Attenuation and albedo of a part; attenuation below 0: it is no medium.
+glm::dvec4 medium(const Subject& subject, const npr::Picture& picture, csg::PartId id) {
+    const csg::Part& part = subject.scene.parts[id];
+    for (const npr::PartMedium& m : picture.media) {
+        if (m.part == part.name) {
+            return {*m.albedo, *m.attenuation};
+        }
+    }
+    if (part.kind != csg::PartKind::Translucent) {
+        return {0, 0, 0, -1};
+    }
+    const double thickness = 0.1 * glm::length(subject.geometry.box.hi - subject.geometry.box.lo);
+    return {part.color.r, part.color.g, part.color.b, -std::log(1.0 - part.color.a) / thickness};
+}
+
+glm::dvec3 volume(const Subject& subject, const npr::Picture& picture, const base::View& view, const truth::Ray& ray,
+                  const base::View::Ray& line) {
+    const auto part_of = [&](const truth::Surface& s) { return subject.scene.leaves[s.leaves.front()].part; };
+    std::set<csg::PartId> inside, known;
+    for (const truth::Surface& s : ray.surfaces) {
+        if (known.insert(part_of(s)).second && s.leaving) {
+            inside.insert(part_of(s));
+        }
+    }
+    const glm::dvec3 toward = glm::dmat3(view.eye_from_world()) * glm::normalize(line.direction);
+    const double facing = glm::dot(toward, glm::dvec3(-1, 1, 1) / std::sqrt(3.0));
+    const double light = picture.medium_light.ambient + picture.medium_light.directional * 0.75 * (1 + facing * facing);
+    Seen seen;
+    double at = view.orthographic() ? view.near_distance() : 0;
+    for (const truth::Surface& s : ray.surfaces) {
+        double attenuation = 0;
+        glm::dvec3 scattered(0);
+        for (const csg::PartId part : inside) {
+            const glm::dvec4 m = medium(subject, picture, part);
+            attenuation += std::max(m.w, 0.0);
+            scattered += std::max(m.w, 0.0) * glm::dvec3(m);
+        }
+        if (attenuation > 0) {
+            const double length = (s.distance - at) * glm::length(line.direction);
+            seen.add(glm::min(scattered / attenuation * light, 1.0), 1 - std::exp(-attenuation * length));
+        }
+        at = s.distance;
+        s.leaving ? (void)inside.erase(part_of(s)) : (void)inside.insert(part_of(s));
+        if (medium(subject, picture, part_of(s)).w < 0) {
+            add_surface(seen, subject, picture, view, s);
+        }
+    }
+    return seen.color + seen.through * glm::dvec3(picture.scheme.background);
+}
+
+}  // namespace
+
+Error error_of(const Subject& subject, const npr::Picture& picture, const base::Image& image) {
+    const base::View view = subject.view(picture.camera, picture.size);
+    const truth::RayCaster caster(subject.scene, subject.geometry, view);
+    Error error;
+    for (int y = 0; y < picture.size.y; ++y) {
+        for (int x = 0; x < picture.size.x; ++x) {
+            const truth::Ray ray = caster.cast(x, y);
+            if (!ray.hit || !ray.decided) {
+                continue;
+            }
+            const glm::dvec3 expected = picture.transparency == npr::Transparency::Volume
+                                            ? volume(subject, picture, view, ray, view.ray(x, y))
+                                            : exact(subject, picture, view, ray);
+            const std::uint8_t* pixel = image.pixel(x, picture.size.y - 1 - y);
+            for (int c = 0; c < 3; ++c) {
+                const double off = pixel[c] - 255 * expected[c];
+                error.rms += off * off;
+                error.most = std::max(error.most, std::abs(off));
+            }
+            ++error.pixels;
+        }
+    }
+    error.rms = error.pixels > 0 ? std::sqrt(error.rms / (3.0 * static_cast<double>(error.pixels))) : 0;
+    return error;
+}
+
+}  // namespace analytic
