@@ -84,6 +84,16 @@ void Accumulator::resolve(GLuint target, glm::ivec2 corner) {
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+std::vector<glm::vec4> Accumulator::light() const {
+    std::vector<glm::vec4> mean(static_cast<std::size_t>(sum_.size().x) * static_cast<std::size_t>(sum_.size().y));
+    gl_.GetTextureImage(sum_.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(mean.size() * sizeof(glm::vec4)),
+                        mean.data());
+    for (glm::vec4& pixel : mean) {
+        pixel /= static_cast<float>(samples_);
+    }
+    return mean;
+}
+
 base::Image Accumulator::image() {
     if (!resolved_) {
         resolved_ = gl::Texture::make_2d(gl_, GL_RGBA8, sum_.size());

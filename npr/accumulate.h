@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <stop_token>
+#include <vector>
 
 #include "base/camera.h"
 #include "base/image.h"
@@ -33,6 +34,8 @@ class Accumulator {
     layers::TextureStack draw_sample(Style& style, const Picture& picture, std::size_t sample, const Subject& subject,
                                      const std::stop_token& stop = {});
 
+    /// The picture drawn last by pixel, rows from bottom to top: linear light, premultiplied alpha.
+    [[nodiscard]] std::vector<glm::vec4> light() const;
     /// The picture drawn last.
     [[nodiscard]] base::Image image();
     /// Writes the picture drawn last into `target` (0: the window) as sRGB with straight alpha, its lower left corner

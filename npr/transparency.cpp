@@ -7,8 +7,8 @@ namespace npr {
 
 std::span<const TransparencyInfo> transparencies() {
     static constexpr std::array kAll{
-        TransparencyInfo{Transparency::Exact, "exact", "Faces, blended in order"},
-        TransparencyInfo{Transparency::Volume, "volume", "Bodies of homogeneous media"},
+        TransparencyInfo{Transparency::Exact, "exact", "Faces"},
+        TransparencyInfo{Transparency::Volume, "volume", "Bodies"},
     };
     return kAll;
 }

@@ -18,6 +18,14 @@ void CpuAccumulator::paint_sample(const Paint& paint, const Picture& picture, st
     paint({picture, view, subject.peel(view), sum_, stop});
 }
 
+std::vector<glm::vec4> CpuAccumulator::light() const {
+    std::vector<glm::vec4> mean = sum_;
+    for (glm::vec4& pixel : mean) {
+        pixel /= static_cast<float>(samples_);
+    }
+    return mean;
+}
+
 base::Image CpuAccumulator::image() const {
     const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
     base::Image image{size_.x, size_.y, std::vector<std::uint8_t>(4 * width * height)};

@@ -26,7 +26,9 @@ class CpuAccumulator {
     void paint_sample(const Paint& paint, const Picture& picture, std::size_t sample, const CpuSubject& subject,
                       const std::stop_token& stop = {});
 
-    /// The picture painted last: sRGB with straight alpha.
+    /// The picture painted last by pixel, rows from bottom to top: linear light, premultiplied alpha.
+    [[nodiscard]] std::vector<glm::vec4> light() const;
+    /// The same: sRGB with straight alpha.
     [[nodiscard]] base::Image image() const;
 
   private:

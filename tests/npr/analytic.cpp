@@ -1,6 +1,7 @@
 #include "tests/npr/analytic.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -45,10 +46,34 @@ struct Seen {
     }
 };
 
+csg::PartKind kind_of(const Subject& subject, const truth::Surface& s) {
+    return subject.scene.parts[subject.scene.leaves[s.leaves.front()].part].kind;
+}
+
+/// Of faces in one place one is seen: the most opaque, then that of the larger color, and `%` only where it is alone.
+/// Highlights are among themselves.
+bool is_another_seen(const Subject& subject, const npr::Picture& picture, const truth::Ray& ray, std::size_t i) {
+    const auto rank = [&](const truth::Surface& s) {
+        const glm::dvec4 c = color_of(subject, picture, s);
+        return std::array{kind_of(subject, s) == csg::PartKind::Background ? 0.0 : 1.0, c.a, c.r, c.g, c.b};
+    };
+    const auto marked = [&](const truth::Surface& s) { return kind_of(subject, s) == csg::PartKind::Highlight; };
+    const truth::Surface& s = ray.surfaces[i];
+    for (std::size_t j = 0; j < ray.surfaces.size(); ++j) {
+        const truth::Surface& t = ray.surfaces[j];
+        if (j != i && t.planes == s.planes && t.leaving == s.leaving && marked(t) == marked(s) &&
+            (rank(t) > rank(s) || (rank(t) == rank(s) && j < i))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void add_surface(Seen& seen, const Subject& subject, const npr::Picture& picture, const base::View& view,
-                 const truth::Surface& s) {
+                 const truth::Ray& ray, std::size_t i) {
+    const truth::Surface& s = ray.surfaces[i];
     const glm::dvec4 color = color_of(subject, picture, s);
-    if (color.a < 1 && s.leaving) {
+    if (color.a < 1 && (s.leaving || is_another_seen(subject, picture, ray, i))) {
         return;
     }
     seen.add(glm::min(glm::dvec3(color) * light_on(subject, view, s), 1.0), color.a);
@@ -56,8 +81,8 @@ void add_surface(Seen& seen, const Subject& subject, const npr::Picture& picture
 
 glm::dvec3 exact(const Subject& subject, const npr::Picture& picture, const base::View& view, const truth::Ray& ray) {
     Seen seen;
-    for (const truth::Surface& s : ray.surfaces) {
-        add_surface(seen, subject, picture, view, s);
+    for (std::size_t i = 0; i < ray.surfaces.size(); ++i) {
+        add_surface(seen, subject, picture, view, ray, i);
     }
     return seen.color + seen.through * glm::dvec3(picture.scheme.background);
 }
@@ -91,7 +116,8 @@ glm::dvec3 volume(const Subject& subject, const npr::Picture& picture, const bas
     const double light = picture.medium_light.ambient + picture.medium_light.directional * 0.75 * (1 + facing * facing);
     Seen seen;
     double at = view.orthographic() ? view.near_distance() : 0;
-    for (const truth::Surface& s : ray.surfaces) {
+    for (std::size_t i = 0; i < ray.surfaces.size(); ++i) {
+        const truth::Surface& s = ray.surfaces[i];
         double attenuation = 0;
         glm::dvec3 scattered(0);
         for (const csg::PartId part : inside) {
@@ -106,7 +132,7 @@ glm::dvec3 volume(const Subject& subject, const npr::Picture& picture, const bas
         at = s.distance;
         s.leaving ? (void)inside.erase(part_of(s)) : (void)inside.insert(part_of(s));
         if (medium(subject, picture, part_of(s)).w < 0) {
-            add_surface(seen, subject, picture, view, s);
+            add_surface(seen, subject, picture, view, ray, i);
         }
     }
     return seen.color + seen.through * glm::dvec3(picture.scheme.background);
@@ -121,7 +147,9 @@ Error error_of(const Subject& subject, const npr::Picture& picture, const base::
     for (int y = 0; y < picture.size.y; ++y) {
         for (int x = 0; x < picture.size.x; ++x) {
             const truth::Ray ray = caster.cast(x, y);
-            if (!ray.hit || !ray.decided) {
+            const bool one_leaf = std::all_of(ray.surfaces.begin(), ray.surfaces.end(),
+                                              [](const truth::Surface& s) { return s.leaves.size() == 1; });
+            if (!ray.hit || !ray.decided || !one_leaf) {
                 continue;
             }
             const glm::dvec3 expected = picture.transparency == npr::Transparency::Volume

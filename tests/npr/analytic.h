@@ -5,7 +5,7 @@
 
 #include "base/image.h"
 #include "npr/picture.h"
-#include "tests/engine/comparison.h"
+#include "tests/goldfeather/comparison.h"
 
 namespace analytic {
 
@@ -13,7 +13,8 @@ namespace analytic {
 struct Error {
     double rms = 0;
     double most = 0;
-    std::size_t pixels = 0;  ///< Compared: those of rays that meet something and are not in the band.
+    std::size_t pixels = 0;  ///< Compared: those of rays that meet something, are not in the band, and whose
+                             ///< surfaces are of one leaf each.
 };
 
 /// Compares a picture of one sample per pixel. `picture.transparency`: Exact or Volume.

@@ -26,6 +26,31 @@ class Easel {
 
     [[nodiscard]] base::Image paint(const npr::Paint& paint, const npr::Picture& picture, unsigned threads = 0) {
         npr::CpuAccumulator accumulator;
+        accumulate(accumulator, paint, picture, threads);
+        return accumulator.image();
+    }
+
+    /// By pixel, rows from bottom to top: linear light.
+    [[nodiscard]] std::vector<glm::vec4> light(const npr::Picture& picture) {
+        npr::CpuAccumulator accumulator;
+        accumulate(accumulator, picture.style->make_paint(), picture, 0);
+        return accumulator.light();
+    }
+    [[nodiscard]] std::vector<glm::vec4> light(const gl::Functions& gl, const npr::Picture& picture) {
+        npr::Accumulator accumulator(gl);
+        accumulate(gl, accumulator, picture);
+        return accumulator.light();
+    }
+
+    [[nodiscard]] base::Image draw(const gl::Functions& gl, const npr::Picture& picture) {
+        npr::Accumulator accumulator(gl);
+        accumulate(gl, accumulator, picture);
+        return accumulator.image();
+    }
+
+  private:
+    void accumulate(npr::CpuAccumulator& accumulator, const npr::Paint& paint, const npr::Picture& picture,
+                    unsigned threads) {
         const npr::CpuSubject subject{box().lo, box().hi, [&](const base::View& v) -> const layers::HostStack& {
                                           goldfeather::ListsStats stats;
                                           goldfeather::peel_lists(lists_, v, 0, threads, layers_, stats);
@@ -34,19 +59,15 @@ class Easel {
         for (std::size_t i = 0; i < npr::sample_offsets(picture.samples).size(); ++i) {
             accumulator.paint_sample(paint, picture, i, subject);
         }
-        return accumulator.image();
     }
 
-    [[nodiscard]] base::Image draw(const gl::Functions& gl, const npr::Picture& picture) {
+    void accumulate(const gl::Functions& gl, npr::Accumulator& accumulator, const npr::Picture& picture) {
         const auto engine = goldfeather::make_engine(*goldfeather::find_engine("lists-cpu"), {&gl});
         const auto prepared = engine->prepare(subject_.input());
-        npr::Accumulator accumulator(gl);
         accumulator.draw(*picture.style->make(gl), picture,
                          {box().lo, box().hi, [&](const base::View& v) { return peel(gl, subject_, *prepared, v); }});
-        return accumulator.image();
     }
 
-  private:
     comparison::Subject subject_;
     goldfeather::ListsModel lists_;
     layers::HostStack layers_;

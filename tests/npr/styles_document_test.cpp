@@ -68,6 +68,9 @@ std::string telling_settings(std::string_view style, const Parameter& p) {
     static const std::map<std::string, std::string, std::less<>> others{
         {"blueprint grid-spacing", "--set grid=on --set grid-spacing=32"},
         {"blueprint layers", "--set layers=2"},
+        {"radiograph colors", "--set colors=heat"},
+        {"radiograph part", "--parts top --set part=2"},
+        {"radiograph range", "--set range=60"},
         {"sketch paper", "--set paper=#24342f --set ink=#f4f1e4"},
         {"sketch seed", "--set seed=2"},
         {"xray layers", "--set layers=2"},

@@ -124,6 +124,31 @@ TEST(Transparency, NothingAndEverythingAreExact) {
     }
 }
 
+TEST(Transparency, RandomModelsAreWhatRaysSay) {
+    std::size_t pixels = 0, seen_through = 0;
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        std::mt19937_64 random(seed);
+        const Model model = random_tree::make_model(random);
+        const comparison::Subject subject(random_tree::make_tree(model));
+        if (subject.geometry.box.empty()) {
+            continue;
+        }
+        for (const csg::Part& part : subject.scene.parts) {
+            seen_through += part.kind == csg::PartKind::Translucent ? 1 : 0;
+        }
+        for (const Transparency transparency : {Transparency::Exact, Transparency::Volume}) {
+            npr::Picture picture = picture_of(subject.geometry.box, transparency, "shaded", 20);
+            picture.camera = random_tree::make_camera(random, subject.geometry.box.lo, subject.geometry.box.hi);
+            const analytic::Error error = error_of(model, picture);
+            EXPECT_LE(error.most, 2.0) << "seed " << seed << ", " << static_cast<int>(transparency)
+                                       << random_tree::camera_text(picture.camera) << random_tree::scad_text(model);
+            pixels += error.pixels;
+        }
+    }
+    EXPECT_GT(pixels, 10'000U);
+    EXPECT_GT(seen_through, 20U);
+}
+
 /// An opaque cutter does not make the faces that it leaves opaque, nor does it color them.
 TEST(Transparency, PartsHaveTheirOwnColorOnCuts) {
     const auto cut = [](const csg::Rgba& cutter) {

@@ -37,9 +37,8 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     const char* const in = "Input and output";
     table.add_rest({"file", "The .scad file; - reads standard input"}, raw.inputs);
     list("-o,--o", raw.outputs,
-         "Write FILE: .png, .stl, .off, .obj, .amf, .3mf, .wrl, .pov, .svg, .dxf, .pdf, .csg, .ast, .echo, .term or "
-         ".param; - "
-         "is standard output. May be repeated. Without it a window opens",
+         "Write FILE: .png, .exr, .stl, .off, .obj, .amf, .3mf, .wrl, .pov, .svg, .dxf, .pdf, .csg, .ast, .echo, .term "
+         "or .param; - is standard output. May be repeated. Without it a window opens",
          "FILE", in);
     text("--export-format", raw.export_format,
          "The format of the outputs, whatever their suffix; also asciistl, binstl", "FORMAT", in);

@@ -20,7 +20,8 @@ struct NamedFormat {
     MeshFormat mesh = MeshFormat::AsciiStl;
     DrawingFormat drawing = DrawingFormat::Svg;
 };
-const std::array<NamedFormat, 18> kFormats{{{"png", Format::Png},
+const std::array<NamedFormat, 19> kFormats{{{"png", Format::Png},
+                                            {"exr", Format::Exr},
                                             {"stl", Format::Mesh},
                                             {"asciistl", Format::Mesh},
                                             {"binstl", Format::Mesh, MeshFormat::BinaryStl},
@@ -39,7 +40,7 @@ const std::array<NamedFormat, 18> kFormats{{{"png", Format::Png},
                                             {"term", Format::Term},
                                             {"param", Format::Param}}};
 constexpr const char* kFormatNames =
-    "png, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, pov, svg, dxf, pdf, csg, ast, echo, term and param";
+    "png, exr, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, pov, svg, dxf, pdf, csg, ast, echo, term and param";
 
 Output read_format(std::string_view option, const std::string& path, const std::string& text) {
     std::string name = text;

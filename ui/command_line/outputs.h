@@ -8,7 +8,7 @@
 
 namespace ui {
 
-enum class Format { Png, Csg, Ast, Echo, Param, Term, Mesh, Drawing };
+enum class Format { Png, Exr, Csg, Ast, Echo, Param, Term, Mesh, Drawing };
 
 struct Output {
     std::string path;  ///< "-": standard output.

@@ -11,6 +11,7 @@
 #include "csg/tree/changes.h"
 #include "csg/tree/out_of_memory.h"
 #include "gl/error.h"
+#include "npr/styles/radiograph.h"
 #include "ui/command_line/compare.h"
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
@@ -26,6 +27,8 @@
 #include "ui/pipeline/picture/camera.h"
 #include "ui/pipeline/picture/exact_bounds.h"
 #include "ui/pipeline/picture/flat_lines.h"
+#include "ui/pipeline/picture/legend.h"
+#include "ui/pipeline/picture/radiograph.h"
 #include "ui/pipeline/picture/renderer.h"
 #include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/sections.h"
@@ -104,7 +107,7 @@ class Run {
             }
             tree_ = std::make_shared<const csg::Tree>(csg::versions(*before, *tree_).all);
         }
-        if (needs_geometry(options_) || wants(options_, Format::Png) || options_.statistics || options_.summary ||
+        if (needs_geometry(options_) || wants_picture() || options_.statistics || options_.summary ||
             options_.summary_file || options_.pick) {
             build();
         }
@@ -118,12 +121,14 @@ class Run {
             stage_ = "writing the geometry";
             write_geometry(options_, *exported_, geometry_, picture_.camera, language_.messages(), limit_.token());
         }
-        if (wants(options_, Format::Png)) {
+        if (wants_picture()) {
             draw();
         }
         report();
         return true;
     }
+
+    [[nodiscard]] bool wants_picture() const { return wants(options_, Format::Png) || wants(options_, Format::Exr); }
 
     void check() {
         std::vector<std::string> to_standard_output;
@@ -161,7 +166,7 @@ class Run {
         if (needs_geometry(options_) && options_.preview && shows_misplaced(*model_)) {
             builder_.show(csg::Showing::Result);
             exported_ = build_it();
-            if (!wants(options_, Format::Png)) {
+            if (!wants_picture()) {
                 model_ = exported_;
             }
         }
@@ -238,18 +243,52 @@ class Run {
         write_output("-", options_.pick->json ? text_of(pick_json(report)) : printable(pick_text(report)));
     }
 
+    template <typename Value>
+    [[nodiscard]] Value setting(std::string_view name) const {
+        return std::get<Value>(picture_.parameters.at(picture_.parameters.find(name).value()));
+    }
+
+    /// That of the thickest place, where none is given.
+    void set_full_tone(Renderer& renderer) {
+        if (setting<float>("range") > 0) {
+            return;
+        }
+        const double most = most_thickness(renderer, *shown_, PictureRequest(picture_), limit_.token());
+        if (most > 0) {
+            picture_.parameters.set("range", static_cast<float>(round_up(most)));
+        }
+    }
+
     void draw() {
         begin("Drawing…", "drawing");
         Stopwatch watch;
         Renderer& renderer = this->renderer();
         const double context_ms = watch.lap();
+        if (is_radiograph(picture_)) {
+            set_full_tone(renderer);
+        }
         const bool lines =
             extent_of(*model_) == Extent::Flat && is_flat_picture(*model_, picture_) && picture_.samples == 1;
         const PictureRequest request(lines ? flat_picture(picture_, false) : picture_);
+        if (wants(options_, Format::Exr)) {
+            const bool radiograph = is_radiograph(picture_);
+            write_outputs(options_, Format::Exr,
+                          base::encode_exr(radiograph ? thickness(renderer, *shown_, request, limit_.token())
+                                                      : light(renderer, *shown_, request, limit_.token())));
+        }
+        if (!wants(options_, Format::Png)) {
+            language_.progress().say("");
+            return;
+        }
         base::Image image = renderer.render(*shown_, request, limit_.token());
         if (lines) {
             draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), picture_.camera,
                             picture_.scheme.edge_2d);
+        }
+        if (is_radiograph(picture_) && setting<bool>("legend")) {
+            const auto colors = setting<int>("colors");
+            draw_legend(image, setting<float>("range"),
+                        [&](float share) { return npr::radiograph_tone(colors, share); });
         }
         if (options_.marks.any()) {
             draw_marks(image);

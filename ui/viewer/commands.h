@@ -62,6 +62,9 @@ struct ResetParameters {};
 struct SetScheme {
     std::size_t scheme = 0;
 };
+struct SetTransparency {
+    npr::Transparency transparency = npr::Transparency::Exact;
+};
 struct SetLayers {
     int layers = -1;
 };
@@ -79,8 +82,8 @@ struct WritePicture {
     PictureRequest picture;
 };
 
-using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetLayers, SetSamples,
-                             SetSections, SetEngine, WritePicture>;
+using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetLayers,
+                             SetSamples, SetSections, SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

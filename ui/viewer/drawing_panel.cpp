@@ -94,6 +94,15 @@ void scheme_section(const ViewState& view, const Fonts& fonts, Commands& command
     ImGui::EndCombo();
 }
 
+void transparency_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
+    heading("Transparency", fonts);
+    const auto models = npr::transparencies();
+    button_grid(
+        models.size(), 2, [&](std::size_t i) { return std::string(models[i].label); },
+        [&](std::size_t i) { return models[i].model == view.picture.transparency; },
+        [&](std::size_t i) { commands.emplace_back(SetTransparency{models[i].model}); });
+}
+
 void layers_section(const Session& session, const Fonts& fonts, Commands& commands) {
     heading("Layers", fonts);
     const int layers = session.view().picture.layers;
@@ -285,6 +294,7 @@ void draw_panel(const Rectangle& place, const Session& session, const PictureInf
     if (begin_panel("Drawing", place)) {
         style_section(session.view(), fonts, commands);
         scheme_section(session.view(), fonts, commands);
+        transparency_section(session.view(), fonts, commands);
         layers_section(session, fonts, commands);
         section_section(session, fonts, commands);
         samples_section(session.view(), fonts, commands);

@@ -96,6 +96,8 @@ bool Session::perform(const Command& command) {
         view_.reset_parameters();
     } else if (const auto* scheme = std::get_if<SetScheme>(&command)) {
         view_.picture.scheme = npr::color_schemes()[std::min(scheme->scheme, npr::color_schemes().size() - 1)];
+    } else if (const auto* transparency = std::get_if<SetTransparency>(&command)) {
+        view_.picture.transparency = transparency->transparency;
     } else if (const auto* layers = std::get_if<SetLayers>(&command)) {
         view_.picture.layers = std::max(layers->layers, npr::kLayersOfStyle);
     } else if (const auto* samples = std::get_if<SetSamples>(&command)) {

@@ -174,6 +174,8 @@ TEST_F(SessionTest, CommandsChangeTheView) {
     EXPECT_EQ(session_->view().picture.samples, 8);
     session_->perform(SetScheme{2});
     EXPECT_EQ(session_->view().picture.scheme, npr::color_schemes()[2]);
+    session_->perform(SetTransparency{npr::Transparency::Volume});
+    EXPECT_EQ(session_->view().picture.transparency, npr::Transparency::Volume);
     EXPECT_FALSE(session_->perform(Action::Quit)) << "is the window's";
     EXPECT_FALSE(session_->perform(WritePicture{}));
 }

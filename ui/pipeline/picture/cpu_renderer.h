@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "goldfeather/engine_set.h"
 #include "layers/host_stack.h"
@@ -21,6 +22,7 @@ class CpuRenderer {
     /// See Renderer; flat pictures are as they are to be drawn.
     void draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineInfo& engine, int sample,
                      const std::stop_token& stop = {});
+    [[nodiscard]] std::vector<glm::vec4> light() const { return accumulator_.light(); }
     [[nodiscard]] base::Image image() const { return accumulator_.image(); }
     /// The first surfaces of a view of one pixel (0: all).
     [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,

@@ -32,6 +32,7 @@ class GlRenderer {
     void draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineChoice& engine,
                      int sample, const std::stop_token& stop = {});
     void resolve(GLuint target, glm::ivec2 corner) { accumulator_.resolve(target, corner); }
+    [[nodiscard]] std::vector<glm::vec4> light() const { return accumulator_.light(); }
     [[nodiscard]] base::Image image() { return accumulator_.image(); }
     /// The first surfaces of a view of one pixel (0: all).
     [[nodiscard]] std::shared_ptr<const layers::HostStack> pick(const Model& model, const base::View& view, int layers,

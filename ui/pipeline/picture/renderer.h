@@ -40,6 +40,8 @@ class Renderer {
     /// `samples`, the first (0) of a new picture; then `image` gives the mean of those drawn so far …
     void draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop = {});
     [[nodiscard]] base::Image image();
+    /// The same by pixel, rows from bottom to top: linear light, premultiplied alpha.
+    [[nodiscard]] std::vector<glm::vec4> light() const { return on_cpu_ ? cpu_.light() : gl_->light(); }
     /// … or, where OpenGL drew them, `resolve` writes it into `target`.
     [[nodiscard]] bool drawn_with_opengl() const { return !on_cpu_; }
     void resolve(GLuint target, glm::ivec2 corner) { gl_->resolve(target, corner); }
