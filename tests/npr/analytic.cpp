@@ -17,17 +17,19 @@ glm::dvec4 color_of(const Subject& subject, const npr::Picture& picture, const t
     if (part.kind == csg::PartKind::Highlight) {
         return picture.scheme.highlight;
     }
-    if (part.kind == csg::PartKind::Background) {
-        return picture.scheme.ghost;
-    }
     const bool translucent = part.kind == csg::PartKind::Translucent;
     const csg::Rgba& c = translucent ? part.color : leaf.color;
-    const double opacity = translucent ? c.a : 1;
-    if (c.given()) {
-        return {c.r, c.g, c.b, opacity};
+    const glm::dvec3 given(c.r, c.g, c.b);
+    glm::dvec4 color(s.reversed.empty() || translucent ? picture.scheme.face : picture.scheme.cut,
+                     translucent ? c.a : 1);
+    if (part.kind == csg::PartKind::Background) {
+        const bool all_of_it = c.r < 0 && c.g < 0 && c.b < 0 && !c.translucent();
+        color = glm::dvec4(glm::dvec3(picture.scheme.ghost), all_of_it ? picture.scheme.ghost.a : c.a < 0 ? 1 : c.a);
     }
-    const bool cut = !s.reversed.empty() && !translucent;
-    return {cut ? picture.scheme.cut : picture.scheme.face, opacity};
+    for (int i = 0; i < 3; ++i) {
+        color[i] = given[i] >= 0 ? given[i] : color[i];
+    }
+    return color;
 }
 
 /// Two lights fixed to the eye, and ambient light.

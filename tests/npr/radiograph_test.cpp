@@ -142,8 +142,8 @@ TEST(Radiograph, CountsPartsOnceAndBeginsAtTheEye) {
     ghost.modifiers.background = true;
     Model marked = scene::combine(Operation::Union, {box({-2, -2, -2}, {4, 4, 4})});
     marked.modifiers.highlight = true;
-    const Model model =
-        scene::combine(Operation::Union, {marked, scene::colored(glass, box({-1, -1, -1}, {2, 2, 6})), ghost});
+    const Model model = scene::combine(Operation::Union, {box({-2, -2, -2}, {4, 4, 4}), marked,
+                                                          scene::colored(glass, box({-1, -1, -1}, {2, 2, 6})), ghost});
     npr::Picture picture = picture_of(Easel(model).box());
     picture.camera.rotation = {0, 0, 0};
     picture.camera.projection = base::Projection::Orthographic;

@@ -1,3 +1,3 @@
-// A mark on glass, with something in it.
+// Glass that is marked, with something in it.
 #color("RoyalBlue", 0.4) cube(14, center = true);
 sphere(4, $fn = 48);
