@@ -10,7 +10,8 @@ using StyleMaker = StyleInfo();
 StyleMaker shaded_style, edges_style, blueprint_style, xray_style, sketch_style, radiograph_style;
 
 std::span<const StyleInfo> styles() {
-    static const std::array all{shaded_style(), edges_style(), blueprint_style(), xray_style(), sketch_style(), radiograph_style()};
+    static const std::array all{shaded_style(), edges_style(),  blueprint_style(),
+                                xray_style(),   sketch_style(), radiograph_style()};
     return all;
 }
 

@@ -12,8 +12,8 @@ namespace ui {
 [[nodiscard]] bool is_radiograph(const npr::Picture& picture);
 
 /// The length of each pixel's ray within the solid in millimeters, the mean over the picture's samples, as channel "Y".
-/// Where the picture is of all of the solid and that has several parts, each has a channel of its name, too (a '.' in it
-/// is written '_'). Where parts overlap, "Y" counts once. Throws as Renderer does.
+/// Where the picture is of all of the solid and that has several parts, each has a channel of its name, too (a '.' in
+/// it is written '_'). Where parts overlap, "Y" counts once. Throws as Renderer does.
 [[nodiscard]] base::FloatImage thickness(Renderer& renderer, const Model& model, const PictureRequest& request,
                                          const std::stop_token& stop = {});
 
