@@ -8,6 +8,7 @@
 const float kLeastCrease = 0.052359878f;
 const float kLeastOfLeaf = 0.017453293f;
 const float kNever = 4.0f;
+const float kUsualCrease = 0.5759f;  // a little less than the 33 degrees of the parameter
 // By so much more at most the angle between facets may be that are not neighbors.
 const float kCurved = 0.288f;
 
@@ -21,6 +22,8 @@ float crease_limit(Surface s, Surface t) {
         return max(kLeastCrease, 0.5f * (bend_of(a) + bend_of(b)));
     if (!one_surface(a, b))
         return kLeastOfLeaf;
-    // Across a corner where four facets meet the angle is that of two bends.
-    return leaf_rows[s.leaf].part.w != 0u ? max(crease_angle, 1.5f * max(bend_of(a), bend_of(b))) : kNever;
+    // An angle below the usual one asks for bends within surfaces that are only estimated. Across a corner where four
+    // facets meet the angle is that of two bends.
+    bool asked = leaf_rows[s.leaf].part.w != 0u && crease_angle < kUsualCrease;
+    return asked ? max(crease_angle, 1.5f * max(bend_of(a), bend_of(b))) : kNever;
 }

@@ -21,12 +21,13 @@ bool is_crease(Surface s, ivec2 p, int layer, ivec2 q, Continuation c) {
     float limit = crease_limit(s, t);
     if (angle <= limit)
         return false;
-    if (limit == kLeastOfLeaf || angle > limit + kCurved)
+    if (limit == kLeastOfLeaf || (s.leaf != t.leaf && angle > limit + kCurved))
         return true;
     ivec2 offset = q - p;
     float before = bend_ahead(p, layer, -offset);
     float after = bend_ahead(q, c.layer, offset);
-    return angle > limit + min(s.leaf == t.leaf ? before + after : 2.0f * min(before, after), kCurved);
+    // Within a surface a crease stands out among what is beside it.
+    return s.leaf == t.leaf ? angle > 2.0f * max(before, after) : angle > limit + min(2.0f * min(before, after), kCurved);
 }
 
 bool bends_by_crease(Surface s, Surface t) {
