@@ -28,6 +28,7 @@ Surface no_surface() {
     s.part_kind = kPartSolid;
     s.reversed = false;
     s.leaving = false;
+    s.covered = false;
     s.color = vec4(0.0f);
     return s;
 }

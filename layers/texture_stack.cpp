@@ -79,7 +79,7 @@ void bind(const TextureStack& stack) {
     stack.surface.bind(1);
     stack.table->leaves.bind(GL_SHADER_STORAGE_BUFFER, 0);
     stack.table->planes.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    stack.table->groups.bind(GL_SHADER_STORAGE_BUFFER, 5);
+    stack.table->groups.bind(GL_SHADER_STORAGE_BUFFER, 10);
 }
 
 }  // namespace layers

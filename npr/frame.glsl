@@ -10,7 +10,7 @@ struct MediumRow {
     ivec4 low;
     ivec4 is_medium;
 };
-layout(std430, binding = 6) readonly buffer MediumRows { MediumRow medium_rows[]; };
+layout(std430, binding = 11) readonly buffer MediumRows { MediumRow medium_rows[]; };
 
 ivec2 picture_size() {
     return textureSize(layer_depths, 0).xy;

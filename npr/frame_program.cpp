@@ -34,7 +34,7 @@ void FrameProgram::use(const Frame& frame) {
     const layers::SurfaceBuffers& table = *frame.layers.table;
     const MediumTable media = media_of(frame.picture, table.parts, table.diagonal);
     media_.upload<MediumRow>(media.rows, GL_DYNAMIC_DRAW);
-    media_.bind(GL_SHADER_STORAGE_BUFFER, 6);
+    media_.bind(GL_SHADER_STORAGE_BUFFER, 11);
     FrameValues values =
         frame_values(frame.picture, frame.view, table.local_center, table.diagonal, frame.layers.layers);
     values.medium_unit = media.unit;

@@ -36,7 +36,7 @@ vec4 density(Media m, float unit) {
 Composite through_medium(Composite c, vec4 density, float light, float length) {
     if (density.w <= 0.0f)
         return c;
-    float clear = exp(-density.w * length);
+    float clear = float(exp(-density.w * length));
     c.color += c.through * (1.0f - clear) * min(vec3(density) / density.w * light, 1.0f);
     c.through *= clear;
     return c;

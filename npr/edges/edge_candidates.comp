@@ -24,7 +24,7 @@ void add(uint link, int layer, uint end) {
         candidates[at] = uvec2(link, uint(layer) << 1 | end);
 }
 
-layout(std430, binding = 5) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
+layout(std430, binding = 10) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
 
 #include "npr/planes.glsl"
 

@@ -17,7 +17,7 @@ layout(std430, binding = 3) readonly buffer Candidates {
 layout(r32ui, binding = 0) readonly uniform uimage2DArray edge_points;
 layout(r32ui, binding = 1) uniform uimage2DArray edge_facts;  // two slices for each of the points'
 
-layout(std430, binding = 5) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
+layout(std430, binding = 10) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
 
 #include "npr/planes.glsl"
 

@@ -15,7 +15,7 @@ layout(r32ui, binding = 0) uniform uimage2DArray edge_points;
 layout(r32ui, binding = 1) uniform uimage2D edge_marks;
 layout(r32ui, binding = 2) uniform uimage2D edge_tiles;
 
-layout(std430, binding = 5) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
+layout(std430, binding = 10) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
 
 #include "npr/planes.glsl"
 

@@ -92,11 +92,17 @@ void compare_with_truth(comparison::Engine& engine, int otherwise, bool wound) {
     std::size_t over_budget = 0;
     const int first = environment("CSGSCOPE_TEST_SEED", 1);
     const int trees = environment("CSGSCOPE_TEST_TREES", otherwise);
-    int failures = 0;
+    int failures = 0, not_drawn = 0;
     for (int i = 0; i < trees && failures < 5; ++i) {
         const auto seed = static_cast<std::uint64_t>(first + i);
         const Sample sample = make_sample(seed, wound);
-        if (check.run(sample, count, over_budget).empty()) {
+        try {
+            if (check.run(sample, count, over_budget).empty()) {
+                continue;
+            }
+        } catch (const goldfeather::EngineObstacle&) {
+            ++not_drawn;  // Where many parts meet, loops end early on OpenGL in software; the program takes another
+                          // engine.
             continue;
         }
         ++failures;
@@ -112,6 +118,7 @@ void compare_with_truth(comparison::Engine& engine, int otherwise, bool wound) {
         "surfaces compared, {} parts over budget\n",
         trees, count.pixels, count.undecided, 100 * band, count.surfaces, over_budget);
     EXPECT_LT(band, 0.05);
+    EXPECT_LE(not_drawn, 1 + trees / 500);
 }
 
 TEST_P(RandomTrees, AgreeWithTheRayCaster) {
