@@ -142,6 +142,9 @@ bool Parser::pass_over(std::size_t (Preparser::*read)(std::size_t), Level level,
         return false;
     }
     const Token& first = current();
+    if (first.kind == TokenKind::Semicolon) {
+        return false;  // All of it; what comes behind has been read already, and would be told of twice.
+    }
     const std::string& text = program_.sources[first.where.file].text();
     const std::size_t end = (Preparser(text, program_.symbols, program_.lazy).*read)(first.at);
     if (end == 0) {

@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "module m(a, b = 2) { c = 1; cube(a); function g(x) = x; module n() sphere(); ; { d = 2; } }",
                     "module m() { if (a) b(); else if (c) { d(); } else #%translate([1, 2]) * cube(); c = 1; }",
                     "module m() for (i = [1:3]) let (j = i) { k = j; assert(k) echo(k); !children(); }",
-                    "module m() {}", "module m() ;\ncube();", "module m() if (a) b(); cube();",
+                    "module m() {}", "module m() if (a) b(); cube();",
                     "module m() union() { a = 1; union() { a = 2; } }"));
 
 TEST_P(Eager, BodyHasTheParsersSay) {
@@ -68,7 +68,9 @@ TEST_P(Eager, BodyHasTheParsersSay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Parser, Eager,
-                         testing::Values("module m() { a = 1; a = 2; }",          // A warning.
+                         testing::Values("module m() ;\ncube();",                 // One token, and what follows …
+                                         "module m() ;1r = 2;",                   // … is read, and told of, already.
+                                         "module m() { a = 1; a = 2; }",          // A warning.
                                          "function f() = 2d;",                    // Deprecated.
                                          "function f() = \"\\q\";",               // A warning.
                                          "function f() = 12345678901234567890;",  // A warning.
