@@ -36,23 +36,23 @@ class Joiner {
         return added[tree.root()];
     }
 
-    NodeId colored(const Rgba& color, Operation operation, NodeId first, NodeId second) {
+    /// `second` may be nothing.
+    NodeId combine(Operation operation, NodeId first, NodeId second) {
         std::vector<NodeId> operands{first};
         if (second != kNoNode) {
             operands.push_back(second);
         }
-        const NodeId combined = builder_.combine(operation, operands, {});
-        return builder_.color(color, {&combined, 1}, {});
+        return builder_.combine(operation, operands, {});
     }
 
-    NodeId united(const std::vector<NodeId>& nodes) { return builder_.combine(Operation::Group, nodes, {}); }
+    NodeId colored(const Rgba& color, NodeId node) { return builder_.color(color, {&node, 1}, {}); }
 
-    Tree finish(NodeId root) {
+    Tree finish(const std::vector<NodeId>& united) {
         std::ranges::sort(statements_, {}, &Statement::where);  // Both may have called the same library.
         const auto same = std::unique(statements_.begin(), statements_.end(),
                                       [](const Statement& a, const Statement& b) { return a.where == b.where; });
         statements_.erase(same, statements_.end());
-        return builder_.finish(root, std::move(statements_));
+        return builder_.finish(builder_.combine(Operation::Group, united, {}), std::move(statements_));
     }
 
   private:
@@ -85,33 +85,29 @@ class Joiner {
     std::vector<Statement> statements_;
 };
 
-Tree difference(const Tree& first, const Tree& second, const Rgba& color) {
-    Joiner joiner;
-    const NodeId a = joiner.add(first), b = joiner.add(second);
-    return joiner.finish(joiner.united(a == kNoNode ? std::vector<NodeId>{}
-                                                    : std::vector{joiner.colored(color, Operation::Difference, a, b)}));
-}
+}  // namespace
 
-Tree all_of(const Tree& before, const Tree& after) {
+Tree changes(const Tree& before, const Tree& after) {
     Joiner joiner;
     const NodeId a = joiner.add(before), b = joiner.add(after);
     std::vector<NodeId> parts;
     if (a != kNoNode && b != kNoNode) {
-        parts.push_back(joiner.colored(kSame, Operation::Intersection, a, b));
+        parts.push_back(joiner.colored(kSame, joiner.combine(Operation::Intersection, a, b)));
     }
     if (b != kNoNode) {
-        parts.push_back(joiner.colored(kAdded, Operation::Difference, b, a));
+        parts.push_back(joiner.colored(kAdded, joiner.combine(Operation::Difference, b, a)));
     }
     if (a != kNoNode) {
-        parts.push_back(joiner.colored(kRemoved, Operation::Difference, a, b));
+        parts.push_back(joiner.colored(kRemoved, joiner.combine(Operation::Difference, a, b)));
     }
-    return joiner.finish(joiner.united(parts));
+    return joiner.finish(parts);
 }
 
-}  // namespace
-
-Versions versions(const Tree& before, const Tree& after) {
-    return {all_of(before, after), difference(after, before, kAdded), difference(before, after, kRemoved)};
+Tree less(const Tree& first, const Tree& second) {
+    Joiner joiner;
+    const NodeId a = joiner.add(first), b = joiner.add(second);
+    return joiner.finish(a == kNoNode ? std::vector<NodeId>{}
+                                      : std::vector{joiner.combine(Operation::Difference, a, b)});
 }
 
 }  // namespace csg

@@ -5,14 +5,12 @@
 
 namespace csg {
 
-/// What a change of a model can be asked for.
-struct Versions {
-    Tree all;      ///< What both have, gray and seen through; what is new, green; what is gone, red.
-    Tree added;    ///< What only the later one has.
-    Tree removed;  ///< What only the earlier one has.
-};
+// Of both trees: `%` subtrees are no part of the solid, `#` is taken off; nodes keep their places, and calls theirs.
 
-/// Solids less solids; `%` subtrees are no part of them, `#` is taken off. Nodes keep their places, and calls theirs.
-[[nodiscard]] Versions versions(const Tree& before, const Tree& after);
+/// What both have, gray and seen through; what is new in the later one, green; what is gone, red.
+[[nodiscard]] Tree changes(const Tree& before, const Tree& after);
+
+/// The solid of one less that of the other.
+[[nodiscard]] Tree less(const Tree& first, const Tree& second);
 
 }  // namespace csg

@@ -1,7 +1,6 @@
 #include "ui/command_line/compare_options.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -11,21 +10,6 @@
 #include "ui/command_line/option_values.h"
 
 namespace ui {
-
-namespace {
-
-glm::ivec2 read_size(const std::string& text) {
-    constexpr int kLeast = 16, kMost = 4096;
-    const auto n = read_numbers("--imgsize", text, {1, 2}, "width,height");
-    for (const double side : n) {
-        if (side != std::floor(side) || side < kLeast || side > kMost) {
-            throw UsageError(fmt::format("--imgsize {}: a side is a whole number from {} to {}", text, kLeast, kMost));
-        }
-    }
-    return {static_cast<int>(n.front()), static_cast<int>(n.back())};
-}
-
-}  // namespace
 
 CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     CompareOptions o;
@@ -76,7 +60,8 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
         o.reference = o.against;
     }
     if (!size.empty()) {
-        o.size = read_size(size);
+        constexpr int kLeast = 16, kMost = 4096;
+        o.size = read_size(size, {1, 2}, kLeast, kMost);
     }
     if (!camera.empty()) {
         if (o.views != 1) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "ui/command_line/compare_table.h"
 #include "ui/pipeline/plain_text.h"
 
 namespace ui {
@@ -34,11 +35,6 @@ std::string html(const std::string& text) {
 std::string picture(const base::Image& image, const char* alt) {
     return fmt::format("<img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", alt, image.width,
                        image.height, base64(base::encode_png(image)));
-}
-
-/// With three digits, where it is no whole number.
-std::string short_number(const Json& value) {
-    return value.is_fraction() ? fmt::format("{:.3g}", value.fraction()) : value.dump();
 }
 
 /// Rows of the layers, all pixels; none where a picture was compared with a picture.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "ui/pipeline/plain_text.h"
+
 namespace ui {
 
 namespace {
@@ -27,10 +29,6 @@ std::string word(const Json& value) {
     return value.text() != nullptr ? *value.text() : value.dump();
 }
 
-std::string number(const Json& value) {
-    return value.is_fraction() ? fmt::format("{:.3g}", value.fraction()) : value.dump();
-}
-
 /// A share of pixels: of a million, where it is small.
 std::string share(const Json& value) {
     const double part = value.fraction();
@@ -45,12 +43,7 @@ std::string label(std::string_view name) {
 }
 
 std::string figure(std::string_view name, const Json& value) {
-    return name.ends_with("_error") ? share(value) : number(value);
-}
-
-std::size_t width(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return name.ends_with("_error") ? share(value) : short_number(value);
 }
 
 /// Lines of cells: the first column to the left, the others to the right.
@@ -59,13 +52,13 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
     for (const auto& row : rows) {
         widest.resize(std::max(widest.size(), row.size()));
         for (std::size_t i = 0; i < row.size(); ++i) {
-            widest[i] = std::max(widest[i], width(row[i]));
+            widest[i] = std::max(widest[i], character_count(row[i]));
         }
     }
     std::string text;
     for (const auto& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(widest[i] - width(row[i]), ' ');
+            const std::string blanks(widest[i] - character_count(row[i]), ' ');
             text += i == 0 ? row[i] + (row.size() > 1 ? blanks : "") : "  " + blanks + row[i];
         }
         text += '\n';
@@ -104,15 +97,19 @@ std::string verdict(const Json& found, const char* within, const char* limit) {
 
 }  // namespace
 
+std::string short_number(const Json& value) {
+    return value.is_fraction() ? fmt::format("{:.3g}", value.fraction()) : value.dump();
+}
+
 std::string compare_table(const Json& found) {
     const Json& size = at(found, {"size"});
     std::string text = fmt::format(
         "{} against {}: {}\n{}, {} {}, {} views of {} × {} pixels; the mesh has {} triangles\n\n",
         word(at(found, {"model"})), word(at(found, {"against"})), verdict(found, "within_tolerance", "tolerance"),
         word(at(found, {"engine"})), at(found, {"layers"}).text() != nullptr ? "all" : "the first",
-        at(found, {"layers"}).text() != nullptr ? "layers" : number(at(found, {"layers"})),
-        number(at(found, {"views"})), number(size.items()[0]), number(size.items()[1]),
-        number(at(found, {"mesh", "triangles"})));
+        at(found, {"layers"}).text() != nullptr ? "layers" : short_number(at(found, {"layers"})),
+        short_number(at(found, {"views"})), short_number(size.items()[0]), short_number(size.items()[1]),
+        short_number(at(found, {"mesh", "triangles"})));
     std::vector<std::vector<std::string>> rows{{"", "all pixels", "without the band"}};
     const Json& all = at(found, {"all"});
     for (const auto& [name, value] : all.members()) {

@@ -10,7 +10,10 @@ namespace ui {
 /// `found`: as it is written with --json, of a comparison with a mesh.
 [[nodiscard]] std::string compare_table(const Json& found);
 
-/// The same of a comparison with a picture.
+/// With three digits, where it is no whole number.
+[[nodiscard]] std::string short_number(const Json& value);
+
+/// The same as compare_table of a comparison with a picture.
 [[nodiscard]] std::string compare_picture_text(const Json& found);
 
 }  // namespace ui

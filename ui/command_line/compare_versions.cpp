@@ -7,15 +7,15 @@
 #include "ui/command_line/files.h"
 #include "ui/pipeline/comparison/solid_of_tree.h"
 #include "ui/pipeline/plain_text.h"
+#include "ui/pipeline/statistics.h"
 
 namespace ui {
 
 namespace {
 
 Json to_json(const MeasuredSolid& piece) {
-    const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
     return {{"volume", piece.volume},
-            {"box", piece.box.empty() ? Json(nullptr) : Json{array(piece.box.lo), array(piece.box.hi)}}};
+            {"box", piece.box.empty() ? Json(nullptr) : Json{ui::to_json(piece.box.lo), ui::to_json(piece.box.hi)}}};
 }
 
 std::string line_of(const char* name, const MeasuredSolid& piece) {
@@ -32,9 +32,8 @@ int compare_versions(const CompareOptions& o) {
     CompareOptions other = o;
     other.input = o.later;
     const auto before = evaluate(o, false).tree, after = evaluate(other, false).tree;
-    csg::Versions changed = csg::versions(*before, *after);
-    const MeasuredSolid added = solid_of(std::move(changed.added), o.stop),
-                        removed = solid_of(std::move(changed.removed), o.stop);
+    const MeasuredSolid added = solid_of(csg::less(*after, *before), o.stop),
+                        removed = solid_of(csg::less(*before, *after), o.stop);
     const bool same = added.box.empty() && removed.box.empty();
     if (o.json) {
         write_output("-", text_of(Json{{"before", o.input},

@@ -26,6 +26,29 @@ std::vector<double> read_numbers(std::string_view option, std::string_view text,
     return numbers;
 }
 
+std::vector<std::string> names_of(std::string_view text) {
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        if (end == begin) {
+            return {};
+        }
+        names.emplace_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return names;
+}
+
+glm::ivec2 read_size(std::string_view text, std::initializer_list<std::size_t> counts, int least, int most) {
+    const auto n = read_numbers("--imgsize", text, counts, "width,height");
+    for (const double side : n) {
+        if (side != std::floor(side) || side < least || side > most) {
+            throw UsageError(fmt::format("--imgsize {}: a side is a whole number from {} to {}", text, least, most));
+        }
+    }
+    return {static_cast<int>(n.front()), static_cast<int>(n.back())};
+}
+
 int read_integer(std::string_view option, std::string_view text, int lowest, int highest) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -20,6 +20,11 @@ namespace ui {
 /// is expected.
 [[nodiscard]] std::vector<double> read_numbers(std::string_view option, std::string_view text,
                                                std::initializer_list<std::size_t> counts, std::string_view meaning);
+/// The names of "a,b"; none where one of them is empty.
+[[nodiscard]] std::vector<std::string> names_of(std::string_view text);
+/// Of --imgsize: width and height, whole numbers between the bounds; where `counts` allows one number, it is both.
+[[nodiscard]] glm::ivec2 read_size(std::string_view text, std::initializer_list<std::size_t> counts, int least,
+                                   int most);
 [[nodiscard]] int read_integer(std::string_view option, std::string_view text, int lowest, int highest);
 /// As OpenSCAD's --camera takes it: six numbers or seven.
 [[nodiscard]] base::Camera read_camera(std::string_view text, bool any_distance = false);

@@ -93,13 +93,9 @@ csg::PartRule read_parts(const std::string& text) {
         rule.depth = static_cast<unsigned>(read_integer("--parts depth", value, 1, kDeepest));
     } else if (text.starts_with("module=")) {
         rule.kind = csg::PartRule::Kind::Module;
-        for (std::size_t begin = 0; begin <= value.size();) {
-            const std::size_t end = std::min(value.find(',', begin), value.size());
-            if (end == begin) {
-                throw UsageError(fmt::format("--parts {}: expected module=NAME[,NAME]", text));
-            }
-            rule.modules.push_back(value.substr(begin, end - begin));
-            begin = end + 1;
+        rule.modules = names_of(value);
+        if (rule.modules.empty()) {
+            throw UsageError(fmt::format("--parts {}: expected module=NAME[,NAME]", text));
         }
     } else {
         rule.kind = read_name<csg::PartRule::Kind>("--parts", text,
@@ -255,14 +251,7 @@ void interpret(Options& o, const RawOptions& raw) {
         o.picture_texts.settings.push_back(split("--set", setting));
     }
     if (!raw.size.empty()) {
-        const auto n = read_numbers("--imgsize", raw.size, {2}, "width,height");
-        for (const double side : n) {
-            if (side != std::floor(side) || side < 1 || side > kLargestSide) {
-                throw UsageError(
-                    fmt::format("--imgsize {}: a side is a whole number from 1 to {}", raw.size, kLargestSide));
-            }
-        }
-        o.picture.size = {static_cast<int>(n[0]), static_cast<int>(n[1])};
+        o.picture.size = read_size(raw.size, {2}, 1, kLargestSide);
     }
     o.projection = read_name<base::Projection>("--projection", raw.projection,
                                                {{"p", base::Projection::Perspective},

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
@@ -112,11 +113,6 @@ std::string call_text(const PickReport& report, const Step& step) {
     return text;
 }
 
-std::size_t width_of(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 /// With six digits; what is but rounding is 0.
 std::string number_text(double value, double scale) {
     return fmt::format("{:.6g}", std::abs(value) < 1e-9 * scale ? 0.0 : value);
@@ -170,10 +166,10 @@ void append_calls(const PickReport& report, const std::vector<Step>& steps, std:
     std::size_t widest = 0;
     for (const Step& step : steps) {
         calls.push_back(call_text(report, step));
-        widest = std::max(widest, width_of(calls.back()));
+        widest = std::max(widest, character_count(calls.back()));
     }
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        out += fmt::format("     {}{}  {}", calls[i], std::string(widest - width_of(calls[i]), ' '),
+        out += fmt::format("     {}{}  {}", calls[i], std::string(widest - character_count(calls[i]), ' '),
                            place_of(report.model, steps[i].node.where));
         if (is_loop(steps[i]) && i + 1 < steps.size()) {
             out += fmt::format("  (child {} of {})", steps[i + 1].child + 1, steps[i + 1].children);
@@ -212,7 +208,6 @@ std::string pick_text(const PickReport& report) {
 
 Json pick_json(const PickReport& report) {
     const csg::Scene& scene = report.model.scene;
-    const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
     Json surfaces = Json::array();
     for (const PickedSurface& s : report.surfaces) {
         const csg::LeafInstance& leaf = scene.leaves[s.surface.leaf];
@@ -225,8 +220,8 @@ Json pick_json(const PickReport& report) {
         surfaces.push_back(
             {{"layer", s.layer + 1},
              {"distance", s.distance},
-             {"point", array(s.point)},
-             {"normal", array(s.normal)},
+             {"point", to_json(s.point)},
+             {"normal", to_json(s.normal)},
              {"leaf", s.surface.leaf},
              {"shape", shape_of(leaf, steps)},
              {"operation", s.surface.reversed ? "subtracts" : "adds"},

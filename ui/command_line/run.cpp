@@ -105,7 +105,7 @@ class Run {
             if (before == nullptr) {
                 return false;
             }
-            tree_ = std::make_shared<const csg::Tree>(csg::versions(*before, *tree_).all);
+            tree_ = std::make_shared<const csg::Tree>(csg::changes(*before, *tree_));
         }
         if (needs_geometry(options_) || wants_picture() || options_.statistics || options_.summary ||
             options_.summary_file || options_.pick) {

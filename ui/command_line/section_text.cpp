@@ -116,14 +116,11 @@ npr::Sections read_sections(const std::vector<std::string>& cuts, const std::vec
         sections.cuts.push_back(read_section(text));
     }
     for (const std::string& names : uncut) {
-        for (std::size_t begin = 0; begin <= names.size();) {
-            const std::size_t end = std::min(names.find(',', begin), names.size());
-            if (end == begin) {
-                throw UsageError(fmt::format("--uncut {}: expected NAME[,NAME]", names));
-            }
-            sections.uncut.push_back(names.substr(begin, end - begin));
-            begin = end + 1;
+        const std::vector<std::string> some = names_of(names);
+        if (some.empty()) {
+            throw UsageError(fmt::format("--uncut {}: expected NAME[,NAME]", names));
         }
+        sections.uncut.insert(sections.uncut.end(), some.begin(), some.end());
     }
     if (cuts.empty() && !(uncut.empty() && hatching.empty())) {
         throw UsageError(fmt::format("{} needs a --section", uncut.empty() ? "--hatching" : "--uncut"));

@@ -1,6 +1,7 @@
 // Texts of others, for people.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,8 @@ namespace ui {
 /// The text as a terminal or a browser may be shown it, in valid UTF-8: controls (but newlines and tabs) and bytes that
 /// are no UTF-8 become "\x1b".
 [[nodiscard]] std::string printable(std::string_view text);
+
+/// How many characters a text in UTF-8 has.
+[[nodiscard]] std::size_t character_count(std::string_view text);
 
 }  // namespace ui

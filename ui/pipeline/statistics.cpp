@@ -2,10 +2,13 @@
 
 namespace ui {
 
+Json to_json(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
 Json to_json(const base::Camera& camera) {
-    const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
-    return {{"translation", array(camera.target)},
-            {"rotation", array(camera.rotation)},
+    return {{"translation", to_json(camera.target)},
+            {"rotation", to_json(camera.rotation)},
             {"distance", camera.distance},
             {"fov", camera.fov}};
 }

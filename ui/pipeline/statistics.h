@@ -21,6 +21,9 @@ struct PictureStatistics {
     double read_ms = 0;
 };
 
+/// [x, y, z]
+[[nodiscard]] Json to_json(const glm::dvec3& v);
+
 /// OpenSCAD's four numbers: {"translation": …, "rotation": …, "distance": …, "fov": …}.
 [[nodiscard]] Json to_json(const base::Camera& camera);
 
