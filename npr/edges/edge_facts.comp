@@ -23,6 +23,8 @@ layout(std430, binding = 10) readonly buffer SmoothGroups { uint group_words[]; 
 
 #include "npr/edges/creases.glsl"
 
+#include "npr/edges/contour.glsl"
+
 #include "npr/edges/edge_rules.glsl"
 
 #include "npr/edges/line_rules.glsl"

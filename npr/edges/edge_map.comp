@@ -21,6 +21,8 @@ layout(std430, binding = 10) readonly buffer SmoothGroups { uint group_words[]; 
 
 #include "npr/edges/creases.glsl"
 
+#include "npr/edges/contour.glsl"
+
 #include "npr/edges/edge_rules.glsl"
 
 void main() {

@@ -84,14 +84,15 @@ Meeting meeting(Surface s, Surface t, ivec2 offset) {
 }
 
 struct Outline {
-    int partner;   // layer; -1: none
+    int partner;  // layer; -1: none
     float at;
     vec2 across;
     float beside;  // pixels from the link to the line in which their planes meet
 };
 
 // A surface that ends does so where it meets the other side of the solid, or of the gap, which is the next or the last
-// layer: the silhouette is where front meets back.
+// layer: the silhouette is where front meets back. Where it meets a face seen edge-on, or so nearly that no ray hits
+// it, its own border tells where.
 Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
     Outline o;
     o.partner = -1;
@@ -106,11 +107,30 @@ Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
         if (m.beside < o.beside) {
             o.beside = m.beside;
             o.partner = other;
-            // On curved surfaces front and back need not be neighbors.
-            o.at = m.at < -0.1f || m.at > 2.0f ? 0.5f : clamp(m.at, 0.0f, 1.0f);
+            o.at = m.at;
             o.across = normalize(m.apart);
         }
     }
+    bool crosses = o.beside < 0.5f && o.at > -0.1f && o.at < 1.1f;
+    o.at = clamp(o.at, 0.0f, 1.0f);
+    // On curved surfaces front and back need not be neighbors: they may meet beside the border, about in parallel.
+    if (crosses && bend_of(groups_of(s.plane, s.leaf)) == 0.0f)
+        return o;
+    EndLink link;
+    link.found = true;
+    link.pixel = p;
+    link.layer = layer;
+    link.offset = offset;
+    Straight exact;
+    exact.at = o.at;
+    exact.across = o.across;
+    if (crosses && follows(contour_about(link, kContourNear), link, exact))
+        return o;
+    Straight border = straight_border(contour_about(link, kContour), link);
+    o.at = border.at;
+    if (o.beside > 3.0f || abs(dot(border.across, o.across)) < 0.8f)
+        o.beside = 1e30f;
+    o.across = border.across;
     return o;
 }
 

@@ -36,26 +36,37 @@ struct Anchor {
     float slope;
 };
 
-// Where the ray through `at` (counted in samples, as lines are) passes the line in which two planes meet: exactly, and
-// so whatever the surfaces' depth, the jitter, and the small distance of `at` from the line.
-Anchor anchor_on(uint plane, uint other, vec2 at) {
+// Rays through positions in the picture, counted in samples, as lines are: from a point in the world, relative to the
+// planes' origin, on.
+vec2 position_of(vec2 at) {
+    return (at + 0.5f + jitter - 0.5f * vec2(view.picture)) * (2.0f * view.picture.z / view.picture.y);
+}
+
+vec3 ray_origin(vec2 at) {
+    bool parallel = view.depth_range.z > 0.5f;
+    return (vec3(parallel ? position_of(at) : vec2(0.0f), 0.0f) - center_in_eye) * mat3(view.eye_from_world);
+}
+
+vec3 ray_direction(vec2 at) {
+    bool parallel = view.depth_range.z > 0.5f;
+    return normalize(vec3(parallel ? vec2(0.0f) : position_of(at), -1.0f) * mat3(view.eye_from_world));
+}
+
+// Where the ray through `at` passes the line in which two planes meet: exactly, and so whatever the surfaces' depth,
+// the jitter, and the small distance of `at` from the line.
+Anchor anchor_on(vec4 m, vec4 n, vec2 at) {
     Anchor a;
     a.found = false;
     a.along = 0.0f;
     a.slope = 1.0f;
-    vec4 m = plane_rows[min(plane, other)];
-    vec4 n = plane_rows[max(plane, other)];
     vec3 both = cross(vec3(m), vec3(n));
     float square = dot(both, both);
     if (square < 1e-10f)
         return a;
     vec3 foot = (m.w * cross(vec3(n), both) + n.w * cross(both, vec3(m))) / square;  // nearest to the planes' origin
     vec3 along = both / sqrt(square);
-    bool parallel = view.depth_range.z > 0.5f;
-    vec2 position = (at + 0.5f + jitter - 0.5f * vec2(view.picture)) * (2.0f * view.picture.z / view.picture.y);
-    mat3 to_eye = mat3(view.eye_from_world);
-    vec3 eye = (vec3(parallel ? position : vec2(0.0f), 0.0f) - center_in_eye) * to_eye;
-    vec3 ray = normalize(vec3(parallel ? vec2(0.0f) : position, -1.0f) * to_eye);
+    vec3 eye = ray_origin(at);
+    vec3 ray = ray_direction(at);
     float slant = dot(ray, along);
     float aside = 1.0f - slant * slant;
     if (aside < 1e-6f)  // seen as a point
@@ -67,6 +78,13 @@ Anchor anchor_on(uint plane, uint other, vec2 at) {
     a.along = nearest[axis] + view.local_center[axis];
     a.slope = abs(along[axis]);
     return a;
+}
+
+// Of the line in the picture through `at`, on the plane of the surface that ends there.
+Anchor anchor_in(vec4 plane, vec2 at, vec2 across) {
+    vec3 along = vec3(-across.y, across.x, 0.0f) * mat3(view.eye_from_world);
+    vec3 sight = normalize(cross(ray_direction(at), along));
+    return anchor_on(plane, vec4(sight, dot(sight, ray_origin(at))), at);
 }
 
 // A plane found at a line, and how far from it in pixels.
@@ -138,8 +156,11 @@ LineFacts line_facts(int layer, ivec2 p, ivec2 offset, FoundEdge e) {
         if (t.plane == s.plane)
             wall = nearer_wall(nearer_wall(wall, s, p, offset), t, q, -offset);
     }
-    if (wall.plane != s.plane) {
-        Anchor a = anchor_on(s.plane, wall.plane, vec2(p) + e.point.at * vec2(offset));
+    vec2 at = vec2(p) + e.point.at * vec2(offset);
+    if (wall.plane != s.plane || f.kind == kSilhouette) {
+        Anchor a = wall.plane == s.plane
+                       ? anchor_in(plane_rows[s.plane], at, e.point.across)
+                       : anchor_on(plane_rows[min(s.plane, wall.plane)], plane_rows[max(s.plane, wall.plane)], at);
         f.anchored = a.found;
         f.along = a.along;
         f.slope = a.slope;

@@ -31,6 +31,8 @@ struct EdgeSearch : Frame {
 
 #include "npr/edges/edge_search.glsl"
 
+#include "npr/edges/contour.glsl"
+
 #include "npr/edges/edge_rules.glsl"
 
 #include "npr/edges/line_rules.glsl"
