@@ -37,13 +37,17 @@ vec4 surface_color(Surface s) {
 
 #include "npr/transparency.glsl"
 
-// What lies before the background, as the picture's linear light. `color` is premultiplied; so much light comes
-// `through` it.
-vec4 before_background(vec3 color, float through, ivec2 pixel) {
+// What lies before the picture's ground, as its linear light. `color` is premultiplied; so much light comes `through`
+// it.
+vec4 before_ground(vec3 color, float through, vec3 ground) {
     if (!transparent_background) {
-        color += through * background(pixel);
+        color += through * ground;
         through = 0.0f;
     }
     float alpha = 1.0f - through;
     return premultiplied(color / max(alpha, 1e-6f), alpha);
+}
+
+vec4 before_background(vec3 color, float through, ivec2 pixel) {
+    return before_ground(color, through, background(pixel));
 }

@@ -37,6 +37,9 @@ std::vector<Golden> goldens() {
     std::vector<Golden> list{
         {"shaded", {.style = "shaded"}},
         {"edges", {.style = "edges"}},
+        {"lines", {.style = "lines"}},
+        {"gooch", {.style = "gooch"}},
+        {"toon", {.style = "toon"}},
         {"blueprint", {.style = "blueprint"}},
         {"blueprint_white", {.style = "blueprint", .settings = {{"ground", "white"}, {"grid", "on"}}}},
         {"xray", {.style = "xray"}},

@@ -54,6 +54,9 @@ std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>
         list.push_back({npr::find_style(style), std::move(settings)});
     };
     add("edges", {{"width", "4"}, {"parts", "off"}, {"shade", "0.3"}});
+    add("lines", {{"width", "3"}, {"ink", "#ffffff"}, {"paper", "#204060"}});
+    add("gooch", {{"inner-color", "#000000"}, {"inner", "0.4"}, {"specular", "1"}, {"width", "3"}});
+    add("toon", {{"steps", "6"}, {"highlight", "0"}});
     add("blueprint", {{"grid", "on"}, {"ground", "white"}, {"layers", "2"}, {"width", "0.5"}});
     add("blueprint", {{"width", "3.3"}, {"crease", "4"}, {"inner", "0.3"}});
     add("blueprint", {{"dashes", "on"}, {"width", "2"}});

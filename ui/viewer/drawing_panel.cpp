@@ -46,11 +46,30 @@ void button_grid(std::size_t count, std::size_t columns, Label&& label, Chosen&&
     }
 }
 
+/// The last cell of a grid of buttons: a list of the styles from `first` on.
+void more_styles(const ViewState& view, std::size_t first, Commands& commands) {
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::SetNextItemWidth(-1);
+    const bool one_of_them = view.style() >= first;
+    const std::string shown(one_of_them ? npr::styles()[view.style()].label : "More");
+    if (!ImGui::BeginCombo("##more", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+        return;
+    }
+    for (std::size_t i = first; i < npr::styles().size(); ++i) {
+        if (ImGui::Selectable(std::string(npr::styles()[i].label).c_str(), i == view.style())) {
+            commands.emplace_back(SetStyle{i});
+        }
+    }
+    ImGui::EndCombo();
+}
+
 void style_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
+    constexpr std::size_t kColumns = 3, kButtons = 2 * kColumns - 1;
     heading("Style", fonts);
     button_grid(
-        npr::styles().size(), 3, [](std::size_t i) { return std::string(npr::styles()[i].label); },
+        kButtons, kColumns, [](std::size_t i) { return std::string(npr::styles()[i].label); },
         [&](std::size_t i) { return i == view.style(); }, [&](std::size_t i) { commands.emplace_back(SetStyle{i}); });
+    more_styles(view, kButtons, commands);
     const npr::Parameters& values = view.picture.parameters;
     ImGui::PushID(static_cast<int>(view.style()));  // Parameters of two styles may have the same name.
     for (std::size_t i = 0; i < values.list().size(); ++i) {

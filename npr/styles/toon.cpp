@@ -1,0 +1,58 @@
+// Cartoons (Nienhaus 2005, 4.6).
+#include "npr/styles/lined_style.h"
+
+namespace npr {
+namespace {
+
+struct Settings : LinedSettings {
+    int steps{};
+    float shadow{};     ///< The darkest tone, as a share of the surface's color.
+    float highlight{};  ///< How much of white there is in it.
+    glm::vec3 edge_color{};
+
+    void complete(const Picture& picture) {
+        visible_only = true;
+        hidden_width = width;
+        complete_lines(picture);
+    }
+    static const SettingsTable<Settings>& table();
+};
+
+const SettingsTable<Settings>& Settings::table() {
+    static const SettingsTable<Settings> all{
+        setting<&Settings::width>(line_width(2)),
+        setting<&Settings::crease_degrees>(crease_angle()),
+        setting<&Settings::parts>(part_edges()),
+        setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.8F, 0, 1)),
+        setting<&Settings::steps>(Parameter::integer("steps", "Tones", 3, 2, 8)),
+        setting<&Settings::shadow>(Parameter::number("shadow", "Lightness of the darkest tone", 0.5F, 0, 1)),
+        setting<&Settings::highlight>(Parameter::number("highlight", "Strength of the highlight", 0.6F, 0, 1)),
+        setting<&Settings::edge_color>(Parameter::color("edge-color", "Color of edges", {0.08F, 0.07F, 0.07F})),
+    };
+    return all;
+}
+
+using namespace glm;  // As shader files do.
+
+struct ToonPixels : LinedFrame, Settings {
+    ToonPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
+        : LinedFrame(frame, edges, s), Settings(s) {}
+#include "npr/styles/toon.glsl"
+
+    glm::vec4 pixel(glm::ivec2 p) {
+        at = p;
+        return toon(p);
+    }
+    /// Tones are blurred, and highlights move with the ray.
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
+    }
+};
+
+}  // namespace
+
+StyleInfo toon_style() {
+    return lined_style<Settings, ToonPixels>({"toon", "Cartoon", "npr/styles/toon.frag"});
+}
+
+}  // namespace npr
