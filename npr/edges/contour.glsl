@@ -48,6 +48,7 @@ struct Contour {
     vec2 at[15];  // their middles
     int first;               // of those that are known
     int last;
+    bool one_facet;  // Is it one plane that ends there?
 };
 
 // So many to either side.
@@ -56,6 +57,8 @@ Contour contour_about(EndLink link, int links) {
     c.at[kContour] = middle_of(link);
     c.first = kContour;
     c.last = kContour;
+    c.one_facet = true;
+    uint plane = surface_ids(link.pixel, link.layer).y;
     for (int way = -1; way <= 1; way += 2) {
         EndLink end = link;
         for (int i = 1; i <= links; ++i) {
@@ -64,6 +67,7 @@ Contour contour_about(EndLink link, int links) {
             if (!end.found)
                 break;
             c.at[kContour + way * i] = middle_of(end);
+            c.one_facet = c.one_facet && surface_ids(end.pixel, end.layer).y == plane;
             if (way < 0)
                 c.first = kContour - i;
             else
@@ -131,6 +135,8 @@ Straight straight_border(Contour c, EndLink link) {
 
 // Does a straight line cross the other links, too, but for a bend?
 bool follows(Contour c, EndLink link, Straight s) {
+    if (!c.one_facet)
+        return false;
     vec2 point = vec2(link.pixel) + s.at * vec2(link.offset);
     float most = 0.5f * max(abs(s.across.x), abs(s.across.y)) + 0.1f;
     for (int i = c.first; i <= c.last; ++i) {

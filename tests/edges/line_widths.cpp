@@ -17,22 +17,8 @@ constexpr double kBeside = 0.2;  ///< Pixels by which points of a line may lie b
 /// The darkness of a picture's pixels.
 class Darkness {
   public:
-    Darkness(const layers::HostStack& stack, const base::View& view, float width) : size_(view.size()) {
-        npr::Picture picture = npr::default_picture();
-        picture.draw_as(*npr::find_style("edges"));
-        picture.size = size_;
-        picture.samples = 1;
-        picture.camera = view.camera();
-        for (const auto& [name, value] : {std::pair<const char*, std::string>{"shade", "0"},
-                                          {"edge-color", "#000000"},
-                                          {"inner", "1"},
-                                          {"width", fmt::format("{}", width)}}) {
-            picture.parameters.read(name, value);
-        }
-        picture.scheme.background = picture.scheme.background_stop = glm::vec3(1);
-        light_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y), glm::vec4(0));
-        picture.style->make_paint()({picture, view, stack, light_});
-    }
+    Darkness(const layers::HostStack& stack, const base::View& view, const Drawing& drawing)
+        : size_(view.size()), drawing_(drawing), light_(painted(stack, view, drawing)) {}
 
     /// Between pixels' centers, linearly.
     [[nodiscard]] double at(const glm::dvec2& p) const {
@@ -42,13 +28,15 @@ class Darkness {
             const double light = light_[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size_.x) +
                                         static_cast<std::size_t>(pixel.x)]
                                      .x;
-            return 1 - (light > 0.0031308 ? 1.055 * std::pow(light, 1 / 2.4) - 0.055 : 12.92 * light);
+            const double bright = light > 0.0031308 ? 1.055 * std::pow(light, 1 / 2.4) - 0.055 : 12.92 * light;
+            return (drawing_.ground - bright) / (drawing_.ground - drawing_.ink);
         };
         return glm::mix(glm::mix(dark(0, 0), dark(1, 0), part.x), glm::mix(dark(0, 1), dark(1, 1), part.x), part.y);
     }
 
   private:
     glm::ivec2 size_;
+    const Drawing& drawing_;
     std::vector<glm::vec4> light_;
 };
 
@@ -79,19 +67,39 @@ glm::dvec2 direction_of(const std::vector<glm::dvec2>& points, const glm::dvec2&
 
 }  // namespace
 
+std::vector<glm::vec4> painted(const layers::HostStack& stack, const base::View& view, const Drawing& drawing) {
+    npr::Picture picture = npr::default_picture();
+    picture.draw_as(*npr::find_style(drawing.style));
+    picture.size = view.size();
+    picture.samples = 1;
+    picture.camera = view.camera();
+    for (const auto& [name, value] : drawing.settings) {
+        picture.parameters.read(name, value);
+    }
+    picture.scheme.background = picture.scheme.background_stop = glm::vec3(static_cast<float>(drawing.ground));
+    std::vector<glm::vec4> light(static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y),
+                                 glm::vec4(0));
+    picture.style->make_paint()({picture, view, stack, light});
+    return light;
+}
+
+Drawing black_on_paper(double width) {
+    return {"edges", {{"shade", "0"}, {"edge-color", "#000000"}, {"inner", "1"}, {"width", fmt::format("{}", width)}}};
+}
+
 std::vector<Width> line_widths(const layers::HostStack& stack, const base::View& view, const std::vector<Point>& truth,
-                               float width) {
-    const Darkness darkness(stack, view, width);
+                               const Drawing& drawing, bool hidden) {
+    const Darkness darkness(stack, view, drawing);
     std::vector<Width> widths;
     std::vector<glm::dvec2> about;
     for (const Point& p : truth) {
-        if (p.hidden || p.at.x < kAbout || p.at.y < kAbout || p.at.x > view.size().x - kAbout ||
+        if (p.hidden != hidden || p.at.x < kAbout || p.at.y < kAbout || p.at.x > view.size().x - kAbout ||
             p.at.y > view.size().y - kAbout) {
             continue;
         }
         about.clear();
         for (const Point& q : truth) {
-            if (!q.hidden && glm::distance(p.at, q.at) < kAbout) {
+            if ((hidden || !q.hidden) && glm::distance(p.at, q.at) < kAbout) {
                 about.push_back(q.at);
             }
         }
@@ -109,7 +117,7 @@ std::vector<Width> line_widths(const layers::HostStack& stack, const base::View&
                     darkness.at(p.at + along * ((i + 0.5) * kStep - 0.5) + glm::dvec2(-along.y, along.x) * (j * kStep));
             }
         }
-        widths.push_back({p.at, ink * kStep / kAlong});
+        widths.push_back({p.at, ink * kStep / kAlong, p.kind});
     }
     return widths;
 }

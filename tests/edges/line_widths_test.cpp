@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "csg/scad/scad.h"
+#include "npr/samples.h"
 
 namespace {
 
@@ -48,8 +49,9 @@ TEST_P(LineWidths, InTheViewsOfDrawings) {
             camera.rotation = rotation + turned;
             base::view_all(camera, box.lo, box.hi, true);
             const base::View view(camera, glm::ivec2(320), box.lo, box.hi);
-            const auto widths = edges::line_widths(edges::layers_of(*model, view), view,
-                                                   edges::true_points(*model, mesh, view), kWidth);
+            const auto widths =
+                edges::line_widths(edges::layers_of(*model, view), view, edges::true_points(*model, mesh, view),
+                                   edges::black_on_paper(kWidth));
             ASSERT_GT(widths.size(), 1000U);
             double sum = 0, off = 0;
             for (const edges::Width& w : widths) {
@@ -64,6 +66,102 @@ TEST_P(LineWidths, InTheViewsOfDrawings) {
             EXPECT_NEAR(sum / count, kWidth, 0.04 * kWidth) << where;
             EXPECT_LT(off / count, 0.1) << where;
             RecordProperty(GetParam().name, where);
+        }
+    }
+}
+
+/// Mean of the ink along hidden silhouettes, and its standard deviation as a share of that.
+struct Ink {
+    double mean = 0, variation = 0;
+    std::size_t points = 0;
+};
+
+Ink hidden_ink(const char* text, const base::Camera& from, const edges::Drawing& drawing) {
+    const auto model = model_of(text);
+    const csg::Box& box = model->geometry.box;
+    base::Camera camera = from;
+    base::view_all(camera, box.lo, box.hi, true);
+    const glm::ivec2 size(320);
+    const auto truth = edges::true_points(*model, ui::make_mesh(*model).mesh, base::View(camera, size, box.lo, box.hi));
+    std::vector<double> ink;
+    const auto samples = npr::sample_offsets(4);
+    for (const glm::dvec2& jitter : samples) {
+        const base::View view(camera, size, box.lo, box.hi, jitter);
+        auto widths = edges::line_widths(edges::layers_of(*model, view), view, truth, drawing, true);
+        std::erase_if(widths, [](const edges::Width& w) { return w.kind != edges::Kind::Silhouette; });
+        ink.resize(widths.size());
+        std::transform(widths.begin(), widths.end(), ink.begin(), ink.begin(), [&](const edges::Width& w, double sum) {
+            return sum + w.ink / static_cast<double>(samples.size());
+        });
+    }
+    Ink result{0, 0, ink.size()};
+    for (const double i : ink) {
+        result.mean += i / static_cast<double>(ink.size());
+    }
+    for (const double i : ink) {
+        result.variation += (i - result.mean) * (i - result.mean) / static_cast<double>(ink.size());
+    }
+    result.variation = std::sqrt(result.variation) / result.mean;
+    return result;
+}
+
+TEST(HiddenLines, HaveTheSameInkAllAlong) {
+    const edges::Drawing drawing{
+        "blueprint",
+        {{"tone", "0"}, {"ground", "white"}, {"width", "1.25"}, {"hidden", "1"}, {"falloff", "1"}},
+        0xf6 / 255.0,
+        0x1b / 255.0};
+    base::Camera front;
+    front.rotation = {90, 0, 0};
+    base::Camera flat = front;
+    flat.projection = base::Projection::Orthographic;
+    base::Camera oblique;
+    oblique.rotation = {80, 0, 12};
+    for (const char* text : {"$fn = 200; sphere(10); translate([-15, -25, -15]) cube([30, 5, 30]);",
+                             "difference() { cube(30, center = true); sphere(10, $fn = 30); }"}) {
+        for (const base::Camera& camera : {front, flat, oblique}) {
+            const Ink ink = hidden_ink(text, camera, drawing);
+            EXPECT_GT(ink.points, 300U) << text;
+            EXPECT_NEAR(ink.mean, 1, 0.1) << text;
+            EXPECT_LT(ink.variation, 0.05) << text;
+        }
+    }
+}
+
+TEST(HiddenLines, StandOutFromEitherGround) {
+    const auto model = model_of("cube([20, 14, 9]);");
+    const csg::Box& box = model->geometry.box;
+    base::Camera camera;
+    base::view_all(camera, box.lo, box.hi, true);
+    const base::View view(camera, glm::ivec2(200), box.lo, box.hi);
+    const auto stack = edges::layers_of(*model, view);
+    const auto truth = edges::true_points(*model, ui::make_mesh(*model).mesh, view);
+    for (const char* ground : {"blue", "white"}) {
+        for (const auto& [strength, contrast] : {std::pair{"", 3.0}, {"0.9", 5.0}}) {
+            edges::Drawing drawing{"blueprint", {{"ground", ground}, {"width", "4"}}};
+            if (*strength != 0) {
+                drawing.settings["hidden"] = strength;
+            }
+            const auto light = edges::painted(stack, view, drawing);
+            const auto luminance = [&](const glm::dvec2& at) {
+                const glm::vec4& c = light[static_cast<std::size_t>(at.y) * 200 + static_cast<std::size_t>(at.x)];
+                return glm::dot(glm::dvec3(c), glm::dvec3(0.2126, 0.7152, 0.0722));
+            };
+            int points = 0, clear = 0;
+            for (const edges::Point& p : truth) {
+                const auto near = [&](const edges::Point& q) { return !q.hidden && glm::distance(p.at, q.at) < 12; };
+                if (!p.hidden || std::any_of(truth.begin(), truth.end(), near)) {
+                    continue;
+                }
+                const auto contrast_to = [&](const glm::dvec2& away) {
+                    const double line = luminance(p.at) + 0.05, beside = luminance(p.at + away) + 0.05;
+                    return std::max(line, beside) / std::min(line, beside);
+                };
+                ++points;
+                clear += std::max(contrast_to({6, 6}), contrast_to({-6, 6})) >= contrast ? 1 : 0;
+            }
+            EXPECT_GT(points, 60) << ground;
+            EXPECT_GT(clear, 0.95 * points) << ground << ' ' << strength;
         }
     }
 }
