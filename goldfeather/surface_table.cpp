@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "goldfeather/local_frame.h"
+#include "goldfeather/part_extents.h"
 #include "goldfeather/smooth_groups.h"
 
 namespace goldfeather {
@@ -45,6 +46,9 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
     table.parts.clear();
     for (const csg::Part& part : scene.parts) {
         table.parts.push_back({part.name, kind_of(part), color_of(part.color, part.kind)});
+        const PartExtent extent = extent_of(part, scene, geometry);
+        table.parts.back().center = extent.radius > 0 ? extent.center - frame.center : glm::dvec3(0);
+        table.parts.back().radius = static_cast<float>(extent.radius);
     }
     table.leaves.clear();
     table.leaves.reserve(scene.leaves.size());

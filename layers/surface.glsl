@@ -14,6 +14,7 @@ struct Surface {
     bool reversed;   // of a subtracted leaf: a cut
     bool leaving;    // a back face of the result
     bool covered;    // not seen, whatever is before it: see npr/transparency.glsl
+    float ink;       // of a silhouette that lies on it, 0 to 1: see npr/transparency.glsl
     vec4 color;      // as given by color(), with its part's opacity; below 0 what is not
 };
 
@@ -29,6 +30,7 @@ Surface no_surface() {
     s.reversed = false;
     s.leaving = false;
     s.covered = false;
+    s.ink = 0.0f;
     s.color = vec4(0.0f);
     return s;
 }
@@ -44,6 +46,7 @@ Surface surface_of(uvec2 ids, float depth, vec3 ray) {
     s.plane = plane_of(ids);
     s.leaving = is_leaving(ids);
     s.covered = false;
+    s.ink = 0.0f;
     s.part = leaf_rows[s.leaf].part.x;
     s.part_kind = leaf_rows[s.leaf].part.y;
     s.color = leaf_rows[s.leaf].color;

@@ -54,7 +54,14 @@ layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& pictu
     samples_ = static_cast<int>(sample) + 1;
     const base::View view = sample_view(picture, sample, subject.lo, subject.hi);
     layers::TextureStack layers = subject.peel(view);
-    style.draw({picture, view, layers, sample_target_, stop});
+    Frame frame{picture, view, layers, sample_target_, stop};
+    if (picture.transparency == Transparency::ViewDependent) {
+        if (!shine_) {
+            shine_.emplace(gl_);
+        }
+        frame.shine = &shine_->draw(frame);
+    }
+    style.draw(frame);
     sum_target_.bind();
     gl_.Viewport(0, 0, picture.size.x, picture.size.y);
     gl_.Disable(GL_DEPTH_TEST);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "npr/samples.h"
+#include "npr/shine/shine_map.h"
 #include "npr/style.h"
 
 namespace npr {
@@ -51,7 +53,8 @@ class Accumulator {
     gl::VertexArray empty_array_;
     gl::Texture sample_, sum_, resolved_;
     gl::Framebuffer sample_target_, sum_target_, resolved_target_;
-    int samples_ = 1;  ///< In the sum.
+    std::optional<ShineMap> shine_;  ///< Made when first needed.
+    int samples_ = 1;                ///< In the sum.
 };
 
 }  // namespace npr

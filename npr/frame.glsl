@@ -30,4 +30,12 @@ float layer_depth(ivec2 pixel, int layer) {
     return layer < layer_count ? texelFetch(layer_depths, ivec3(pixel, layer), 0).x : 0.0;
 }
 
+// Of view-dependent pictures (npr/shine/shine.h).
+#include "npr/shine/shine_row.glsl"
+layout(std430, binding = 16) readonly buffer ShineRows { ShineRow shine_rows[]; };
+
+ShineRow shine_row(ivec2 pixel) {
+    return shine_rows[pixel.y * picture_size().x + pixel.x];
+}
+
 #include "npr/pixel.glsl"

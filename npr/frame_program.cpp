@@ -35,6 +35,7 @@ void FrameProgram::use(const Frame& frame) {
     const MediumTable media = media_of(frame.picture, table.parts, table.diagonal);
     media_.upload<MediumRow>(media.rows, GL_DYNAMIC_DRAW);
     media_.bind(GL_SHADER_STORAGE_BUFFER, 11);
+    (frame.shine != nullptr ? *frame.shine : media_).bind(GL_SHADER_STORAGE_BUFFER, 16);
     FrameValues values =
         frame_values(frame.picture, frame.view, table.local_center, table.diagonal, frame.layers.layers);
     values.medium_unit = media.unit;

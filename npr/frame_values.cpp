@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "npr/shine/view_dependent_settings.h"
+
 namespace npr {
 namespace {
 
@@ -41,6 +43,7 @@ const SettingsTable<FrameValues>& FrameValues::table() {
         setting<&FrameValues::transparency>(),
         setting<&FrameValues::medium_unit>(),
         setting<&FrameValues::medium_light>(),
+        setting<&FrameValues::gooch_shading>(),
     };
     return all;
 }
@@ -62,6 +65,8 @@ FrameValues frame_values(const Picture& picture, const base::View& view, const g
     v.transparent_background = picture.transparent_background;
     v.transparency = static_cast<int>(picture.transparency);
     v.medium_light = {picture.medium_light.ambient, picture.medium_light.directional};
+    v.gooch_shading = picture.transparency == Transparency::ViewDependent &&
+                      transparency_settings<ViewDependentSettings>(picture).gooch;
     return v;
 }
 

@@ -21,6 +21,7 @@ struct FrameValues {
     int transparency{};        ///< A Transparency.
     float medium_unit{};       ///< See npr/medium_rows.h.
     glm::vec2 medium_light{};  ///< Ambient and directional.
+    bool gooch_shading{};      ///< Cool to warm colors in place of light and dark.
 
     static const SettingsTable<FrameValues>& table();
 };

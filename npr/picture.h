@@ -35,12 +35,15 @@ struct Picture {
     int layers = kLayersOfStyle;  ///< The first so many, or one of the constants above.
     Sections sections;            ///< What is cut away.
     Transparency transparency = Transparency::Exact;
+    Parameters transparency_parameters;   ///< Of that model; where they are another's, its defaults hold.
     std::vector<PartMedium> media;        ///< In Volume: of parts; what is not said follows from color and opacity.
     MediumLight medium_light;             ///< In Volume.
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
 
     /// Another style, with its parameters' defaults.
     void draw_as(const StyleInfo& info);
+    /// Another model of transparency, with its parameters' defaults.
+    void see_through_as(const TransparencyInfo& info);
 
     /// Whether both ask for the same pixels.
     bool operator==(const Picture&) const = default;

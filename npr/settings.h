@@ -161,6 +161,15 @@ class SettingsTable {
     std::string declarations_;
 };
 
+/// The settings of a picture's model of transparency.
+template <typename Settings>
+[[nodiscard]] Settings transparency_settings(const Picture& picture) {
+    const SettingsTable<Settings>& table = Settings::table();
+    const Parameters& given = picture.transparency_parameters;
+    const bool own = !given.list().empty() && given.list().data() == table.parameters().data();
+    return table.settings(own ? given : Parameters(table.parameters()));
+}
+
 /// The settings for a picture of this style. What is reckoned from others, or from the picture, is done by
 /// `void complete(const Picture&)` where the struct has one.
 template <typename Settings>

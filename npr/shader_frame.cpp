@@ -10,7 +10,8 @@ Frame::Frame(const CpuFrame& frame)
       plane_rows(frame.layers.table->planes.data()),
       group_words(frame.layers.table->groups.data()),
       size(frame.layers.size),
-      srgb(&SrgbTables::get()) {
+      srgb(&SrgbTables::get()),
+      shine(frame.shine) {
     MediumTable media = media_of(frame.picture, frame.layers.table->parts, frame.layers.table->diagonal);
     medium_unit = media.unit;
     medium_rows = std::move(media.rows);

@@ -29,6 +29,7 @@ struct Frame : FrameValues, LineCode {
     std::vector<const float*> depths;
     const SrgbTables* srgb;
     std::vector<MediumRow> medium_rows;  ///< By part.
+    std::span<const ShineRow> shine;     ///< By pixel.
 
 #include "gl/view_distance.glsl"
 #include "layers/surface.glsl"
@@ -54,6 +55,9 @@ struct Frame : FrameValues, LineCode {
         return ids.x == kNoSurface ? no_surface()
                                    : surface_of(ids, depths[static_cast<std::size_t>(layer)][index(p)], ray);
     }
+    [[nodiscard]] ShineRow shine_row(ivec2 p) const {
+        return shine[index(p)];
+    }
     [[nodiscard]] vec4 premultiplied(vec3 color, float alpha) const {
         return {srgb->linear(color.r) * alpha, srgb->linear(color.g) * alpha, srgb->linear(color.b) * alpha, alpha};
     }
@@ -64,7 +68,7 @@ struct Frame : FrameValues, LineCode {
 
     /// Does what is seen change from pixel to pixel, even where they see the same surfaces?
     [[nodiscard]] bool everywhere_new() const {
-        return transparency != kExact && medium_unit > 0;
+        return transparency == kViewDependent || (transparency != kExact && medium_unit > 0);
     }
     /// Do two pixels see the same planes of the same leaves, in all layers?
     [[nodiscard]] bool same_surfaces(ivec2 p, ivec2 q) const;

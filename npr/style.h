@@ -23,6 +23,7 @@ struct Frame {
     /// Of the size of the stack, one RGBA32F attachment: linear light, premultiplied alpha. Undefined before.
     const gl::Framebuffer& target;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the target is undefined then.
+    const gl::Buffer* shine = nullptr;  ///< Of ShineRow (npr/shine/shine.h), in pictures that need them.
 };
 
 /// A way to draw layers. Made once per context, which must be current in every call and outlive the style.

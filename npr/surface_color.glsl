@@ -26,13 +26,30 @@ vec4 seen_color(Surface s) {
     return s.covered || (color.a < 1.0f && s.leaving) ? vec4(0.0f) : color;
 }
 
+// Cool where the light does not fall, warm where it does (Gooch, Gooch, Shirley and Cohen 1998).
+vec3 cool_to_warm(vec3 color, vec3 normal) {
+    float warm = 0.5f + 0.5f * dot(mat3(view.eye_from_world) * normal, kLightDirection);
+    return min(mix(vec3(0.0f, 0.0f, 0.4f) + 0.2f * color, vec3(0.4f, 0.4f, 0.0f) + 0.6f * color, warm), 1.0f);
+}
+
+// A color, straight alpha, with a black line over it.
+vec4 with_silhouette(vec4 c, float ink) {
+    float alpha = mix(c.a, 1.0f, ink);
+    return vec4(vec3(c) * (c.a * (1.0f - ink) / max(alpha, 1e-6f)), alpha);
+}
+
 // Lit, sRGB with straight alpha.
 vec4 surface_color(Surface s) {
     vec4 color = seen_color(s);
+    if (gooch_shading && !is_section(s.leaf)) {
+        vec3 tone = cool_to_warm(min(vec3(color), 1.0f), s.leaving ? -s.normal : s.normal);
+        return with_silhouette(vec4(tone, color.a), s.ink);
+    }
     float lit = light(s.normal);
     if (is_section(s.leaf))
         lit = mix(lit, 1.0f, 0.6f);  // Nearly flat, as in drawings: hatching is as clear on all of them.
-    return vec4(min(vec3(color) * lit, 1.0f), color.a);
+    vec4 shaded = vec4(min(vec3(color) * lit, 1.0f), color.a);
+    return s.ink > 0.0f ? with_silhouette(shaded, s.ink) : shaded;
 }
 
 #include "npr/transparency.glsl"

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "npr/picture.h"
+#include "npr/shine/view_dependent_settings.h"
+
 namespace npr {
 
 std::span<const TransparencyInfo> transparencies() {
-    static constexpr std::array kAll{
+    static const std::array kAll{
         TransparencyInfo{Transparency::Exact, "exact", "Faces"},
         TransparencyInfo{Transparency::Volume, "volume", "Bodies"},
+        TransparencyInfo{Transparency::ViewDependent, "view-dependent", "Illustration",
+                         ViewDependentSettings::table().parameters()},
     };
     return kAll;
 }
@@ -17,6 +22,11 @@ const TransparencyInfo* find_transparency(std::string_view name) {
     const auto all = transparencies();
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
     return found == all.end() ? nullptr : &*found;
+}
+
+void Picture::see_through_as(const TransparencyInfo& info) {
+    transparency = info.model;
+    transparency_parameters = Parameters(info.parameters);
 }
 
 }  // namespace npr

@@ -15,6 +15,7 @@
 // As Transparency (npr/transparency.h).
 const int kExact = 0;
 const int kVolume = 1;
+const int kViewDependent = 2;
 
 // Less light than this is as good as none.
 float least_seen() {
@@ -61,11 +62,31 @@ bool shared_with_another(Surface s, ivec2 pixel, int layer, vec3 ray) {
     return false;
 }
 
+// In view-dependent: the nearest face of what is seen through, by its distance to silhouettes, and what shows through it
+// (npr/shine/shine_rules.glsl). Layers behind that are as if surfaces of no opacity were there.
+Surface shone_through(Surface s, ivec2 pixel, int layer) {
+    ShineRow row = shine_row(pixel);
+    if (layer == row.front) {
+        s.color.a = row.alpha;
+        s.ink = row.front_ink;
+        return s;
+    }
+    bool solid = s.hit && s.part_kind == kPartSolid;
+    bool hidden = row.front >= 0 && layer > row.front && (!s.hit || layer > row.last || (layer == row.last && !solid));
+    if (layer == row.last && solid)
+        s.ink = row.solid_ink;
+    s.hit = s.hit || hidden;
+    s.covered = s.covered || hidden || s.part_kind == kPartTranslucent;
+    return s;
+}
+
 // A layer of what is seen.
 Surface seen_surface(ivec2 pixel, int layer, vec3 ray) {
     Surface s = layer_surface(pixel, layer, ray);
     if (s.hit)
         s.covered = is_medium(s.part) || shared_with_another(s, pixel, layer, ray);
+    if (transparency == kViewDependent)
+        s = shone_through(s, pixel, layer);
     return s;
 }
 

@@ -7,12 +7,17 @@
 #include <string>
 #include <string_view>
 
+#include "npr/parameter.h"
+
 namespace npr {
 
 /// In shaders `transparency`.
 enum class Transparency : int {
     Exact = 0,   ///< Faces: all layers blended front to back, Porter and Duff's "over".
     Volume = 1,  ///< Bodies: homogeneous media, integrated along the ray (Barta and Kovács 2011).
+    /// Illustration: the nearest face, opaque within it, clear far from its silhouettes (Diepstraten, Weiskopf and
+    /// Ertl 2002).
+    ViewDependent = 2,
 };
 
 /// What is known of a model; docs/transparency/ has a page for each.
@@ -20,6 +25,7 @@ struct TransparencyInfo {
     Transparency model{};
     std::string_view name;   ///< For the command line.
     std::string_view label;  ///< For the window.
+    std::span<const Parameter> parameters{};
 };
 
 /// All models; the first is the default.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "npr/painter/cpu_shine.h"
 #include "npr/srgb.h"
 
 namespace npr {
@@ -15,7 +16,13 @@ void CpuAccumulator::paint_sample(const Paint& paint, const Picture& picture, st
     }
     samples_ = static_cast<int>(sample) + 1;
     const base::View view = sample_view(picture, sample, subject.lo, subject.hi);
-    paint({picture, view, subject.peel(view), sum_, stop});
+    CpuFrame frame{picture, view, subject.peel(view), sum_, stop};
+    std::vector<ShineRow> shine;
+    if (picture.transparency == Transparency::ViewDependent) {
+        shine = find_shine(frame);
+        frame.shine = shine;
+    }
+    paint(frame);
 }
 
 std::vector<glm::vec4> CpuAccumulator::light() const {

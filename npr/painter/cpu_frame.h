@@ -9,6 +9,7 @@
 #include "base/camera.h"
 #include "layers/host_stack.h"
 #include "npr/picture.h"
+#include "npr/shine/shine_row.h"
 
 namespace npr {
 
@@ -20,6 +21,7 @@ struct CpuFrame {
     /// By pixel, rows from bottom to top: linear light, premultiplied alpha. The sample is added to what is there.
     std::span<glm::vec4> sum;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the sum is undefined then.
+    std::span<const ShineRow> shine{};  ///< By pixel, in pictures that need them.
 };
 
 /// Paints a frame on all cores: what the style of the same name draws with OpenGL, up to rounding. The bytes depend

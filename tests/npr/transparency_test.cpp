@@ -83,7 +83,8 @@ TEST(Transparency, ExactIsWhatRaysSay) {
 
 TEST(Transparency, AnyOrderOfPartsGivesTheSameBytes) {
     std::mt19937_64 random(7);
-    for (const Transparency transparency : {Transparency::Exact, Transparency::Volume}) {
+    for (const npr::TransparencyInfo& each : npr::transparencies()) {
+        const Transparency transparency = each.model;
         for (const char* style : {"shaded", "edges"}) {
             // Lines of faces that are in one place are those of the part that comes first.
             std::vector<Model> models = parts(style == std::string("edges") ? 0.3 : 0);
@@ -114,9 +115,13 @@ TEST(Transparency, FacesThatPartsShareAreSeenOnce) {
 
 TEST(Transparency, NothingAndEverythingAreExact) {
     const Model inner = box({1, 1, 1}, {2, 2, 2}), outer = box({0, 0, 0}, {4, 4, 1}), solid = all({inner, outer});
-    for (const Transparency transparency : {Transparency::Exact, Transparency::Volume}) {
-        const npr::Picture picture = picture_of(Easel(solid).box(), transparency);
-        const base::Image expected = Easel(solid).paint(picture_of(Easel(solid).box(), Transparency::Exact));
+    const base::Image exact = Easel(solid).paint(picture_of(Easel(solid).box(), Transparency::Exact));
+    for (const npr::TransparencyInfo& each : npr::transparencies()) {
+        const npr::Picture picture = picture_of(Easel(solid).box(), each.model);
+        const base::Image expected = Easel(solid).paint(picture);
+        if (each.model != Transparency::ViewDependent) {  // Which has its own shading.
+            EXPECT_EQ(scene::differing(expected, exact, 0), 0) << each.name;
+        }
         const Model clear = colored({1, 0, 0, 0}, box({0, 0, 1}, {4, 1, 2}));
         EXPECT_EQ(scene::differing(Easel(all({clear, solid})).paint(picture), expected, 0), 0) << "opacity 0";
         const Model full = colored({-1, -1, -1, 1}, solid);

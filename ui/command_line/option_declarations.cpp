@@ -84,7 +84,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     const std::string transparencies = transparency_help();
     text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
     text("--style", o.picture_texts.style, styles.c_str(), "STYLE", picture);
-    text("--transparency", raw.transparency, transparencies.c_str(), "NAME", picture);
+    text("--transparency", raw.transparency, transparencies.c_str(), "NAME[:KEY=VALUE,...]", picture);
     list("--medium", raw.media,
          "In volume: what a part is made of, as 'PART: tau=0.3/mm, albedo=#aabbcc'; may be repeated", "MEDIUM",
          picture);

@@ -13,6 +13,7 @@
 #include "ui/command_line/option_declarations.h"
 #include "ui/command_line/option_values.h"
 #include "ui/command_line/section_text.h"
+#include "ui/command_line/transparency_options.h"
 #include "ui/pipeline/suggestion.h"
 
 namespace ui {
@@ -176,13 +177,7 @@ void interpret_view(Options& o, const RawOptions& raw) {
 }
 
 void interpret_transparency(npr::Picture& picture, const RawOptions& raw) {
-    if (!raw.transparency.empty()) {
-        std::vector<std::pair<std::string, npr::Transparency>> names;
-        for (const npr::TransparencyInfo& each : npr::transparencies()) {
-            names.emplace_back(each.name, each.model);
-        }
-        picture.transparency = read_name<npr::Transparency>("--transparency", raw.transparency, names);
-    }
+    read_transparency(picture, raw.transparency);
     for (const std::string& medium : raw.media) {
         picture.media.push_back(read_medium(medium));
     }

@@ -65,6 +65,10 @@ struct SetScheme {
 struct SetTransparency {
     npr::Transparency transparency = npr::Transparency::Exact;
 };
+struct SetTransparencyParameter {
+    std::size_t parameter = 0;  ///< Of the model that is shown.
+    npr::Value value;
+};
 struct SetLayers {
     int layers = -1;
 };
@@ -82,8 +86,8 @@ struct WritePicture {
     PictureRequest picture;
 };
 
-using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetLayers,
-                             SetSamples, SetSections, SetEngine, WritePicture>;
+using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
+                             SetTransparencyParameter, SetLayers, SetSamples, SetSections, SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -116,10 +117,26 @@ void scheme_section(const ViewState& view, const Fonts& fonts, Commands& command
 void transparency_section(const ViewState& view, const Fonts& fonts, Commands& commands) {
     heading("Transparency", fonts);
     const auto models = npr::transparencies();
-    button_grid(
-        models.size(), 2, [&](std::size_t i) { return std::string(models[i].label); },
-        [&](std::size_t i) { return models[i].model == view.picture.transparency; },
-        [&](std::size_t i) { commands.emplace_back(SetTransparency{models[i].model}); });
+    const auto shown = std::find_if(models.begin(), models.end(),
+                                    [&](const auto& each) { return each.model == view.picture.transparency; });
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##transparency", std::string(shown->label).c_str())) {
+        for (const npr::TransparencyInfo& each : models) {
+            if (ImGui::Selectable(std::string(each.label).c_str(), each.model == shown->model)) {
+                commands.emplace_back(SetTransparency{each.model});
+            }
+        }
+        ImGui::EndCombo();
+    }
+    const npr::Parameters& values = view.picture.transparency_parameters;
+    ImGui::PushID("transparency");
+    for (std::size_t i = 0; i < values.list().size(); ++i) {
+        npr::Value value = values.at(i);
+        if (draw_parameter(values.list()[i], value)) {
+            commands.emplace_back(SetTransparencyParameter{i, value});
+        }
+    }
+    ImGui::PopID();
 }
 
 void layers_section(const Session& session, const Fonts& fonts, Commands& commands) {

@@ -97,7 +97,13 @@ bool Session::perform(const Command& command) {
     } else if (const auto* scheme = std::get_if<SetScheme>(&command)) {
         view_.picture.scheme = npr::color_schemes()[std::min(scheme->scheme, npr::color_schemes().size() - 1)];
     } else if (const auto* transparency = std::get_if<SetTransparency>(&command)) {
-        view_.picture.transparency = transparency->transparency;
+        for (const npr::TransparencyInfo& model : npr::transparencies()) {
+            if (model.model == transparency->transparency) {
+                view_.picture.see_through_as(model);
+            }
+        }
+    } else if (const auto* detail = std::get_if<SetTransparencyParameter>(&command)) {
+        view_.picture.transparency_parameters.set(detail->parameter, detail->value);
     } else if (const auto* layers = std::get_if<SetLayers>(&command)) {
         view_.picture.layers = std::max(layers->layers, npr::kLayersOfStyle);
     } else if (const auto* samples = std::get_if<SetSamples>(&command)) {

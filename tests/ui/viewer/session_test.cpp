@@ -174,6 +174,9 @@ TEST_F(SessionTest, CommandsChangeTheView) {
     EXPECT_EQ(session_->view().picture.samples, 8);
     session_->perform(SetScheme{2});
     EXPECT_EQ(session_->view().picture.scheme, npr::color_schemes()[2]);
+    session_->perform(SetTransparency{npr::Transparency::ViewDependent});
+    session_->perform(SetTransparencyParameter{1, 0.25F});
+    EXPECT_EQ(session_->view().picture.transparency_parameters.at(1), npr::Value(0.25F));
     session_->perform(SetTransparency{npr::Transparency::Volume});
     EXPECT_EQ(session_->view().picture.transparency, npr::Transparency::Volume);
     EXPECT_FALSE(session_->perform(Action::Quit)) << "is the window's";
