@@ -84,31 +84,6 @@ void interpret_engine(Options& o, const RawOptions& raw) {
     }
 }
 
-csg::PartRule read_parts(const std::string& text) {
-    constexpr int kDeepest = 1'000'000;
-    const std::size_t equals = text.find('=');
-    const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
-    csg::PartRule rule;
-    if (text.starts_with("depth=")) {
-        rule.kind = csg::PartRule::Kind::Depth;
-        rule.depth = static_cast<unsigned>(read_integer("--parts depth", value, 1, kDeepest));
-    } else if (text.starts_with("module=")) {
-        rule.kind = csg::PartRule::Kind::Module;
-        rule.modules = names_of(value);
-        if (rule.modules.empty()) {
-            throw UsageError(fmt::format("--parts {}: expected module=NAME[,NAME]", text));
-        }
-    } else {
-        rule.kind = read_name<csg::PartRule::Kind>("--parts", text,
-                                                   {{"model", csg::PartRule::Kind::Model},
-                                                    {"top", csg::PartRule::Kind::Depth},
-                                                    {"color", csg::PartRule::Kind::Color},
-                                                    {"depth=N", csg::PartRule::Kind::Depth},
-                                                    {"module=NAME[,NAME]", csg::PartRule::Kind::Module}});
-    }
-    return rule;
-}
-
 PickOptions read_pick(const RawOptions& raw, glm::ivec2 size) {
     PickOptions pick;
     const auto n = read_numbers("--at", raw.at, {2}, "x,y");
@@ -314,6 +289,31 @@ bool read_paths(const std::vector<std::string>& arguments, RawOptions& raw) {
 
 }  // namespace
 
+csg::PartRule read_parts(const std::string& text) {
+    constexpr int kDeepest = 1'000'000;
+    const std::size_t equals = text.find('=');
+    const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+    csg::PartRule rule;
+    if (text.starts_with("depth=")) {
+        rule.kind = csg::PartRule::Kind::Depth;
+        rule.depth = static_cast<unsigned>(read_integer("--parts depth", value, 1, kDeepest));
+    } else if (text.starts_with("module=")) {
+        rule.kind = csg::PartRule::Kind::Module;
+        rule.modules = names_of(value);
+        if (rule.modules.empty()) {
+            throw UsageError(fmt::format("--parts {}: expected module=NAME[,NAME]", text));
+        }
+    } else {
+        rule.kind = read_name<csg::PartRule::Kind>("--parts", text,
+                                                   {{"model", csg::PartRule::Kind::Model},
+                                                    {"top", csg::PartRule::Kind::Depth},
+                                                    {"color", csg::PartRule::Kind::Color},
+                                                    {"depth=N", csg::PartRule::Kind::Depth},
+                                                    {"module=NAME[,NAME]", csg::PartRule::Kind::Module}});
+    }
+    return rule;
+}
+
 bool wants(const Options& options, Format format) {
     return std::any_of(options.outputs.begin(), options.outputs.end(),
                        [&](const Output& output) { return output.format == format; });
@@ -337,8 +337,8 @@ CommandLine read_command_line(const std::vector<std::string>& arguments, const s
         pick ? "csgscope pick tells which surfaces lie behind a pixel of the model's picture, and from where in "
                "the text each comes."
              : "csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.\n"
-               "csgscope pick tells what lies behind a pixel, csgscope compare compares with a mesh: each has "
-               "a --help of its own.",
+               "csgscope pick tells what lies behind a pixel, csgscope check looks for faults, csgscope compare "
+               "compares with a mesh: each has a --help of its own.",
         pick ? "csgscope pick" : "csgscope");
     table.lay_out_help("Other", 34);
     pick ? declare_pick(table, line.options, raw, styles) : declare(table, line.options, raw, styles);

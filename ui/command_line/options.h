@@ -74,6 +74,9 @@ struct Options {
 /// Is there something to write or to tell that is the geometry itself, not a picture of it?
 [[nodiscard]] bool needs_geometry(const Options& options);
 
+/// Of --parts. Throws UsageError.
+[[nodiscard]] csg::PartRule read_parts(const std::string& text);
+
 /// What to do: run with the options, or print `text` on standard output and end well.
 struct CommandLine {
     Options options;

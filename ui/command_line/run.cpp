@@ -12,6 +12,7 @@
 #include "csg/tree/out_of_memory.h"
 #include "gl/error.h"
 #include "npr/styles/radiograph.h"
+#include "ui/command_line/check.h"
 #include "ui/command_line/compare.h"
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
@@ -441,6 +442,9 @@ std::string information(gl::ContextKind kind) {
 int run_or_throw(const std::vector<std::string>& arguments) {
     if (!arguments.empty() && arguments[0] == "compare") {
         return run_compare({arguments.begin() + 1, arguments.end()});
+    }
+    if (!arguments.empty() && arguments[0] == "check") {
+        return run_check({arguments.begin() + 1, arguments.end()});
     }
     CommandLine line = read_command_line(arguments, style_names());
     Options& options = line.options;

@@ -10,7 +10,7 @@
 
 #include "csg/solid/cut_box.h"
 #include "csg/tree/scene_edit.h"
-#include "ui/pipeline/suggestion.h"
+#include "ui/pipeline/part_names.h"
 
 namespace ui {
 
@@ -20,33 +20,6 @@ using csg::solid::Plane;
 
 constexpr std::uint8_t kHatchings = 6;  ///< That npr/section_lines.glsl knows.
 
-/// "bolt" names the parts bolt, bolt 2, bolt 3, ….
-bool is_named(const std::string& part, const std::string& name) {
-    if (!part.starts_with(name)) {
-        return false;
-    }
-    const std::string rest = part.substr(name.size());
-    return rest.empty() ||
-           (rest.size() > 1 && rest[0] == ' ' && rest.find_first_not_of("0123456789", 1) == std::string::npos);
-}
-
-[[noreturn]] void throw_unknown(const csg::Scene& scene, const char* option, const std::string& name) {
-    std::vector<std::string> names;
-    for (const csg::Part& part : scene.parts) {
-        names.push_back(part.name);
-    }
-    constexpr std::size_t kMostNamed = 12;
-    std::vector<std::string> shown = names;
-    if (shown.size() > kMostNamed) {
-        shown.resize(kMostNamed);
-        shown.emplace_back("…");
-    }
-    throw ModelError(fmt::format("{}: no part \"{}\".{}", option, name,
-                                 suggestion(name, names,
-                                            fmt::format(" There {} {}; --parts says what is one.",
-                                                        shown.size() == 1 ? "is" : "are", fmt::join(shown, ", ")))));
-}
-
 /// By part: 1 where sections cut it, but that parts that cut others stay themselves.
 std::vector<char> cut_parts(const csg::Scene& scene, const npr::Sections& sections) {
     std::vector<char> cut;
@@ -54,15 +27,8 @@ std::vector<char> cut_parts(const csg::Scene& scene, const npr::Sections& sectio
         cut.push_back(part.hidden ? 0 : 1);
     }
     for (const std::string& name : sections.uncut) {
-        bool known = false;
-        for (csg::PartId id = 0; id < cut.size(); ++id) {
-            if (is_named(scene.parts[id].name, name)) {
-                cut[id] = 0;
-                known = true;
-            }
-        }
-        if (!known) {
-            throw_unknown(scene, "--uncut", name);
+        for (const csg::PartId id : parts_named(scene, "--uncut", name)) {
+            cut[id] = 0;
         }
     }
     return cut;
@@ -184,16 +150,10 @@ void cut_by_parts(csg::Scene& scene, const npr::Sections& sections) {
         if (by_part == nullptr) {
             continue;
         }
-        const std::size_t before = tools.size();
-        for (csg::PartId id = 0; id < scene.parts.size(); ++id) {
-            if (is_named(scene.parts[id].name, by_part->part)) {
-                tools.push_back(id);
-                cut[id] = 0;
-                scene.parts[id].hidden = true;
-            }
-        }
-        if (tools.size() == before) {
-            throw_unknown(scene, "--section part", by_part->part);
+        for (const csg::PartId id : parts_named(scene, "--section part", by_part->part)) {
+            tools.push_back(id);
+            cut[id] = 0;
+            scene.parts[id].hidden = true;
         }
     }
     for (const csg::PartId tool : tools) {

@@ -1,0 +1,16 @@
+// Parts by the names that people give.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/tree/scene.h"
+
+namespace ui {
+
+/// "bolt" names the parts bolt, bolt 2, bolt 3, …; "bolt 2" that one. Throws ModelError, which tells the nearest names,
+/// where there is none. `option`: who asks.
+[[nodiscard]] std::vector<csg::PartId> parts_named(const csg::Scene& scene, const char* option,
+                                                   const std::string& name);
+
+}  // namespace ui
