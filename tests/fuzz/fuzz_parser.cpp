@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::abort();
     }
     for (const CustomizerParameter& parameter : customizer_parameters(parsed.program)) {
-        (void)fitted_expression(parameter, std::string_view(text).substr(0, 100));
+        (void)fitted_value(parameter, std::string_view(text).substr(0, 100));
     }
     return 0;
 }

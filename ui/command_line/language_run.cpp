@@ -13,8 +13,9 @@
 #include "csg/scad/value/value.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/memory_limit.h"
-#include "ui/command_line/parameters.h"
+#include "ui/command_line/parameters_json.h"
 #include "ui/command_line/standard_streams.h"
+#include "ui/pipeline/parameter_sets.h"
 #include "ui/pipeline/picture/camera.h"
 
 namespace ui {
@@ -165,14 +166,18 @@ void LanguageRun::take_parameter_set() {
     if (csg::scad::has_statements(request_.definitions)) {
         statements.swap(request_.definitions);  // They say nothing of parameters, and are no part of the file yet.
     }
-    ParameterSet set = load()->look([&](const auto& syntax) {
-        return read_parameter_set(syntax, std::get<std::string>(text), options_.parameter_file, options_.parameter_set);
-    });
-    if (!set.problem.empty()) {
-        messages_.warn(set.problem);
+    const auto sets = read_parameter_sets(std::get<std::string>(text));
+    if (!sets) {
+        messages_.warn(fmt::format("Parameter file '{}' holds no parameter sets", options_.parameter_file));
+    } else if (const auto set = std::ranges::find(*sets, options_.parameter_set, &ParameterSet::name);
+               set == sets->end()) {
+        messages_.warn(
+            fmt::format("There is no parameter set '{}' in '{}'", options_.parameter_set, options_.parameter_file));
+    } else {
+        const std::vector<std::string> definitions = load()->look(
+            [&](const auto& syntax) { return definitions_of(csg::scad::customizer_parameters(syntax), *set); });
+        request_.definitions.insert(request_.definitions.begin(), definitions.begin(), definitions.end());
     }
-    request_.definitions.insert(request_.definitions.begin(), std::make_move_iterator(set.definitions.begin()),
-                                std::make_move_iterator(set.definitions.end()));
     request_.definitions.insert(request_.definitions.end(), std::make_move_iterator(statements.begin()),
                                 std::make_move_iterator(statements.end()));
 }

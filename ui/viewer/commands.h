@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "csg/scad/customizer/customizer.h"
 #include "goldfeather/choice.h"
 #include "npr/parameter.h"
 #include "ui/pipeline/picture/picture_request.h"
@@ -43,6 +44,7 @@ enum class Action {
     FewerLayers,
     ToggleAxes,
     TogglePanel,
+    ToggleCustomizer,
     ToggleConsole,
     ClearConsole,
     CopyConsole,
@@ -78,6 +80,23 @@ struct SetSamples {
 struct SetSections {
     npr::Sections sections;  ///< Sides and corners go by the camera of now.
 };
+struct SetCustomized {
+    std::string parameter;
+    csg::scad::CustomizerParameter::Value value;
+};
+struct ResetCustomized {
+    std::string parameter;  ///< Empty: all of them.
+};
+/// What is done with a parameter set of that name.
+struct UseParameterSet {
+    std::string name;
+};
+struct SaveParameterSet {
+    std::string name;
+};
+struct DeleteParameterSet {
+    std::string name;
+};
 struct SetEngine {
     const goldfeather::EngineInfo* engine = nullptr;  ///< Null: chosen for each picture.
 };
@@ -86,8 +105,10 @@ struct WritePicture {
     PictureRequest picture;
 };
 
-using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
-                             SetTransparencyParameter, SetLayers, SetSamples, SetSections, SetEngine, WritePicture>;
+using Command =
+    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
+                 SetLayers, SetSamples, SetSections, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
+                 DeleteParameterSet, SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

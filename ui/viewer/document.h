@@ -24,6 +24,8 @@ class Document {
     /// Whether the file is gone, as its watcher sees it.
     void set_gone(bool gone) { gone_ = gone; }
     void clear_messages() { messages_ = {}; }
+    /// The values of the customizer's parameters in revisions to come.
+    void customize(std::vector<std::string> definitions) { source_.customized = std::move(definitions); }
     /// The parts of revisions to come.
     void divide(csg::PartRule parts) { source_.parts = std::move(parts); }
 

@@ -43,6 +43,15 @@ class LatestJob {
         changed_.notify_all();
     }
 
+    /// Works on `job` next, when the one that runs has ended and its result could be taken.
+    void start_after(Job job) {
+        {
+            std::scoped_lock lock(mutex_);
+            next_ = std::move(job);
+        }
+        changed_.notify_all();
+    }
+
     /// The result of the newest job, once.
     [[nodiscard]] std::optional<Result> take() {
         std::scoped_lock lock(mutex_);

@@ -20,6 +20,7 @@ struct Rectangle {
 /// What is open.
 struct Shown {
     bool panel = true;
+    bool customizer = false;
     bool console = true;
     bool axes = true;
     bool help = false;
@@ -27,11 +28,11 @@ struct Shown {
 };
 
 struct Layout {
-    Rectangle picture, panel, console, status;  ///< Empty where not shown.
+    Rectangle picture, panel, customizer, console, status;  ///< Empty where not shown.
 };
 
 /// Lays out a window of the given size below its menu bar. `scale`: of the interface, 1 for a common display.
-/// `console_height` is what the user wants; it is kept within limits. In small windows panel and console are folded.
+/// `console_height` is what the user wants; it is kept within limits. In small windows panels and console are folded.
 /// Rectangles begin and end at whole units.
 [[nodiscard]] Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown& shown,
                                  float console_height);

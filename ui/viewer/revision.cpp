@@ -13,6 +13,14 @@ namespace ui {
 
 namespace {
 
+/// What a customizer shows. What the parser has to say is told by the run.
+std::optional<std::vector<csg::scad::CustomizerParameter>> parameters_of(ProgramRunner& runner,
+                                                                         const csg::scad::Request& request) {
+    const auto program = runner.load(request, [](const auto&, const auto&) { return std::size_t{0}; });
+    return program && program->well_formed() ? std::optional(program->look(csg::scad::customizer_parameters))
+                                             : std::nullopt;
+}
+
 void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
                         ProgramRunner& runner, const std::stop_token& stop) {
     csg::scad::Request request;
@@ -34,6 +42,8 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     request.lazy_union = source.lazy_union;
     request.view = camera;
     request.stop = stop;
+    revision.parameters = parameters_of(runner, request);
+    request.definitions.insert(request.definitions.end(), source.customized.begin(), source.customized.end());
     const ProgramRun run = runner.run(request, source.hard_warnings, [&](const auto& message, const auto& sources) {
         revision.messages.add(message, sources);
         return revision.messages.warnings();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/scad/customizer/customizer.h"
 #include "csg/scad/scad.h"
 #include "ui/pipeline/model.h"
 #include "ui/viewer/file_watcher.h"
@@ -26,12 +27,15 @@ struct Source {
     bool by_error = false;                 ///< $fe has its meaning.
     bool lazy_union = false;
     csg::PartRule parts{};
-    npr::Sections sections{};  ///< Those by parts are made of the model at once.
+    npr::Sections sections{};               ///< Those by parts are made of the model at once.
+    std::vector<std::string> customized{};  ///< name=expression, which count above the definitions.
 };
 
 struct Revision {
     std::shared_ptr<const Model> model;  ///< Null where there was an error.
     csg::scad::ViewSettings view;
+    /// Of the main file, with the source's definitions as their values; nothing where that cannot be parsed.
+    std::optional<std::vector<csg::scad::CustomizerParameter>> parameters;
     MessageLog messages;
     std::map<std::string, DiskState> files;  ///< All that were looked for, as they were before they were read.
     double evaluate_ms = 0, build_ms = 0;    ///< Wall time.

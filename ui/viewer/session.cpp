@@ -11,8 +11,16 @@ namespace ui {
 
 namespace {
 
+/// An evaluation that takes no longer is waited for while a value changes, so that something is to be seen; a longer
+/// one is stopped.
+constexpr double kQuickMilliseconds = 1000;
 constexpr double kTurn = 15;  // Degrees per key press.
 constexpr double kZoom = 1.25;
+
+/// Where OpenSCAD keeps them.
+std::filesystem::path parameter_file(const Source& source) {
+    return source.text ? std::filesystem::path() : std::filesystem::path(source.path).replace_extension(".json");
+}
 
 /// Turns by whole key presses, with orbit()'s rules.
 void turn(base::Camera& camera, double about_x, double about_z) {
@@ -26,6 +34,7 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
     : camera_request_(options.camera),
       document_(options.source),
       view_(options.picture),
+      customizer_(parameter_file(options.source)),
       evaluate_(std::move(evaluate)),
       watcher_(options.source.text ? std::string() : options.source.path),
       job_(std::move(wake)) {
@@ -34,14 +43,32 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
 }
 
 void Session::evaluate() {
-    job_.start([evaluate = evaluate_, source = document_.source(), camera = scad_view(view_.picture.camera)](
-                   const std::stop_token& stop) { return evaluate(source, camera, stop); });
+    customizing_ = false;
+    job_.start(next_revision());
+}
+
+LatestJob<Revision>::Job Session::next_revision() const {
+    return [evaluate = evaluate_, source = document_.source(), camera = scad_view(view_.picture.camera)](
+               const std::stop_token& stop) { return evaluate(source, camera, stop); };
+}
+
+void Session::customize() {
+    document_.customize(customizer_.definitions());
+    if (document_.milliseconds() <= kQuickMilliseconds) {
+        job_.start_after(next_revision());
+    } else {
+        job_.start(next_revision());
+    }
+    customizing_ = true;
 }
 
 bool Session::update(double now) {
     bool news = false;
     if (auto revision = job_.take()) {
         watcher_.watch(revision->files);
+        if (revision->parameters) {
+            customizer_.receive(*std::move(revision->parameters));
+        }
         document_.receive(std::move(*revision));
         place_camera();
         news = true;
@@ -110,6 +137,19 @@ bool Session::perform(const Command& command) {
         view_.picture.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
     } else if (const auto* sections = std::get_if<SetSections>(&command)) {
         cut(sections->sections);
+    } else if (const auto* customized = std::get_if<SetCustomized>(&command)) {
+        customizer_.set(customized->parameter, customized->value);
+        customize();
+    } else if (const auto* reset = std::get_if<ResetCustomized>(&command)) {
+        customizer_.reset(reset->parameter);
+        customize();
+    } else if (const auto* used = std::get_if<UseParameterSet>(&command)) {
+        customizer_.use(used->name);
+        customize();
+    } else if (const auto* saved = std::get_if<SaveParameterSet>(&command)) {
+        customizer_.save(saved->name);
+    } else if (const auto* deleted = std::get_if<DeleteParameterSet>(&command)) {
+        customizer_.remove(deleted->name);
     } else if (const auto* engine = std::get_if<SetEngine>(&command)) {
         view_.picture.engine = engine->engine;
     } else {
@@ -185,6 +225,9 @@ bool Session::act(Action action) {
             break;
         case Action::TogglePanel:
             shown_.panel = !shown_.panel;
+            break;
+        case Action::ToggleCustomizer:
+            shown_.customizer = !shown_.customizer;
             break;
         case Action::ToggleConsole:
             shown_.console = !shown_.console;

@@ -5,6 +5,7 @@
 
 #include "ui/viewer/camera_control.h"
 #include "ui/viewer/commands.h"
+#include "ui/viewer/customizer.h"
 #include "ui/viewer/document.h"
 #include "ui/viewer/latest_job.h"
 #include "ui/viewer/layout.h"
@@ -33,12 +34,17 @@ class Session {
     [[nodiscard]] const ViewState& view() const { return view_; }
     [[nodiscard]] base::Camera& camera() { return view_.picture.camera; }
     [[nodiscard]] const Shown& shown() const { return shown_; }
+    [[nodiscard]] const Customizer& customizer() const { return customizer_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
+    /// The newest models differ from those before by a value of the customizer, which may go on changing.
+    [[nodiscard]] bool customizing() const { return customizing_; }
     /// The most layers that were seen of the model, from wherever it was looked at; at least 1.
     [[nodiscard]] int layer_count() const { return layer_count_; }
 
   private:
     void evaluate();
+    [[nodiscard]] LatestJob<Revision>::Job next_revision() const;
+    void customize();
     void place_camera();
     void cut(const npr::Sections& sections);
     bool act(Action action);
@@ -49,6 +55,8 @@ class Session {
     bool camera_placed_ = false;  ///< On a model that is not empty; from then on it is the user's.
     Document document_;
     ViewState view_;
+    Customizer customizer_;
+    bool customizing_ = false;
     Shown shown_;
     int layer_count_ = 1;
     std::uint64_t layers_of_ = 0;  ///< Generation of the model that layer_count_ belongs to.

@@ -160,6 +160,7 @@ Layout WindowLoop::draw_interface(Commands& commands) {
         make_layout({size.x, size.y}, menu_height, interface_.scale(), session_.shown(), console_height_);
     draw_overlay(layout.picture, session_, info_, fonts, interface_.scale());
     draw_panel(layout.panel, session_, info_, fonts, commands);
+    customizer_panel_.draw(layout.customizer, session_.customizer(), fonts, commands);
     draw_console(layout.console, session_, fonts, console_height_, commands);
     draw_status(layout.status, session_, info_, note_);
     if (session_.shown().help) {
@@ -266,9 +267,10 @@ void WindowLoop::receive(const DrawnStep& drawn) {
 void WindowLoop::plan_picture(glm::ivec2 size) {
     const PictureRequest request = session_.view().request(size);
     const auto& model = session_.document().model();
-    const bool other = model != wanted_model_ || request.style != wanted_.style || request.layers != wanted_.layers ||
-                       request.engine != wanted_.engine;
-    if (!other && request == wanted_) {
+    const bool other_model = model != wanted_model_;
+    const bool other = (other_model && !session_.customizing()) || request.style != wanted_.style ||
+                       request.layers != wanted_.layers || request.engine != wanted_.engine;
+    if (!other && !other_model && request == wanted_) {
         return;
     }
     other ? plan_.replaced(seconds()) : plan_.moved(seconds());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ui/pipeline/stopwatch.h"
+#include "ui/viewer/customizer_panel.h"
 #include "ui/viewer/frame_log.h"
 #include "ui/viewer/interface.h"
 #include "ui/viewer/navigator.h"
@@ -53,6 +54,7 @@ class WindowLoop {
     PictureView picture_;
     Session session_;
     Navigator navigator_;
+    CustomizerPanel customizer_panel_;
     SaveForm save_form_;
     FramePlan plan_;
     std::optional<PictureStep> drawing_;  ///< Asked of picture_, and not received yet.

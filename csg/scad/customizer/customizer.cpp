@@ -63,7 +63,7 @@ std::optional<double> number_of(const Program& program, ExprId id) {
                                                                       : std::nullopt;
 }
 
-std::optional<CustomizerParameter::Initial> initial_of(const Program& program, ExprId id) {
+std::optional<CustomizerParameter::Value> initial_of(const Program& program, ExprId id) {
     const Expr& e = program[id];
     if (e.kind == ExprKind::Boolean) {
         return e.number != 0;
@@ -165,12 +165,6 @@ void take_form(CustomizerParameter& p, const CommentValue& form) {
     }
 }
 
-/// The value of an option as an expression.
-std::string expression_of(const std::variant<double, std::string>& value) {
-    const auto* const number = std::get_if<double>(&value);
-    return number != nullptr ? fmt::format("{}", *number) : quoted(std::get<std::string>(value));
-}
-
 double clamped(const CustomizerParameter& p, double number) {
     number = p.maximum ? std::min(number, *p.maximum) : number;
     return p.minimum ? std::max(number, *p.minimum) : number;
@@ -206,36 +200,54 @@ std::vector<CustomizerParameter> customizer_parameters(const Program& program) {
     return result;
 }
 
-std::optional<std::string> fitted_expression(const CustomizerParameter& p, std::string_view text) {
+std::optional<CustomizerParameter::Value> fitted_value(const CustomizerParameter& p, std::string_view text) {
     if (!p.options.empty()) {
         const auto number = number_in(text);
         for (const auto& option : p.options) {
             const auto* const value = std::get_if<double>(&option.value);
             if (value != nullptr ? number == *value : std::get<std::string>(option.value) == text) {
-                return expression_of(option.value);
+                return std::visit([](const auto& v) { return CustomizerParameter::Value(v); }, option.value);
             }
         }
         return std::nullopt;
     }
     if (std::holds_alternative<bool>(p.initial)) {
-        return text == "true" || text == "false" ? std::optional(std::string(text)) : std::nullopt;
+        return text == "true" || text == "false" ? std::optional<CustomizerParameter::Value>(text == "true")
+                                                 : std::nullopt;
     }
     if (std::holds_alternative<std::string>(p.initial)) {
-        return quoted(text);
+        return std::string(text);
     }
     if (std::holds_alternative<double>(p.initial)) {
         const auto number = number_in(text);
-        return number ? std::optional(fmt::format("{}", clamped(p, *number))) : std::nullopt;
+        return number ? std::optional<CustomizerParameter::Value>(clamped(p, *number)) : std::nullopt;
     }
-    const auto numbers = numbers_in(text);
+    auto numbers = numbers_in(text);
     if (!numbers || numbers->size() != std::get<std::vector<double>>(p.initial).size()) {
         return std::nullopt;
     }
-    std::string list;
-    for (const double number : *numbers) {
-        list += fmt::format("{}{}", list.empty() ? "[" : ", ", clamped(p, number));
+    for (double& number : *numbers) {
+        number = clamped(p, number);
     }
-    return list + ']';
+    return *numbers;
+}
+
+std::string expression_of(const CustomizerParameter::Value& value) {
+    const auto* const text = std::get_if<std::string>(&value);
+    return text != nullptr ? quoted(*text) : set_text(value);
+}
+
+std::string set_text(const CustomizerParameter::Value& value) {
+    if (const auto* const truth = std::get_if<bool>(&value)) {
+        return *truth ? "true" : "false";
+    }
+    if (const auto* const number = std::get_if<double>(&value)) {
+        return fmt::format("{}", *number);
+    }
+    if (const auto* const numbers = std::get_if<std::vector<double>>(&value)) {
+        return fmt::format("[{}]", fmt::join(*numbers, ", "));
+    }
+    return std::get<std::string>(value);
 }
 
 }  // namespace csg::scad

@@ -13,6 +13,11 @@ std::vector<CustomizerParameter> parameters(const std::string& text) {
     return customizer_parameters(parse({"test.scad", text, {}, read_source_file, {}}).program);
 }
 
+std::optional<std::string> fitted_expression(const CustomizerParameter& parameter, std::string_view text) {
+    const auto value = fitted_value(parameter, text);
+    return value ? std::optional(expression_of(*value)) : std::nullopt;
+}
+
 TEST(Customizer, KindsAndForms) {
     const auto p = parameters(
         "// How wide\nwidth = 10; // [5:2:50]\n/* [Look] */\nname = \"a\"; // 8\nround = true;\n"

@@ -304,6 +304,37 @@ TEST_F(Window, ASectionIsCutAndDragged) {
     EXPECT_TRUE(comes_to([&] { return count(is_face) > faces - 50 && count(is_face) < faces + 50; })) << "whole again";
 }
 
+TEST_F(Window, TheCustomizerChangesTheSolidAndSavesASet) {
+    folder_.write("model.scad", "size = 4; // [1:20]\ncube([size, size, size], center = true);\n");
+    open({"--camera", "0,0,0,55,0,25,140"});
+    const Json first = wait_for_picture();
+    robot("key F7");
+    const Json narrow = wait_for(frames().size(), [&](const Json& frame) {
+        return finished(frame) && frame.at("width") < first.at("width") && frame.at("state") == "good";
+    });
+    const std::size_t before = count(is_face);
+    ASSERT_GT(before, 100U);
+    // The slider is dragged step by step; each step is another solid.
+    robot("mousemove 170 152 mousedown 1");
+    for (int x = 180; x <= 270; x += 15) {
+        robot("mousemove " + std::to_string(x) + " 152");
+        std::this_thread::sleep_for(150ms);
+    }
+    robot("mouseup 1");
+    wait_for(frames().size(),
+             [&](const Json& frame) { return finished(frame) && frame.at("generation") > narrow.at("generation"); });
+    EXPECT_GT(count(is_face), 4 * before);
+    robot("mousemove 60 94 click 1");
+    robot("type --delay 40 'large'");
+    robot("mousemove 172 94 click 1");
+    const std::string sets = folder_.path("model.json");
+    for (int i = 0; i < 100 && !std::filesystem::exists(sets); ++i) {
+        std::this_thread::sleep_for(100ms);
+    }
+    const Json saved = Json::parse(folder_.read("model.json"));
+    EXPECT_GT(std::stod(saved.at("parameterSets").at("large").at("size").get<std::string>()), 12);
+}
+
 TEST_F(Window, TheMenuChoosesTheEngine) {
     open();
     EXPECT_EQ(wait_for_picture().at("engine"), "lists-cpu") << "the quickest where the processor computes OpenGL";

@@ -1,6 +1,4 @@
-#include "ui/command_line/parameters.h"
-
-#include <fmt/format.h>
+#include "ui/command_line/parameters_json.h"
 
 #include <variant>
 
@@ -62,31 +60,6 @@ std::string parameters_json(const csg::scad::Program& program, const std::string
         parameters.push_back(to_json(p));
     }
     return Json{{"parameters", parameters}, {"title", title}}.dump(2) + "\n";
-}
-
-ParameterSet read_parameter_set(const csg::scad::Program& program, const std::string& text, const std::string& path,
-                                const std::string& name) {
-    constexpr int kDeepest = 100;
-    const Json json = Json::read(text, kDeepest);
-    const Json* sets = json.find("parameterSets");
-    if (sets == nullptr || !sets->is_object()) {
-        return {{}, fmt::format("Parameter file '{}' holds no parameter sets", path)};
-    }
-    const Json* set = sets->find(name);
-    if (set == nullptr || !set->is_object()) {
-        return {{}, fmt::format("There is no parameter set '{}' in '{}'", name, path)};
-    }
-    ParameterSet result;
-    for (const CustomizerParameter& p : csg::scad::customizer_parameters(program)) {
-        const Json* value = set->find(p.name);
-        if (value == nullptr) {
-            continue;
-        }
-        if (const auto expression = fitted_expression(p, value->text() != nullptr ? *value->text() : value->dump())) {
-            result.definitions.push_back(p.name + '=' + *expression);
-        }
-    }
-    return result;
 }
 
 }  // namespace ui
