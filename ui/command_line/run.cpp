@@ -393,6 +393,14 @@ class Run {
     Json picture_json_;
 };
 
+bool has_display() {
+    const auto is_set = [](const char* name) {
+        const char* const value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
 int open_window(const Options& options) {
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
@@ -401,7 +409,7 @@ int open_window(const Options& options) {
     window.source.path = options.input;
     if (options.input == "-") {
         window.source.text = read_standard_input();
-    } else {
+    } else if (!options.input.empty()) {
         (void)read_source(options.input);  // A file that is not there is told before a window opens.
     }
     window.source.definitions = options.definitions;
@@ -452,10 +460,12 @@ int run_or_throw(const std::vector<std::string>& arguments) {
         write_output("-", line.text ? *line.text : information(options.context.value_or(gl::ContextKind::Auto)));
         return 0;
     }
-    if (options.input.empty()) {
+    const bool window =
+        !options.pick && options.outputs.empty() && !options.statistics && !options.summary && !options.summary_file;
+    if (options.input.empty() && !(window && has_display())) {
         throw UsageError("no input file; see csgscope --help");
     }
-    if (!options.pick && options.outputs.empty() && !options.statistics && !options.summary && !options.summary_file) {
+    if (window) {
         return open_window(options);
     }
     return Run(std::move(options))() ? 0 : 1;

@@ -15,6 +15,7 @@ constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
 // The digits with Ctrl and Ctrl+Shift+V are OpenSCAD's.
 constexpr std::array kActions{
+    ActionInfo{Action::Open, "File", "Open…", {{GLFW_KEY_O, kCtrl}}},
     ActionInfo{Action::Reload, "File", "Reload", {{GLFW_KEY_F5}, {GLFW_KEY_F4}, {GLFW_KEY_R, kCtrl}}},
     ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl}, {GLFW_KEY_E, kCtrl}}},
     ActionInfo{Action::Quit, "File", "Quit", {{GLFW_KEY_Q, kCtrl}, {GLFW_KEY_W, kCtrl}}},

@@ -18,6 +18,7 @@
 namespace ui {
 
 enum class Action {
+    Open,  ///< Opens the form.
     Reload,
     SavePicture,  ///< Opens the form.
     Quit,
@@ -80,6 +81,9 @@ struct SetSamples {
 struct SetSections {
     npr::Sections sections;  ///< Sides and corners go by the camera of now.
 };
+struct OpenFile {
+    std::filesystem::path path;
+};
 struct SetCustomized {
     std::string parameter;
     csg::scad::CustomizerParameter::Value value;
@@ -107,8 +111,8 @@ struct WritePicture {
 
 using Command =
     std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
-                 SetLayers, SetSamples, SetSections, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
-                 DeleteParameterSet, SetEngine, WritePicture>;
+                 SetLayers, SetSamples, SetSections, OpenFile, SetCustomized, ResetCustomized, UseParameterSet,
+                 SaveParameterSet, DeleteParameterSet, SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

@@ -19,12 +19,15 @@ void Document::receive(Revision revision) {
 }
 
 std::string Document::file_name() const {
-    return source_.text ? "standard input" : std::filesystem::path(source_.path).filename().string();
+    return source_.path == "-" ? "standard input" : std::filesystem::path(source_.path).filename().string();
 }
 
 DocumentState Document::state() const {
     if (gone_) {
         return DocumentState::Gone;
+    }
+    if (source_.nothing()) {
+        return DocumentState::Good;
     }
     if (!received_) {
         return DocumentState::Evaluating;

@@ -30,7 +30,7 @@ class Document {
     void divide(csg::PartRule parts) { source_.parts = std::move(parts); }
 
     [[nodiscard]] const Source& source() const { return source_; }
-    [[nodiscard]] std::string file_name() const;  ///< Without its folder.
+    [[nodiscard]] std::string file_name() const;  ///< Without its folder; empty where nothing is open.
     [[nodiscard]] DocumentState state() const;
     [[nodiscard]] const std::shared_ptr<const Model>& model() const { return model_; }  ///< Null before the first.
     [[nodiscard]] const csg::scad::ViewSettings& view() const { return view_; }         ///< Of the model.

@@ -95,6 +95,12 @@ void on_scroll(GLFWwindow* window, double /*x*/, double y) {
     input_of(window).pointer.push_back(event);
 }
 
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+    Input& input = input_of(window);
+    input.dropped.insert(input.dropped.end(), paths, paths + count);
+    note_other(window);
+}
+
 }  // namespace
 
 GlfwWindow::GlfwWindow(const std::string& title, glm::ivec2 size) {
@@ -136,6 +142,7 @@ void GlfwWindow::install_callbacks() {
     glfwSetMouseButtonCallback(window_, on_button);
     glfwSetCursorPosCallback(window_, on_cursor);
     glfwSetScrollCallback(window_, on_scroll);
+    glfwSetDropCallback(window_, on_drop);
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { note_other(window); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { note_other(window); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { note_other(window); });
@@ -193,6 +200,9 @@ void GlfwWindow::swap() const {
 }
 void GlfwWindow::hide() const {
     glfwHideWindow(window_);
+}
+void GlfwWindow::set_title(const std::string& title) const {
+    glfwSetWindowTitle(window_, title.c_str());
 }
 void GlfwWindow::set_clipboard(const std::string& text) const {
     glfwSetClipboardString(window_, text.c_str());

@@ -35,6 +35,7 @@ class GlfwWindow {
     void make_current() const;
     void swap() const;
     void hide() const;
+    void set_title(const std::string& title) const;
     void set_clipboard(const std::string& text) const;
 
   private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "ui/viewer/commands.h"
@@ -28,10 +29,11 @@ struct KeyEvent {
 
 struct Input {
     std::vector<PointerEvent> pointer;
-    std::vector<KeyEvent> keys;  ///< Pressed, or repeated.
-    glm::dvec2 cursor{0};        ///< Where the pointer was last.
-    bool any = false;            ///< Something happened that the interface may show, if only that it was uncovered.
-    bool other = false;          ///< Something that is neither the pointer nor a key of these: text, focus, size.
+    std::vector<KeyEvent> keys;        ///< Pressed, or repeated.
+    std::vector<std::string> dropped;  ///< Paths of files.
+    glm::dvec2 cursor{0};              ///< Where the pointer was last.
+    bool any = false;    ///< Something happened that the interface may show, if only that it was uncovered.
+    bool other = false;  ///< Something that is neither the pointer nor a key of these: text, focus, size.
 };
 
 }  // namespace ui

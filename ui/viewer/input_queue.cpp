@@ -8,6 +8,7 @@ namespace ui {
 void InputQueue::add(Input input) {
     pointer_.insert(pointer_.end(), input.pointer.begin(), input.pointer.end());
     keys_.insert(keys_.end(), input.keys.begin(), input.keys.end());
+    dropped_.insert(dropped_.end(), input.dropped.begin(), input.dropped.end());
     latest_ = input.cursor;
     any_ |= input.any;
 }
@@ -15,6 +16,7 @@ void InputQueue::add(Input input) {
 Input InputQueue::next() {
     Input frame;
     frame.any = std::exchange(any_, false);
+    frame.dropped = std::exchange(dropped_, {});
     bool moved = false, pressed = false, scrolled = false;
     while (!pointer_.empty()) {
         const PointerEvent& event = pointer_.front();

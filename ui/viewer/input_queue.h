@@ -26,6 +26,7 @@ class InputQueue {
   private:
     std::deque<PointerEvent> pointer_;
     std::deque<KeyEvent> keys_;
+    std::vector<std::string> dropped_;
     glm::dvec2 cursor_{0}, latest_{0};  ///< As of the last frame; as it is by now.
     bool held_[4]{};                    ///< By Button.
     bool any_ = false;

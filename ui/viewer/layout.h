@@ -25,6 +25,7 @@ struct Shown {
     bool axes = true;
     bool help = false;
     bool save_form = false;
+    bool open_form = false;
 };
 
 struct Layout {

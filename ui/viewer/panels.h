@@ -52,6 +52,8 @@ class SaveForm {
 
     /// `shown`: the picture on the screen, whose size is proposed.
     void draw(const PictureRequest& shown, Commands& commands);
+    /// Another path is proposed; what was typed goes.
+    void propose(std::string path);
     /// Why the last try failed; what is typed then goes to the form again.
     void set_error(std::string error);
 

@@ -19,8 +19,9 @@ namespace ui {
 
 /// What is shown: where the text comes from and how it is evaluated.
 struct Source {
-    std::string path;                      ///< Names the text; read from there unless `text` is given.
-    std::optional<std::string> text;       ///< Standard input.
+    /// Names the text; read from there unless `text` is given. Empty: nothing is open. "-": standard input.
+    std::string path;
+    std::optional<std::string> text;
     std::vector<std::string> definitions;  ///< Statements that come after the text.
     bool preview = true;                   ///< $preview
     bool hard_warnings = false;            ///< A warning is an error.
@@ -29,6 +30,10 @@ struct Source {
     csg::PartRule parts{};
     npr::Sections sections{};               ///< Those by parts are made of the model at once.
     std::vector<std::string> customized{};  ///< name=expression, which count above the definitions.
+
+    [[nodiscard]] bool nothing() const { return path.empty(); }
+    /// The file that is followed; empty where there is none.
+    [[nodiscard]] std::string followed() const { return path == "-" ? std::string() : path; }
 };
 
 struct Revision {

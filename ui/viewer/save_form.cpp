@@ -28,6 +28,11 @@ void label(const char* text) {
 SaveForm::SaveForm(std::string proposed_path, const npr::Picture& first)
     : path_(std::move(proposed_path)), transparent_(first.transparent_background) {}
 
+void SaveForm::propose(std::string path) {
+    path_ = std::move(path);
+    size_.reset();
+}
+
 void SaveForm::set_error(std::string error) {
     error_ = std::move(error);
     focus_ = true;

@@ -6,6 +6,14 @@
 
 namespace ui {
 
+std::filesystem::path with_home(std::string_view typed) {
+    const char* const home = std::getenv("HOME");
+    if (home != nullptr && *home != '\0' && (typed == "~" || typed.starts_with("~/"))) {
+        return std::filesystem::path(home) / typed.substr(std::min<std::size_t>(2, typed.size()));
+    }
+    return typed;
+}
+
 SavePath save_path(std::string_view typed) {
     const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
     while (!typed.empty() && is_blank(typed.front())) {
@@ -14,11 +22,7 @@ SavePath save_path(std::string_view typed) {
     while (!typed.empty() && is_blank(typed.back())) {
         typed.remove_suffix(1);
     }
-    std::filesystem::path path(typed);
-    const char* const home = std::getenv("HOME");
-    if (home != nullptr && *home != '\0' && (typed == "~" || typed.starts_with("~/"))) {
-        path = std::filesystem::path(home) / typed.substr(std::min<std::size_t>(2, typed.size()));
-    }
+    std::filesystem::path path = with_home(typed);
     if (typed.empty() || !path.has_filename() || typed == "~") {
         return {{}, "The picture needs a name."};
     }

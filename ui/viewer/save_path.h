@@ -15,4 +15,7 @@ struct SavePath {
 /// "~" and "~/…" begin at the home folder; a name without a suffix gets .png, another suffix than that is refused.
 [[nodiscard]] SavePath save_path(std::string_view typed);
 
+/// "~" and "~/…" with the home folder in their place, other paths as they are.
+[[nodiscard]] std::filesystem::path with_home(std::string_view typed);
+
 }  // namespace ui

@@ -6,6 +6,7 @@
 
 #include "ui/pipeline/picture/camera.h"
 #include "ui/pipeline/sections.h"
+#include "ui/viewer/open_source.h"
 
 namespace ui {
 
@@ -19,7 +20,8 @@ constexpr double kZoom = 1.25;
 
 /// Where OpenSCAD keeps them.
 std::filesystem::path parameter_file(const Source& source) {
-    return source.text ? std::filesystem::path() : std::filesystem::path(source.path).replace_extension(".json");
+    return source.text || source.nothing() ? std::filesystem::path()
+                                           : std::filesystem::path(source.path).replace_extension(".json");
 }
 
 /// Turns by whole key presses, with orbit()'s rules.
@@ -36,14 +38,28 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
       view_(options.picture),
       customizer_(parameter_file(options.source)),
       evaluate_(std::move(evaluate)),
-      watcher_(options.source.text ? std::string() : options.source.path),
+      watcher_(options.source.followed()),
       job_(std::move(wake)) {
     view_.picture.camera = choose_camera(camera_request_, {}, {});
     this->evaluate();
 }
 
+void Session::open(const std::filesystem::path& path) {
+    document_ = Document(opened(path, document_.source()));
+    customizer_ = Customizer(parameter_file(document_.source()));
+    watcher_ = FileWatcher(document_.source().followed());
+    camera_request_.camera.reset();  // That was for another model.
+    camera_placed_ = false;
+    view_.picture.sections = {};
+    shown_.open_form = false;
+    evaluate();
+}
+
 void Session::evaluate() {
     customizing_ = false;
+    if (document_.source().nothing()) {
+        return;
+    }
     job_.start(next_revision());
 }
 
@@ -137,6 +153,8 @@ bool Session::perform(const Command& command) {
         view_.picture.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
     } else if (const auto* sections = std::get_if<SetSections>(&command)) {
         cut(sections->sections);
+    } else if (const auto* file = std::get_if<OpenFile>(&command)) {
+        open(file->path);
     } else if (const auto* customized = std::get_if<SetCustomized>(&command)) {
         customizer_.set(customized->parameter, customized->value);
         customize();
@@ -161,6 +179,9 @@ bool Session::perform(const Command& command) {
 bool Session::act(Action action) {
     base::Camera& camera = view_.picture.camera;
     switch (action) {
+        case Action::Open:
+            shown_.open_form = true;
+            break;
         case Action::Reload:
             evaluate();
             break;
@@ -239,7 +260,7 @@ bool Session::act(Action action) {
             shown_.help = !shown_.help;
             break;
         case Action::Close:
-            shown_.help = shown_.save_form = false;
+            shown_.help = shown_.save_form = shown_.open_form = false;
             break;
         case Action::Quit:
         case Action::CopyConsole:

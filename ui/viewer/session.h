@@ -42,6 +42,7 @@ class Session {
     [[nodiscard]] int layer_count() const { return layer_count_; }
 
   private:
+    void open(const std::filesystem::path& path);
     void evaluate();
     [[nodiscard]] LatestJob<Revision>::Job next_revision() const;
     void customize();

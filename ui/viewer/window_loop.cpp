@@ -36,23 +36,33 @@ const char* state_name(DocumentState state) {
 }
 
 std::string proposed_picture(const Source& source) {
-    return source.text ? "picture.png" : std::filesystem::path(source.path).stem().string() + ".png";
+    return source.followed().empty() ? "picture.png" : std::filesystem::path(source.path).stem().string() + ".png";
 }
 
-std::string title_of(const WindowOptions& options) {
-    return Document(options.source).file_name() + " – csgscope";
+std::string title_of(const Source& source) {
+    return source.nothing() ? "csgscope" : Document(source).file_name() + " – csgscope";
+}
+
+/// Where one begins to look for files.
+std::filesystem::path first_folder(const Source& source) {
+    std::error_code error;
+    const std::filesystem::path file = std::filesystem::absolute(source.followed(), error);
+    const std::filesystem::path here = std::filesystem::current_path(error);
+    return source.followed().empty() ? here : file.parent_path();
 }
 
 }  // namespace
 
 WindowLoop::WindowLoop(const WindowOptions& options)
     : log_(options.frames_log),
-      window_(title_of(options), kWindowSize),
+      window_(title_of(options.source), kWindowSize),
       context_(gl::adopt_context(window_symbol, [this] { window_.make_current(); })),
       interface_(window_),
       picture_(*context_, options.engine, context_->software(), GlfwWindow::wake),
       session_(options, make_evaluate(), GlfwWindow::wake),
+      open_form_(first_folder(options.source)),
       save_form_(proposed_picture(options.source), options.picture) {
+    recent_.add(options.source.followed());
     console_height_ = 150 * window_.interface_scale();
     plan_.set_stoppable(picture_.threaded());
 }
@@ -87,7 +97,8 @@ WindowEnd WindowLoop::run() {
 
 /// A pointer that moves over the picture, with nothing held and nothing over it, changes nothing.
 bool WindowLoop::only_hovers(const Input& input) {
-    const bool covered = session_.shown().save_form || session_.shown().help || ImGui::GetIO().WantCaptureMouse;
+    const bool covered = session_.shown().save_form || session_.shown().open_form || session_.shown().help ||
+                         ImGui::GetIO().WantCaptureMouse;
     const bool moves = !input.pointer.empty() && input.keys.empty() && !input.other &&
                        std::ranges::all_of(input.pointer, [&](const PointerEvent& event) {
                            return event.kind == PointerKind::Move && picture_place_.contains(event.position);
@@ -129,6 +140,9 @@ void WindowLoop::frame(const Input& input) {
             commands.emplace_back(*action);
         }
     }
+    if (!input.dropped.empty()) {
+        commands.emplace_back(OpenFile{input.dropped.front()});
+    }
     for (const Command& command : commands) {
         perform(command);
         frames_to_draw_ = kFramesAfterInput;  // A form that opens is hidden in its first frame.
@@ -166,6 +180,11 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     if (session_.shown().help) {
         draw_help(fonts, commands);
     }
+    if (session_.shown().open_form) {
+        open_form_.draw(recent_.paths(), fonts, commands);
+    } else if (session_.document().source().nothing()) {
+        draw_start(layout.picture, recent_.paths(), fonts, commands);
+    }
     if (session_.shown().save_form) {
         save_form_.draw(session_.view().request(pixel_size(layout.picture)), commands);
     }
@@ -185,7 +204,24 @@ void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
     }
 }
 
+void WindowLoop::open(const OpenFile& file) {
+    if (!can_open(file.path)) {
+        note_ = fmt::format("{} is no model", file.path.filename().string());
+        return;
+    }
+    session_.perform(file);
+    const Source& source = session_.document().source();
+    window_.set_title(title_of(source));
+    save_form_.propose(proposed_picture(source));
+    recent_.add(source.path);
+    note_.clear();
+}
+
 void WindowLoop::perform(const Command& command) {
+    if (const auto* file = std::get_if<OpenFile>(&command)) {
+        open(*file);
+        return;
+    }
     if (session_.perform(command)) {
         return;
     }

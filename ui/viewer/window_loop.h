@@ -9,8 +9,10 @@
 #include "ui/viewer/frame_log.h"
 #include "ui/viewer/interface.h"
 #include "ui/viewer/navigator.h"
+#include "ui/viewer/open_form.h"
 #include "ui/viewer/panels.h"
 #include "ui/viewer/picture_view.h"
+#include "ui/viewer/recent_files.h"
 #include "ui/viewer/session.h"
 #include "ui/viewer/window.h"
 
@@ -34,6 +36,7 @@ class WindowLoop {
     [[nodiscard]] Layout draw_interface(Commands& commands);
     void navigate(const Input& input, const Rectangle& picture);
     void perform(const Command& command);
+    void open(const OpenFile& file);
     void save_picture(const WritePicture& what);
     void plan_picture(glm::ivec2 size);
     void draw_picture();
@@ -55,6 +58,8 @@ class WindowLoop {
     Session session_;
     Navigator navigator_;
     CustomizerPanel customizer_panel_;
+    RecentFiles recent_;
+    OpenForm open_form_;
     SaveForm save_form_;
     FramePlan plan_;
     std::optional<PictureStep> drawing_;  ///< Asked of picture_, and not received yet.

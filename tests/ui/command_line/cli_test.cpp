@@ -315,6 +315,8 @@ TEST_F(Cli, HelpVersionAndInformationEndWell) {
 
 TEST_F(Cli, WhatCannotBeDoneSaysSoAndLeavesNoFile) {
     fs::create_directory(folder_.path("dir"));
+    unsetenv("DISPLAY");  // Where there is one, a window opens without any file.
+    unsetenv("WAYLAND_DISPLAY");
     const std::pair<const char*, const char*> cases[] = {
         {"", "no input file"},
         {"missing.scad -o m.png", "missing.scad"},

@@ -31,7 +31,7 @@ struct Color {
     int r, g, b;
 };
 constexpr Color kCornfield{255, 255, 229}, kBlueprint{27, 63, 139}, kErrorBanner{189, 38, 38},
-    kGoneBanner{179, 115, 15}, kForm{38, 42, 48};
+    kGoneBanner{179, 115, 15}, kForm{38, 42, 48}, kPanel{33, 36, 41};
 
 /// Yellow of added leaves and green of subtracted ones, in any light.
 bool is_face(const std::uint8_t* p) {
@@ -53,14 +53,17 @@ class Window : public testing::Test {
         folder_.write("model.scad", kModel);
     }
 
-    void open(const std::vector<std::string>& more = {}) {
-        std::vector<std::string> arguments{CSGSCOPE_PROGRAM, folder_.path("model.scad"), "--log-frames",
-                                           folder_.path("frames.json")};
+    void open(std::vector<std::string> more = {}) {
+        more.insert(more.begin(), folder_.path("model.scad"));
+        run(more);
+    }
+    void run(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{CSGSCOPE_PROGRAM, "--log-frames", folder_.path("frames.json")};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        program_ = std::make_unique<Process>(
-            arguments,
-            std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY", "HOME=" + folder_.path("")},
-            folder_.path("output.txt"));
+        program_ = std::make_unique<Process>(arguments,
+                                             std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY",
+                                                                      "XDG_STATE_HOME", "HOME=" + folder_.path("")},
+                                             folder_.path("output.txt"));
         robot("mousemove 480 300");  // Without a window manager the keyboard follows the pointer.
     }
     void robot(const std::string& commands) const { display_->robot(commands); }
@@ -129,6 +132,16 @@ class Window : public testing::Test {
             std::this_thread::sleep_for(100ms);
         }
         return testing::AssertionFailure() << found << " pixels instead of " << least << " to " << most;
+    }
+
+    testing::AssertionResult shows_faces() const {
+        for (int i = 0; i < 100; ++i) {
+            if (count(is_face) > 10'000) {
+                return testing::AssertionSuccess();
+            }
+            std::this_thread::sleep_for(100ms);
+        }
+        return testing::AssertionFailure() << count(is_face) << " pixels of faces";
     }
 
     test_support::TemporaryFolder folder_;
@@ -302,6 +315,36 @@ TEST_F(Window, ASectionIsCutAndDragged) {
     EXPECT_TRUE(comes_to([&] { return count(is_face) < half * 4 / 5 && count(is_cut) > 10000; })) << "deeper";
     robot("mousemove 1006 600 click 1");
     EXPECT_TRUE(comes_to([&] { return count(is_face) > faces - 50 && count(is_face) < faces + 50; })) << "whole again";
+}
+
+TEST_F(Window, BeginsWithNothingAndOpensWhatIsTyped) {
+    run({});
+    ASSERT_TRUE(shows(kPanel, 10'000)) << "how to begin, in the middle";
+    EXPECT_EQ(count(is_face), 0U);
+    robot("key ctrl+o");
+    std::this_thread::sleep_for(500ms);
+    robot("type --delay 40 '" + folder_.path("nothing.scad") + "'");
+    robot("key Return");
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(count(is_face), 0U) << "the form says that there is no such file";
+    robot("key ctrl+a");
+    robot("type --delay 40 '" + folder_.path("model.scad") + "'");
+    robot("key Return");
+    wait_for_picture();
+    EXPECT_TRUE(shows_faces());
+    EXPECT_EQ(folder_.read(".local/state/csgscope/recent"), folder_.path("model.scad") + "\n");
+    folder_.write("model.scad", "sphere(10);");  // It is followed.
+    const Json frame = frames().back();
+    wait_for(frames().size(),
+             [&](const Json& f) { return finished(f) && f.at("generation") > frame.at("generation"); });
+
+    robot("key ctrl+q");
+    ASSERT_EQ(program_->wait(kPatience), 0);
+    run({});  // Now the file is offered.
+    ASSERT_TRUE(shows(kPanel, 10'000));
+    EXPECT_EQ(count(is_face), 0U);
+    robot("mousemove 250 312 click 1");
+    EXPECT_TRUE(shows_faces());
 }
 
 TEST_F(Window, TheCustomizerChangesTheSolidAndSavesASet) {
