@@ -8,6 +8,7 @@
 #include "layers/limits.h"
 #include "npr/color_scheme.h"
 #include "npr/parameter.h"
+#include "npr/part_style.h"
 #include "npr/section.h"
 #include "npr/transparency.h"
 
@@ -38,6 +39,7 @@ struct Picture {
     Parameters transparency_parameters;   ///< Of that model; where they are another's, its defaults hold.
     std::vector<PartMedium> media;        ///< In Volume: of parts; what is not said follows from color and opacity.
     MediumLight medium_light;             ///< In Volume.
+    std::vector<PartStyle> part_styles;   ///< Of parts that are not drawn in `style`.
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
 
     /// Another style, with its parameters' defaults.

@@ -8,6 +8,7 @@
 
 #include "base/camera.h"
 #include "layers/host_stack.h"
+#include "npr/painter/layer_notes.h"
 #include "npr/picture.h"
 #include "npr/shine/shine_row.h"
 
@@ -22,6 +23,8 @@ struct CpuFrame {
     std::span<glm::vec4> sum;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the sum is undefined then.
     std::span<const ShineRow> shine{};  ///< By pixel, in pictures that need them.
+    /// Null, or by tile what the style draws is to be noted, and nothing added to the sum.
+    LayerNotes* notes = nullptr;
 };
 
 /// Paints a frame on all cores: what the style of the same name draws with OpenGL, up to rounding. The bytes depend

@@ -3,14 +3,17 @@
 
 #include "base/parallel.h"
 #include "npr/painter/cpu_ink.h"
-#include "npr/shader_frame.h"
+#include "npr/painter/pixel_frame.h"
+#include "npr/painter/whole_notes.h"
 
 namespace npr {
 
 /// A Frame with the ink of lines: what npr/edges/lines.glsl is to shaders.
-struct LinedFrame : shader::Frame {
+struct LinedFrame : PixelFrame {
     LinedFrame(const CpuFrame& frame, const CpuEdges& edges, const LinedSettings& lines)
-        : Frame(frame), ink(frame, edges, lines) {}
+        : PixelFrame(frame), ink(frame, edges, lines) {
+        reach = static_cast<int>(0.5F * lines.width + 0.5F) + 1;
+    }
 
     TileInk ink;
     glm::ivec2 at{0};  ///< The pixel to be painted.
@@ -25,7 +28,27 @@ struct LinedFrame : shader::Frame {
     [[nodiscard]] float line_ink(int layer) const { return ink.ink(layer, at); }
 };
 
-/// Adds every pixel of the frame, or throws base::Stopped. `make()` gives each thread its painter:
+/// Notes what a painter draws in a tile.
+template <typename Painter>
+void note_tile(const CpuFrame& frame, const TileBounds& box, Painter& painter, TileNotes& page) {
+    const WholeNotes whole(frame);
+    for (int y = box.lo.y; y < box.hi.y; ++y) {
+        for (int x = box.lo.x; x < box.hi.x; ++x) {
+            if constexpr (std::is_base_of_v<PixelFrame, Painter>) {
+                painter.page = &page;
+                painter.noted = {x, y};
+            }
+            const glm::vec4 color = painter.pixel({x, y});
+            if (color.a > 0 && page.pixel_is_empty()) {
+                page.add(whole.note({x, y}, color));
+            }
+            page.end_pixel();
+        }
+    }
+}
+
+/// Adds every pixel of the frame, or notes what is drawn there, or throws base::Stopped. `make()` gives each thread its
+/// painter:
 ///   begin(tile)         before the tile's pixels
 ///   pixel(p)            the color
 ///   as_left(p)          whether it is sure to be that of the pixel on the left, of the same tile
@@ -38,6 +61,10 @@ void paint_tiles(const CpuFrame& frame, const Make& make) {
             return [&tiles, &frame, painter = make()](int tile) mutable {
                 const TileBounds box = tiles.bounds(tile);
                 painter.begin(tile);
+                if (frame.notes != nullptr) {
+                    note_tile(frame, box, painter, (*frame.notes)[static_cast<std::size_t>(tile)]);
+                    return;
+                }
                 for (int y = box.lo.y; y < box.hi.y; ++y) {
                     glm::vec4* row =
                         &frame.sum[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.layers.size.x)];

@@ -10,8 +10,8 @@ int layers(bool translucent) {
 
 using namespace glm;  // As shader files do.
 
-struct ShadedPixels : shader::Frame {
-    ShadedPixels(const CpuFrame& frame, const NoSettings& /*none*/) : Frame(frame) {}
+struct ShadedPixels : PixelFrame {
+    ShadedPixels(const CpuFrame& frame, const NoSettings& /*none*/) : PixelFrame(frame) {}
 #include "npr/styles/shaded.glsl"
 
     void begin(int /*tile*/) {}

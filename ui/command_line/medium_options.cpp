@@ -1,7 +1,6 @@
 #include "ui/command_line/medium_options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
@@ -9,7 +8,7 @@
 
 #include "npr/parameter.h"
 #include "ui/command_line/option_values.h"
-#include "ui/pipeline/suggestion.h"
+#include "ui/pipeline/part_names.h"
 
 namespace ui {
 
@@ -79,15 +78,10 @@ npr::MediumLight read_medium_light(const std::string& text) {
 }
 
 void need_parts(std::span<const npr::PartMedium> media, const csg::Scene& scene) {
-    std::vector<std::string> names;
-    for (const csg::Part& part : scene.parts) {
-        names.push_back(part.name);
-    }
     for (const npr::PartMedium& medium : media) {
-        if (std::find(names.begin(), names.end(), medium.part) == names.end()) {
-            throw UsageError(
-                fmt::format("--medium: no part \"{}\".{}", medium.part,
-                            suggestion(medium.part, names, fmt::format(" There are {}.", fmt::join(names, ", ")))));
+        if (std::none_of(scene.parts.begin(), scene.parts.end(),
+                         [&](const csg::Part& part) { return part.name == medium.part; })) {
+            throw UsageError(unknown_part(scene, "--medium", medium.part));
         }
     }
 }

@@ -84,6 +84,10 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     const std::string transparencies = transparency_help();
     text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
     text("--style", o.picture_texts.style, styles.c_str(), "STYLE", picture);
+    list("--style-of", o.picture_texts.part_styles,
+         "Draw some parts in another style: 'part=NAME: STYLE,PARAMETER=VALUE,…', or color=COLOR or module=NAME for "
+         "part=NAME; may be repeated",
+         "STYLE", picture);
     text("--transparency", raw.transparency, transparencies.c_str(), "NAME[:KEY=VALUE,...]", picture);
     list("--medium", raw.media,
          "In volume: what a part is made of, as 'PART: tau=0.3/mm, albedo=#aabbcc'; may be repeated", "MEDIUM",
@@ -96,7 +100,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          picture);
     text("--parts", raw.parts,
          "What is a part: model (all of it), top (children of the top-level union), color, depth=N or "
-         "module=NAME[,NAME] (model; with --section color)",
+         "module=NAME[,NAME] (model; with --section color; with --style-of what that names, or top)",
          "RULE", picture);
     text("--changes-from", o.changes_from,
          "Draw what has changed since that version of the file: what is new green, what is gone red, the rest seen "
@@ -161,6 +165,7 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--summary-file",
                                    "--summary",
                                    "--style",
+                                   "--style-of",
                                    "--set",
                                    "--animate",
                                    "--animate_sharding",

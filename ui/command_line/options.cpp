@@ -12,6 +12,7 @@
 #include "ui/command_line/medium_options.h"
 #include "ui/command_line/option_declarations.h"
 #include "ui/command_line/option_values.h"
+#include "ui/command_line/part_style_rule.h"
 #include "ui/command_line/section_text.h"
 #include "ui/command_line/transparency_options.h"
 #include "ui/pipeline/suggestion.h"
@@ -151,7 +152,7 @@ void interpret_view(Options& o, const RawOptions& raw) {
     }
 }
 
-void interpret_transparency(npr::Picture& picture, const RawOptions& raw) {
+void interpret_transparency(npr::Picture& picture, const RawOptions& raw, bool part_styles) {
     read_transparency(picture, raw.transparency);
     for (const std::string& medium : raw.media) {
         picture.media.push_back(read_medium(medium));
@@ -161,6 +162,9 @@ void interpret_transparency(npr::Picture& picture, const RawOptions& raw) {
     }
     if (picture.transparency != npr::Transparency::Volume && !(raw.media.empty() && raw.medium_light.empty())) {
         throw UsageError("--medium and --medium-light are for --transparency volume");
+    }
+    if (picture.transparency != npr::Transparency::Exact && part_styles) {
+        throw UsageError("--style-of is for --transparency exact: others need all of the layers at once");
     }
 }
 
@@ -244,7 +248,9 @@ void interpret(Options& o, const RawOptions& raw) {
         o.parts = read_parts(raw.parts);
     }
     o.picture.sections = read_sections(raw.sections, raw.uncut, raw.hatching);
-    if (raw.parts.empty() && !o.picture.sections.cuts.empty()) {
+    if (raw.parts.empty() && !o.picture_texts.part_styles.empty()) {
+        o.parts = parts_of_styles(o.picture_texts.part_styles);
+    } else if (raw.parts.empty() && !o.picture.sections.cuts.empty()) {
         o.parts.kind = csg::PartRule::Kind::Color;  // Cut faces have the color of what was cut.
     }
     if (!raw.at.empty()) {
@@ -253,7 +259,7 @@ void interpret(Options& o, const RawOptions& raw) {
     if (!raw.samples.empty()) {
         o.picture.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
     }
-    interpret_transparency(o.picture, raw);
+    interpret_transparency(o.picture, raw, !o.picture_texts.part_styles.empty());
     interpret_engine(o, raw);
     interpret_animation(o, raw);
     interpret_view(o, raw);

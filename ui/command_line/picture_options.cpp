@@ -6,6 +6,7 @@
 
 #include "base/alternatives.h"
 #include "npr/style.h"
+#include "ui/command_line/part_style_options.h"
 #include "ui/pipeline/suggestion.h"
 
 namespace ui {
@@ -41,6 +42,9 @@ npr::Picture picture_of(npr::Picture picture, const PictureTexts& texts) {
         } catch (const std::invalid_argument& error) {
             throw std::runtime_error(fmt::format("style {}: {}", texts.style, error.what()));
         }
+    }
+    for (const std::string& text : texts.part_styles) {
+        picture.part_styles.push_back(read_part_style(text));
     }
     return picture;
 }

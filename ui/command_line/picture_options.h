@@ -13,6 +13,7 @@ struct PictureTexts {
     std::string style = "shaded";
     std::vector<std::pair<std::string, std::string>> settings{};  ///< Style parameters by name; the rest are defaults.
     std::string scheme = "Cornfield";
+    std::vector<std::string> part_styles{};  ///< As read_part_style takes them.
 
     bool operator==(const PictureTexts&) const = default;
 };

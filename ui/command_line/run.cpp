@@ -19,6 +19,7 @@
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/medium_options.h"
 #include "ui/command_line/options.h"
+#include "ui/command_line/part_style_options.h"
 #include "ui/command_line/pick.h"
 #include "ui/command_line/standard_streams.h"
 #include "ui/command_line/summary.h"
@@ -172,6 +173,7 @@ class Run {
             }
         }
         need_parts(picture_.media, model_->scene);
+        need_parts(picture_.part_styles, model_->scene);
         for (const std::string& warning : exported_->warnings) {
             language_.messages().warn(warning);
         }

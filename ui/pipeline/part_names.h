@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "csg/tree/scene.h"
@@ -12,5 +13,8 @@ namespace ui {
 /// where there is none. `option`: who asks.
 [[nodiscard]] std::vector<csg::PartId> parts_named(const csg::Scene& scene, const char* option,
                                                    const std::string& name);
+
+/// What is to be said where `option` names a part that the scene does not have: the nearest names, or those there are.
+[[nodiscard]] std::string unknown_part(const csg::Scene& scene, std::string_view option, std::string_view name);
 
 }  // namespace ui

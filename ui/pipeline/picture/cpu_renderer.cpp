@@ -40,24 +40,58 @@ const npr::Paint& CpuRenderer::paint(const npr::StyleInfo& style) {
 
 void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineInfo& engine,
                               int sample, const std::stop_token& stop) {
-    if (sample == 0) {
-        statistics_ = {};
-    }
+    begin(sample);
     Stopwatch watch;
     hold(model, engine);
     statistics_.upload_ms += watch.lap();
     const int layers = layers_to_peel(picture, model);
+    paint_sample(
+        model, picture, sample,
+        [&](const base::View& view) -> const layers::HostStack& {
+            stack_ = {};  // Its memory is used again.
+            stack_ = scene_->draw(view, layers, statistics_.walk, stop);
+            stack_.host->table = table_;
+            return *stack_.host;
+        },
+        stop);
+}
+
+void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, int sample, const Peel& peel,
+                              const std::stop_token& stop) {
+    begin(sample);
+    const auto table = goldfeather::surface_table(model.scene, model.geometry);
+    layers::HostStack stack;
+    paint_sample(
+        model, picture, sample,
+        [&](const base::View& view) -> const layers::HostStack& {
+            stack = *peel(view, layers_to_peel(picture, model));
+            stack.table = table;
+            return stack;
+        },
+        stop);
+}
+
+void CpuRenderer::begin(int sample) {
+    if (sample == 0) {
+        statistics_ = {};
+    }
+}
+
+void CpuRenderer::paint_sample(const Model& model, const npr::Picture& picture, int sample,
+                               const std::function<const layers::HostStack&(const base::View&)>& peel,
+                               const std::stop_token& stop) {
+    Stopwatch watch;
     const npr::CpuSubject subject{model.geometry.box.lo, model.geometry.box.hi,
                                   [&](const base::View& view) -> const layers::HostStack& {
                                       statistics_.style_ms += watch.lap();
-                                      stack_ = {};  // Its memory is used again.
-                                      stack_ = scene_->draw(view, layers, statistics_.walk, stop);
-                                      stack_.host->table = table_;
+                                      const layers::HostStack& stack = peel(view);
                                       statistics_.peel_ms += watch.lap();
                                       ++statistics_.samples;
-                                      return *stack_.host;
+                                      return stack;
                                   }};
-    accumulator_.paint_sample(paint(*picture.style), picture, static_cast<std::size_t>(sample), subject, stop);
+    const auto in_parts = [&](const npr::CpuFrame& frame) { parts_(frame); };
+    accumulator_.paint_sample(picture.part_styles.empty() ? paint(*picture.style) : npr::Paint(in_parts), picture,
+                              static_cast<std::size_t>(sample), subject, stop);
     statistics_.style_ms += watch.lap();
 }
 

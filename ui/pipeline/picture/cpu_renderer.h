@@ -1,6 +1,7 @@
 // Draws models without OpenGL: per-pixel lists, and painted styles.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "goldfeather/engine_set.h"
 #include "layers/host_stack.h"
 #include "npr/painter/cpu_accumulate.h"
+#include "npr/part_painter.h"
 #include "ui/pipeline/picture/picture_request.h"
 #include "ui/pipeline/statistics.h"
 
@@ -22,6 +24,10 @@ class CpuRenderer {
     /// See Renderer; flat pictures are as they are to be drawn.
     void draw_sample(const Model& model, const npr::Picture& picture, const goldfeather::EngineInfo& engine, int sample,
                      const std::stop_token& stop = {});
+    /// The same of layers that another has peeled.
+    using Peel = std::function<std::shared_ptr<const layers::HostStack>(const base::View& view, int layers)>;
+    void draw_sample(const Model& model, const npr::Picture& picture, int sample, const Peel& peel,
+                     const std::stop_token& stop = {});
     [[nodiscard]] std::vector<glm::vec4> light() const { return accumulator_.light(); }
     [[nodiscard]] base::Image image() const { return accumulator_.image(); }
     /// The first surfaces of a view of one pixel (0: all).
@@ -33,6 +39,10 @@ class CpuRenderer {
     [[nodiscard]] const PictureStatistics& statistics() const { return statistics_; }
 
   private:
+    void begin(int sample);
+    void paint_sample(const Model& model, const npr::Picture& picture, int sample,
+                      const std::function<const layers::HostStack&(const base::View&)>& peel,
+                      const std::stop_token& stop);
     void hold(const Model& model, const goldfeather::EngineInfo& engine);
     const npr::Paint& paint(const npr::StyleInfo& style);
 
@@ -44,6 +54,7 @@ class CpuRenderer {
     layers::Stack stack_;           ///< Of the last sample.
     npr::CpuAccumulator accumulator_;
     std::map<const npr::StyleInfo*, npr::Paint> styles_;  ///< Made when first used.
+    npr::PartPainter parts_;
     PictureStatistics statistics_;
 };
 

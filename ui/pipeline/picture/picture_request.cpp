@@ -22,7 +22,10 @@ npr::Picture flat_picture(npr::Picture picture, bool lines) {
 
 int layers_to_peel(const npr::Picture& picture, const Model& model) {
     const bool seen_through = translucent(model.scene) || !picture.media.empty();
-    return picture.layers != npr::kLayersOfStyle ? picture.layers : picture.style->layers(seen_through);
+    if (picture.layers != npr::kLayersOfStyle) {
+        return picture.layers;
+    }
+    return picture.part_styles.empty() ? picture.style->layers(seen_through) : layers::kAllLayers;
 }
 
 bool translucent(const csg::Scene& scene) {

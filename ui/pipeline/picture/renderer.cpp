@@ -40,12 +40,20 @@ bool Renderer::choose_cpu(const Model& model, const goldfeather::EngineInfo* eng
 void Renderer::draw_sample(const Model& model, const PictureRequest& request, int sample, const std::stop_token& stop) {
     const npr::Picture picture = is_flat_picture(model, request) ? flat_picture(request, true) : npr::Picture(request);
     if (sample == 0) {
-        on_cpu_ = choose_cpu(model, request.engine, layers_to_peel(picture, model));
+        peeled_on_cpu_ = choose_cpu(model, request.engine, layers_to_peel(picture, model));
+        on_cpu_ = peeled_on_cpu_ || !picture.part_styles.empty();
     }
-    if (on_cpu_) {
+    if (peeled_on_cpu_) {
         cpu_.draw_sample(model, picture, *choice_.engine, sample, stop);
         statistics_ = cpu_.statistics();
         statistics_.engine = choice_;
+    } else if (on_cpu_) {
+        cpu_.draw_sample(
+            model, picture, sample,
+            [&](const base::View& view, int layers) { return with_opengl().pick(model, view, layers, choice_); }, stop);
+        statistics_ = cpu_.statistics();
+        statistics_.engine = choice_;
+        statistics_.opengl = true;
     } else {
         with_opengl().draw_sample(model, picture, choice_, sample, stop);
         statistics_ = gl_->statistics();

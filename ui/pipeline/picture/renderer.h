@@ -78,7 +78,8 @@ class Renderer {
     goldfeather::EngineChoice choice_;  ///< For the last picture.
     CpuRenderer cpu_;
     std::unique_ptr<GlRenderer> gl_;  ///< Made when first used.
-    bool on_cpu_ = false;             ///< Who drew the last picture.
+    bool peeled_on_cpu_ = false;      ///< Who made the layers of the last picture, …
+    bool on_cpu_ = false;             ///< … and who drew it.
     PictureStatistics statistics_;
 };
 

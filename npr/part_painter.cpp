@@ -1,0 +1,158 @@
+#include "npr/part_painter.h"
+
+#include <algorithm>
+
+#include "npr/painter/cpu_paint.h"
+#include "npr/part_style.h"
+#include "npr/style.h"
+
+namespace npr {
+namespace {
+
+/// The layers of those parts that `is_of` says, one of them behind the other.
+template <typename IsOf>
+void keep_parts(const CpuFrame& frame, const IsOf& is_of, layers::HostStack& kept) {
+    const layers::HostStack& all = frame.layers;
+    kept.resize(all.size);
+    kept.table = all.table;
+    kept.reserve(static_cast<std::size_t>(all.layers));
+    kept.layers = all.layers;
+    kept.complete = all.complete;
+    base::for_each_index(
+        all.size.y,
+        [&] {
+            return [&](int y) {
+                const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(all.size.x);
+                for (std::size_t pixel = first; pixel < first + static_cast<std::size_t>(all.size.x); ++pixel) {
+                    std::size_t to = 0;
+                    for (std::size_t from = 0; from < static_cast<std::size_t>(all.layers); ++from) {
+                        const glm::uvec2 ids = all.planes[from].surface[pixel];
+                        if (ids.x == layers::kNoSurface) {
+                            break;
+                        }
+                        const layers::Surface s = layers::decode(all.planes[from].depth[pixel], ids);
+                        if (is_of(all.table->leaves[s.leaf].part.x)) {
+                            kept.planes[to].surface[pixel] = ids;
+                            kept.planes[to++].depth[pixel] = s.depth;
+                        }
+                    }
+                    for (; to < static_cast<std::size_t>(all.layers); ++to) {
+                        kept.planes[to].surface[pixel] = {layers::kNoSurface, 0};
+                        kept.planes[to].depth[pixel] = 0;
+                    }
+                }
+            };
+        },
+        0, frame.stop);
+    kept.count();
+    kept.layers = std::max(1, kept.held.empty() ? 1 : *std::max_element(kept.held.begin(), kept.held.end()));
+}
+
+/// Puts notes and ground together, pixel by pixel.
+struct Together : PixelFrame {
+    using PixelFrame::PixelFrame;
+
+    glm::vec4 put(std::span<std::span<const Note>> notes, const glm::vec4* ground) {
+        Composite seen = nothing_seen();
+        while (seen.through > 0) {
+            std::span<const Note>* nearest = nullptr;
+            for (std::span<const Note>& each : notes) {
+                if (!each.empty() && (nearest == nullptr || before(each.front(), nearest->front()))) {
+                    nearest = &each;
+                }
+            }
+            if (nearest == nullptr) {
+                break;
+            }
+            seen = Frame::behind(seen, true, nearest->front().color);
+            *nearest = nearest->subspan(1);
+        }
+        return before_ground(seen.color, seen.through,
+                             ground == nullptr ? glm::vec3(0) : glm::vec3(straight_srgb(*ground)));
+    }
+
+  private:
+    static bool before(const Note& a, const Note& b) {
+        return a.depth > b.depth || (a.depth == b.depth && a.part < b.part);
+    }
+};
+
+}  // namespace
+
+void PartPainter::operator()(const CpuFrame& frame) {
+    const std::vector<std::size_t> group_of_part = styles_of_parts(frame.picture, frame.layers.table->parts);
+    drawn_.clear();
+    for (std::size_t group = 0; group <= frame.picture.part_styles.size(); ++group) {
+        if (std::find(group_of_part.begin(), group_of_part.end(), group) != group_of_part.end()) {
+            paint_group(frame, group, group_of_part);
+        }
+    }
+    if (!frame.picture.transparent_background) {
+        paint_ground(frame);
+    }
+    put_together(frame);
+}
+
+void PartPainter::paint_group(const CpuFrame& frame, std::size_t group, std::span<const std::size_t> group_of_part) {
+    Picture picture = frame.picture;
+    picture.part_styles.clear();
+    picture.transparent_background = true;
+    if (group > 0) {
+        picture.style = frame.picture.part_styles[group - 1].style;
+        picture.parameters = frame.picture.part_styles[group - 1].parameters;
+    }
+    Group& mine = groups_[{group, picture.style}];
+    if (!mine.paint) {
+        mine.paint = picture.style->make_paint();
+    }
+    keep_parts(
+        frame, [&](std::uint32_t part) { return group_of_part[part] == group; }, mine.stack);
+    mine.notes.resize(static_cast<std::size_t>(Tiles(mine.stack).count()));
+    for (TileNotes& tile : mine.notes) {
+        tile.clear();
+    }
+    mine.paint({picture, frame.view, mine.stack, {}, frame.stop, {}, &mine.notes});
+    drawn_.push_back(&mine);
+}
+
+void PartPainter::paint_ground(const CpuFrame& frame) {
+    Picture picture = frame.picture;
+    picture.part_styles.clear();
+    empty_.resize(frame.layers.size);
+    empty_.reserve(1);
+    empty_.layers = 1;
+    empty_.complete = true;
+    empty_.table = frame.layers.table;
+    ground_.assign(frame.sum.size(), glm::vec4(0));
+    Group& mine = groups_[{0, picture.style}];
+    if (!mine.paint) {
+        mine.paint = picture.style->make_paint();
+    }
+    mine.paint({picture, frame.view, empty_, ground_, frame.stop});
+}
+
+void PartPainter::put_together(const CpuFrame& frame) {
+    const Tiles tiles(frame.layers);
+    base::for_each_index(
+        tiles.count(),
+        [&] {
+            return [&, together = Together(frame),
+                    notes = std::vector<std::span<const Note>>(drawn_.size())](int tile) mutable {
+                const TileBounds box = tiles.bounds(tile);
+                std::size_t in_tile = 0;
+                for (int y = box.lo.y; y < box.hi.y; ++y) {
+                    for (int x = box.lo.x; x < box.hi.x; ++x, ++in_tile) {
+                        for (std::size_t i = 0; i < drawn_.size(); ++i) {
+                            notes[i] = drawn_[i]->notes[static_cast<std::size_t>(tile)].of(in_tile);
+                        }
+                        const std::size_t pixel = together.index({x, y});
+                        frame.sum[pixel] +=
+                            together.put(notes, frame.picture.transparent_background ? nullptr : &ground_[pixel]);
+                    }
+                }
+            };
+        },
+        0, frame.stop);
+}
+
+}  // namespace npr
