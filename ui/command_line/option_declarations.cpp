@@ -106,6 +106,13 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "Draw what has changed since that version of the file: what is new green, what is gone red, the rest seen "
          "through",
          "FILE", picture);
+    text("--explain", o.explain,
+         "Draw what the difference or intersection at that place did: what it removed red, what it kept green",
+         "[FILE:]LINE[:COLUMN]", picture);
+    text("--without", o.without,
+         "Draw the model without the call at that place: of differences the first operand, of transformations what "
+         "is below",
+         "[FILE:]LINE[:COLUMN]", picture);
     list(
         "--section", raw.sections,
         "Cut away what is on the eye's side of a plane (z=12), on one side of it (z>12, z<12), where the normal points "

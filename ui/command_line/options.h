@@ -30,6 +30,7 @@ struct Options {
     std::vector<Output> outputs;
     ExportOptions exports;
     std::string changes_from;              ///< An earlier version, of which changes are drawn; empty: none.
+    std::string explain, without;          ///< Places of calls, as call_at takes them; empty: none.
     std::vector<std::string> definitions;  ///< Statements that come after the file's text.
     std::string parameter_file;            ///< Parameter sets; empty: none.
     std::string parameter_set;             ///< The one to take.

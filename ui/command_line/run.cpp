@@ -9,9 +9,11 @@
 
 #include "base/stop.h"
 #include "csg/tree/changes.h"
+#include "csg/tree/explain.h"
 #include "csg/tree/out_of_memory.h"
 #include "gl/error.h"
 #include "npr/styles/radiograph.h"
+#include "ui/command_line/call_place.h"
 #include "ui/command_line/check.h"
 #include "ui/command_line/compare.h"
 #include "ui/command_line/export.h"
@@ -109,6 +111,7 @@ class Run {
             }
             tree_ = std::make_shared<const csg::Tree>(csg::changes(*before, *tree_));
         }
+        explain();
         if (needs_geometry(options_) || wants_picture() || options_.statistics || options_.summary ||
             options_.summary_file || options_.pick) {
             build();
@@ -128,6 +131,18 @@ class Run {
         }
         report();
         return true;
+    }
+
+    /// Puts what a call does, or the model without it, in the place of the model.
+    void explain() {
+        if (!options_.explain.empty()) {
+            const auto where =
+                call_at(*tree_, csg::explainable(*tree_), "--explain", options_.explain, "difference or intersection");
+            tree_ = std::make_shared<const csg::Tree>(csg::explained(*tree_, where));
+        } else if (!options_.without.empty()) {
+            const auto where = call_at(*tree_, all_calls(*tree_), "--without", options_.without, "call");
+            tree_ = std::make_shared<const csg::Tree>(csg::without(*tree_, where));
+        }
     }
 
     [[nodiscard]] bool wants_picture() const { return wants(options_, Format::Png) || wants(options_, Format::Exr); }
@@ -152,6 +167,14 @@ class Run {
         picture_ = picture_of(options_.picture, options_.picture_texts);
         if (!options_.changes_from.empty() && needs_geometry(options_)) {
             throw UsageError("--changes-from is of pictures; csgscope compare OLD NEW tells the volumes");
+        }
+        if (!(options_.explain.empty() && options_.without.empty()) && needs_geometry(options_)) {
+            throw UsageError("--explain and --without are of pictures; a mesh is what the file says");
+        }
+        const int instead = (options_.explain.empty() ? 0 : 1) + (options_.without.empty() ? 0 : 1) +
+                            (options_.changes_from.empty() ? 0 : 1);
+        if (instead > 1) {
+            throw UsageError("--explain, --without and --changes-from are pictures of different models; draw one");
         }
         if (!picture_.sections.cuts.empty() && needs_geometry(options_)) {
             throw UsageError("--section is of pictures; in a mesh or a drawing, cut with difference() in the file");
@@ -406,6 +429,9 @@ bool has_display() {
 int open_window(const Options& options) {
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
+    }
+    if (!(options.explain.empty() && options.without.empty())) {
+        throw UsageError("--explain and --without are of pictures: write one with -o");
     }
     WindowOptions window;
     window.source.path = options.input;
