@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "npr/style.h"
-#include "ui/command_line/call_chain.h"
 #include "ui/command_line/html.h"
+#include "ui/pipeline/call_chain.h"
 #include "ui/pipeline/picture/renderer.h"
 #include "ui/pipeline/sections.h"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "ui/command_line/call_chain.h"
 #include "ui/command_line/html.h"
+#include "ui/pipeline/call_chain.h"
 #include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/statistics.h"
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ui/command_line/call_chain.h"
+#include "ui/pipeline/call_chain.h"
 #include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/statistics.h"
 

@@ -46,6 +46,7 @@ constexpr std::array kActions{
 
     ActionInfo{Action::ToggleAxes, "Window", "Axes", {{GLFW_KEY_A}, {GLFW_KEY_2, kCtrl}}},
     ActionInfo{Action::TogglePanel, "Window", "Drawing panel", {{GLFW_KEY_F8}}},
+    ActionInfo{Action::ToggleText, "Window", "Text", {{GLFW_KEY_F6}, {GLFW_KEY_T}}},
     ActionInfo{Action::ToggleCustomizer, "Window", "Customizer", {{GLFW_KEY_F7}}},
     ActionInfo{Action::ToggleConsole, "Window", "Console", {{GLFW_KEY_F9}, {GLFW_KEY_C}}},
     ActionInfo{Action::ClearConsole, "Window", "Clear console", {}},

@@ -14,6 +14,7 @@
 #include "goldfeather/choice.h"
 #include "npr/parameter.h"
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/viewer/selection.h"
 
 namespace ui {
 
@@ -45,6 +46,7 @@ enum class Action {
     FewerLayers,
     ToggleAxes,
     TogglePanel,
+    ToggleText,
     ToggleCustomizer,
     ToggleConsole,
     ClearConsole,
@@ -81,6 +83,19 @@ struct SetSamples {
 struct SetSections {
     npr::Sections sections;  ///< Sides and corners go by the camera of now.
 };
+/// The place of a text in the text panel.
+struct ShowText {
+    TextPlace place;
+};
+/// The file in the user's editor; line and column count from 1.
+struct EditText {
+    std::string path;
+    std::uint32_t line = 1, column = 1;
+};
+/// Another of the surfaces behind the point that was clicked.
+struct StepSelection {
+    int by = 1;
+};
 struct OpenFile {
     std::filesystem::path path;
 };
@@ -111,8 +126,8 @@ struct WritePicture {
 
 using Command =
     std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
-                 SetLayers, SetSamples, SetSections, OpenFile, SetCustomized, ResetCustomized, UseParameterSet,
-                 SaveParameterSet, DeleteParameterSet, SetEngine, WritePicture>;
+                 SetLayers, SetSamples, SetSections, ShowText, EditText, StepSelection, OpenFile, SetCustomized,
+                 ResetCustomized, UseParameterSet, SaveParameterSet, DeleteParameterSet, SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

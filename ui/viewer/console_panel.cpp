@@ -74,20 +74,32 @@ void title_row(const MessageLog& messages, const Fonts& fonts, Commands& command
     }
 }
 
-void line(const LogLine& line) {
+/// What points to a text shows it when it is clicked.
+void line(const LogLine& line, Commands& commands) {
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(line.kind));
     ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
     ImGui::PopStyleColor();
+    if (!line.place) {
+        return;
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+        ImGui::GetWindowDrawList()->AddLine({from.x, to.y}, to, ImGui::GetColorU32(color_of(line.kind)));
+    }
+    if (ImGui::IsItemClicked()) {
+        commands.emplace_back(ShowText{*line.place});
+    }
 }
 
-void lines(const MessageLog& messages, const Fonts& fonts) {
+void lines(const MessageLog& messages, const Fonts& fonts, Commands& commands) {
     ImGui::PushFont(fonts.mono);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
     const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY();
     if (messages.lines().size() <= kMostWrapped) {
         ImGui::PushTextWrapPos(0);
         for (const LogLine& log_line : messages.lines()) {
-            line(log_line);
+            line(log_line, commands);
         }
         ImGui::PopTextWrapPos();
     } else {
@@ -95,7 +107,7 @@ void lines(const MessageLog& messages, const Fonts& fonts) {
         clipper.Begin(static_cast<int>(messages.lines().size()));
         while (clipper.Step()) {
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                line(messages.lines()[static_cast<std::size_t>(i)]);
+                line(messages.lines()[static_cast<std::size_t>(i)], commands);
             }
         }
     }
@@ -123,7 +135,7 @@ void draw_console(const Rectangle& place, const Session& session, const Fonts& f
         ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x);
         const bool wraps = messages.lines().size() <= kMostWrapped;
         if (ImGui::BeginChild("lines", {0, 0}, false, wraps ? 0 : ImGuiWindowFlags_HorizontalScrollbar)) {
-            lines(messages, fonts);
+            lines(messages, fonts, commands);
         }
         ImGui::EndChild();
     }

@@ -11,8 +11,10 @@ void Document::receive(Revision revision) {
     failed_ = !revision.model;
     if (revision.model) {
         model_ = std::move(revision.model);
+        model_sources_ = revision.sources;
         view_ = revision.view;
     }
+    sources_ = std::move(revision.sources);
     messages_ = std::move(revision.messages);
     first_error_ = messages_.first_error();
     milliseconds_ = revision.evaluate_ms + revision.build_ms;

@@ -33,15 +33,20 @@ class Document {
     [[nodiscard]] std::string file_name() const;  ///< Without its folder; empty where nothing is open.
     [[nodiscard]] DocumentState state() const;
     [[nodiscard]] const std::shared_ptr<const Model>& model() const { return model_; }  ///< Null before the first.
-    [[nodiscard]] const csg::scad::ViewSettings& view() const { return view_; }         ///< Of the model.
-    [[nodiscard]] const MessageLog& messages() const { return messages_; }              ///< Of the newest revision.
-    [[nodiscard]] double milliseconds() const { return milliseconds_; }  ///< That the newest revision took.
+    /// The texts of the newest revision; null before the first.
+    [[nodiscard]] const std::shared_ptr<const csg::scad::SourceSet>& sources() const { return sources_; }
+    /// The texts of the model; null before the first.
+    [[nodiscard]] const std::shared_ptr<const csg::scad::SourceSet>& model_sources() const { return model_sources_; }
+    [[nodiscard]] const csg::scad::ViewSettings& view() const { return view_; }  ///< Of the model.
+    [[nodiscard]] const MessageLog& messages() const { return messages_; }       ///< Of the newest revision.
+    [[nodiscard]] double milliseconds() const { return milliseconds_; }          ///< That the newest revision took.
     /// For people: what is wrong, and that the model is an older one; empty where all is well.
     [[nodiscard]] std::string trouble() const;
 
   private:
     Source source_;
     std::shared_ptr<const Model> model_;
+    std::shared_ptr<const csg::scad::SourceSet> sources_, model_sources_;
     csg::scad::ViewSettings view_;
     MessageLog messages_;
     std::string first_error_;  ///< Outlives clear_messages().

@@ -31,6 +31,8 @@ std::string to_json(const FrameRecord& record) {
                        {"engine", record.engine},
                        {"state", record.state},
                        {"evaluating", record.evaluating},
+                       {"selected", record.selected},
+                       {"text_line", record.text_line},
                        {"camera", camera}};
     return json.dump();
 }

@@ -23,6 +23,8 @@ struct FrameRecord {
     std::string engine;  ///< That drew the picture; empty before the first.
     std::string state;   ///< Of the document: "evaluating", "good", "failed" or "gone".
     bool evaluating = false;
+    std::string selected;  ///< "lid.scad:12", the call of the leaf that is selected; empty: none is.
+    int text_line = -1;    ///< That the text panel points to, 0: all of the text; -1: it is not shown.
     base::Camera camera;
 };
 

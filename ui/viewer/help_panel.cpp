@@ -41,6 +41,7 @@ void mouse(const Fonts& fonts) {
     row("Right or middle drag", "Shift");
     row("Shift + left drag", "Shift");
     row("Wheel", "Zoom about the pointer");
+    row("Click", "Select; again: what lies behind");
     row("Double click", "Center the point of the model");
     ImGui::EndTable();
 }

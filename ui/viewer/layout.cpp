@@ -10,7 +10,7 @@ namespace {
 /// Windows smaller than these, on a common display, have no panel, and no console.
 constexpr glm::vec2 kLeastForPanel{480, 200};
 constexpr float kLeastForConsole = 320;
-/// What the customizer leaves the picture at least.
+/// What the left panel leaves the picture at least.
 constexpr float kLeastPicture = 240;
 
 }  // namespace
@@ -23,10 +23,10 @@ Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown
     // In a small window the picture needs all the room.
     const bool panel = shown.panel && window.x >= kLeastForPanel.x * scale && window.y >= kLeastForPanel.y * scale;
     const float panel_width = panel ? whole(std::min(310 * scale, window.x * 2 / 3)) : 0;
-    const float customizer_width = whole(290 * scale);
-    const bool customizer = shown.customizer && window.y >= kLeastForPanel.y * scale &&
-                            window.x - panel_width - customizer_width >= kLeastPicture * scale;
-    const float left = customizer ? customizer_width : 0;
+    const float left_width = shown.text ? whole(std::max(290 * scale, 0.33F * window.x)) : whole(290 * scale);
+    const bool has_left = (shown.customizer || shown.text) && window.y >= kLeastForPanel.y * scale &&
+                          window.x - panel_width - left_width >= kLeastPicture * scale;
+    const float left = has_left ? left_width : 0;
     const float right = window.x - panel_width;
     const float most = whole((bottom - top) * 2 / 3);
     const float least = std::min(60 * scale, most);
@@ -37,7 +37,7 @@ Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown
     layout.picture = {{left, top}, {right - left, std::max(0.0F, bottom - console - top)}};
     layout.console = {{left, bottom - console}, {right - left, console}};
     layout.panel = {{right, top}, {panel_width, std::max(0.0F, bottom - top)}};
-    layout.customizer = {{0, top}, {left, std::max(0.0F, bottom - top)}};
+    layout.left = {{0, top}, {left, std::max(0.0F, bottom - top)}};
     layout.status = {{0, bottom}, {window.x, status_height}};
     return layout;
 }

@@ -20,7 +20,7 @@ struct Rectangle {
 /// What is open.
 struct Shown {
     bool panel = true;
-    bool customizer = false;
+    bool customizer = false, text = false;  ///< One of them at most.
     bool console = true;
     bool axes = true;
     bool help = false;
@@ -29,7 +29,7 @@ struct Shown {
 };
 
 struct Layout {
-    Rectangle picture, panel, customizer, console, status;  ///< Empty where not shown.
+    Rectangle picture, panel, left, console, status;  ///< Empty where not shown. `left`: customizer or text.
 };
 
 /// Lays out a window of the given size below its menu bar. `scale`: of the interface, 1 for a common display.

@@ -46,6 +46,8 @@ bool checked(const Session& session, Action action) {
             return session.shown().axes;
         case Action::TogglePanel:
             return session.shown().panel;
+        case Action::ToggleText:
+            return session.shown().text;
         case Action::ToggleCustomizer:
             return session.shown().customizer;
         case Action::ToggleConsole:

@@ -62,11 +62,11 @@ bool MessageLog::room_for(LineKind kind) {
     return true;
 }
 
-void MessageLog::append(LineKind kind, const std::string& text) {
+void MessageLog::append(LineKind kind, const std::string& text, const std::shared_ptr<const TextPlace>& place) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines_.push_back(
-            {begin == 0 ? kind : LineKind::Excerpt, shortened(std::string_view(text).substr(begin, end - begin))});
+        lines_.push_back({begin == 0 ? kind : LineKind::Excerpt,
+                          shortened(std::string_view(text).substr(begin, end - begin)), place});
         bytes_ += lines_.back().text.size();
         begin = end + 1;
     }
@@ -86,7 +86,11 @@ void MessageLog::add(const csg::scad::Message& message, const csg::scad::SourceS
     }
     if (room_for(kind)) {
         const bool excerpt = located && (kind == LineKind::Error || kind == LineKind::Warning);
-        append(kind, excerpt ? csg::scad::render(message, sources) : csg::scad::render_openscad(message, sources));
+        const auto place =
+            located ? std::make_shared<const TextPlace>(TextPlace{sources.shared(message.where.file), message.where})
+                    : nullptr;
+        append(kind, excerpt ? csg::scad::render(message, sources) : csg::scad::render_openscad(message, sources),
+               place);
     }
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "csg/scad/source/diagnostics.h"
+#include "ui/viewer/text_place.h"
 
 namespace ui {
 
@@ -14,7 +16,8 @@ enum class LineKind { Echo, Warning, Error, Note, Excerpt };
 
 struct LogLine {
     LineKind kind = LineKind::Echo;
-    std::string text;  ///< Without newline.
+    std::string text;                          ///< Without newline.
+    std::shared_ptr<const TextPlace> place{};  ///< Where it points to; null where it points nowhere.
 };
 
 /// Bounded: a program may print without end. Errors are kept where other messages are only counted any more.
@@ -39,7 +42,7 @@ class MessageLog {
     bool count(LineKind kind);
     /// Where it gives false the message is left out.
     bool room_for(LineKind kind);
-    void append(LineKind kind, const std::string& text);
+    void append(LineKind kind, const std::string& text, const std::shared_ptr<const TextPlace>& place = {});
 
     std::vector<LogLine> lines_;
     std::size_t bytes_ = 0, left_out_ = 0, errors_ = 0, warnings_ = 0;

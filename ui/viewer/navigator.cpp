@@ -10,6 +10,7 @@ namespace ui {
 namespace {
 
 constexpr double kZoomPerNotch = 1.15;
+constexpr double kClickDistance = 3;  // Units that the pointer may move meanwhile.
 constexpr double kDoubleClickSeconds = 0.4, kDoubleClickDistance = 5;
 
 }  // namespace
@@ -24,6 +25,7 @@ void Navigator::press(const PointerEvent& event, const Rectangle& picture) {
         clicked_at_ = second ? -1 : event.time;
         clicked_ = event.position;
     }
+    dragged_ = false;
     button_ = event.button;
     pans_ = event.button != Button::Left || event.shift;
     last_ = event.position;
@@ -39,11 +41,15 @@ void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool
             break;
         case PointerKind::Release:
             if (event.button == button_) {
+                if (button_ == Button::Left && !dragged_ && !pans_ && clicked_at_ >= 0) {
+                    click_ = event.position - glm::dvec2(picture.corner);
+                }
                 button_ = Button::None;
             }
             break;
         case PointerKind::Move: {
             const glm::dvec2 drag = event.position - std::exchange(last_, event.position);
+            dragged_ = dragged_ || glm::distance(event.position, clicked_) > kClickDistance;
             if (button_ != Button::None && drag != glm::dvec2(0)) {
                 pans_ ? pan(camera, drag, height) : orbit(camera, drag);
             }
@@ -57,6 +63,10 @@ void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool
             }
             break;
     }
+}
+
+std::optional<glm::dvec2> Navigator::take_click() {
+    return std::exchange(click_, std::nullopt);
 }
 
 std::optional<glm::dvec2> Navigator::take_double_click() {

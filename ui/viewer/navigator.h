@@ -20,6 +20,9 @@ class Navigator {
     /// Where the picture was double-clicked since the last call, from the picture's upper left corner.
     [[nodiscard]] std::optional<glm::dvec2> take_double_click();
 
+    /// Where the picture was clicked, without being dragged, since the last call.
+    [[nodiscard]] std::optional<glm::dvec2> take_click();
+
   private:
     void press(const PointerEvent& event, const Rectangle& picture);
 
@@ -28,7 +31,8 @@ class Navigator {
     glm::dvec2 last_{0};
     double clicked_at_ = -1;
     glm::dvec2 clicked_{0};
-    std::optional<glm::dvec2> double_click_;
+    bool dragged_ = false;  ///< Since the button was pressed.
+    std::optional<glm::dvec2> double_click_, click_;
 };
 
 }  // namespace ui

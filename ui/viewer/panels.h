@@ -42,6 +42,11 @@ void draw_status(const Rectangle& place, const Session& session, const PictureIn
 void draw_overlay(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
                   float scale);
 
+/// The point that is selected, and over the lower edge of the picture what it is of and the calls that made it, each of
+/// which shows its text.
+void draw_selection(const Rectangle& place, const Session& session, const Fonts& fonts, float scale,
+                    Commands& commands);
+
 void draw_help(const Fonts& fonts, Commands& commands);
 
 /// The form for saving a picture; keeps what was typed.

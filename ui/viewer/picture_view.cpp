@@ -107,6 +107,23 @@ void PictureView::pick(std::shared_ptr<const Model> model, npr::Sections section
     });
 }
 
+void PictureView::select(std::shared_ptr<const Model> model, std::shared_ptr<const csg::scad::SourceSet> sources,
+                         npr::Sections sections, const base::Camera& camera, const glm::dvec2& at) {
+    run([this, model = std::move(model), sources = std::move(sources), sections = std::move(sections), camera,
+         at](Renderer& renderer) {
+        PickedSurfaces picked{model, at, {}};
+        try {
+            const Model& shown = cut(model, sections, renderer);
+            for (const PickedSurface& surface : renderer.pick(shown, camera, layers::kAllLayers)) {
+                picked.surfaces.push_back(selected_surface(shown, *sources, surface));
+            }
+        } catch (const std::exception&) {
+            picked.surfaces.clear();  // The picture of the same model tells why it cannot be drawn.
+        }
+        return picked;
+    });
+}
+
 std::vector<PictureResult> PictureView::take() {
     std::optional<base::Image> image;
     std::vector<PictureResult> results;

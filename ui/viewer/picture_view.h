@@ -14,6 +14,7 @@
 #include "ui/pipeline/sections.h"
 #include "ui/viewer/frame_plan.h"
 #include "ui/viewer/render_thread.h"
+#include "ui/viewer/selection.h"
 
 namespace ui {
 
@@ -37,7 +38,14 @@ struct PickedPoint {
     std::optional<PickedSurface> surface;  ///< The nearest; none where there is nothing.
 };
 
-using PictureResult = std::variant<DrawnStep, SavedPicture, PickedPoint>;
+/// What is to be selected, nearest first.
+struct PickedSurfaces {
+    std::shared_ptr<const Model> model;  ///< As it was given.
+    glm::dvec2 at{0};                    ///< As it was given.
+    std::vector<SelectedSurface> surfaces;
+};
+
+using PictureResult = std::variant<DrawnStep, SavedPicture, PickedPoint, PickedSurfaces>;
 
 /// Pictures are drawn in the window's context, at once; or, which is meant for OpenGL that is computed by the
 /// processor, by a thread, and results come later.
@@ -61,6 +69,11 @@ class PictureView {
     void save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path);
     /// See Renderer::pick.
     void pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera);
+
+    /// All surfaces behind the camera's one pixel, with their places in the sources, which are the model's. `at` comes
+    /// back with them.
+    void select(std::shared_ptr<const Model> model, std::shared_ptr<const csg::scad::SourceSet> sources,
+                npr::Sections sections, const base::Camera& camera, const glm::dvec2& at);
 
     /// What has been done since the last call.
     [[nodiscard]] std::vector<PictureResult> take();

@@ -50,6 +50,7 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     });
     const csg::scad::Evaluation& evaluation = run.evaluation;
     revision.files.insert(evaluation.looked_for.begin(), evaluation.looked_for.end());
+    revision.sources = evaluation.sources;
     revision.view = evaluation.view;
     revision.evaluate_ms = run.milliseconds;
     if (run.stopped_by_warning) {

@@ -41,6 +41,7 @@ struct Revision {
     csg::scad::ViewSettings view;
     /// Of the main file, with the source's definitions as their values; nothing where that cannot be parsed.
     std::optional<std::vector<csg::scad::CustomizerParameter>> parameters;
+    std::shared_ptr<const csg::scad::SourceSet> sources;  ///< Null where nothing was read.
     MessageLog messages;
     std::map<std::string, DiskState> files;  ///< All that were looked for, as they were before they were read.
     double evaluate_ms = 0, build_ms = 0;    ///< Wall time.

@@ -47,6 +47,8 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
 void Session::open(const std::filesystem::path& path) {
     document_ = Document(opened(path, document_.source()));
     customizer_ = Customizer(parameter_file(document_.source()));
+    selection_.clear();
+    text_ = {};
     watcher_ = FileWatcher(document_.source().followed());
     camera_request_.camera.reset();  // That was for another model.
     camera_placed_ = false;
@@ -85,7 +87,12 @@ bool Session::update(double now) {
         if (revision->parameters) {
             customizer_.receive(*std::move(revision->parameters));
         }
+        const bool other_model = revision->model != nullptr;
         document_.receive(std::move(*revision));
+        if (other_model) {
+            selection_.clear();  // It names leaves of the model before.
+        }
+        renew_text();
         place_camera();
         news = true;
     }
@@ -96,6 +103,38 @@ bool Session::update(double now) {
     }
     document_.set_gone(watcher_.main_file_gone());
     return news || was_gone != (document_.state() == DocumentState::Gone);
+}
+
+void Session::select(std::vector<SelectedSurface> surfaces, const glm::dvec2& at) {
+    selection_.take(std::move(surfaces), at);
+    show_selected_text();
+}
+
+void Session::show_selected_text() {
+    if (!selection_.empty() && !selection_.current().calls.empty() && selection_.current().calls[0].text.text) {
+        text_ = selection_.current().calls[0].text;
+    }
+}
+
+void Session::show_text(const TextPlace& place) {
+    text_ = place;
+    shown_.text = true;
+    shown_.customizer = false;
+}
+
+void Session::renew_text() {
+    const auto& sources = document_.sources();
+    if (!sources || sources->size() == 0) {
+        return;
+    }
+    for (std::uint32_t i = 0; i < sources->size(); ++i) {
+        if (text_.text && (*sources)[i].name() == text_.text->name()) {
+            const bool same = (*sources)[i].text() == text_.text->text();
+            text_ = {sources->shared(i), same ? text_.range : csg::scad::SourceRange{}};
+            return;
+        }
+    }
+    text_ = {sources->shared(0), {}};
 }
 
 void Session::place_camera() {
@@ -153,6 +192,11 @@ bool Session::perform(const Command& command) {
         view_.picture.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
     } else if (const auto* sections = std::get_if<SetSections>(&command)) {
         cut(sections->sections);
+    } else if (const auto* text = std::get_if<ShowText>(&command)) {
+        show_text(text->place);
+    } else if (const auto* step = std::get_if<StepSelection>(&command)) {
+        selection_.step(step->by);
+        show_selected_text();
     } else if (const auto* file = std::get_if<OpenFile>(&command)) {
         open(file->path);
     } else if (const auto* customized = std::get_if<SetCustomized>(&command)) {
@@ -247,8 +291,13 @@ bool Session::act(Action action) {
         case Action::TogglePanel:
             shown_.panel = !shown_.panel;
             break;
+        case Action::ToggleText:
+            shown_.text = !shown_.text;
+            shown_.customizer = false;
+            break;
         case Action::ToggleCustomizer:
             shown_.customizer = !shown_.customizer;
+            shown_.text = false;
             break;
         case Action::ToggleConsole:
             shown_.console = !shown_.console;
@@ -261,6 +310,7 @@ bool Session::act(Action action) {
             break;
         case Action::Close:
             shown_.help = shown_.save_form = shown_.open_form = false;
+            selection_.clear();
             break;
         case Action::Quit:
         case Action::CopyConsole:

@@ -9,6 +9,7 @@
 #include "ui/viewer/document.h"
 #include "ui/viewer/latest_job.h"
 #include "ui/viewer/layout.h"
+#include "ui/viewer/selection.h"
 #include "ui/viewer/view_state.h"
 #include "ui/viewer/window.h"
 
@@ -27,6 +28,8 @@ class Session {
     bool perform(const Command& command);
     /// Shifts the camera until the point is in the middle, at the size that it has; the camera turns about it then.
     void look_at(const glm::dvec3& point);
+    /// What was picked at a place of the picture is selected; the text shows where the first of it comes from.
+    void select(std::vector<SelectedSurface> surfaces, const glm::dvec2& at);
     /// So many layers were seen in a picture of the model.
     void see_layers(const Model& model, int layers);
 
@@ -35,6 +38,8 @@ class Session {
     [[nodiscard]] base::Camera& camera() { return view_.picture.camera; }
     [[nodiscard]] const Shown& shown() const { return shown_; }
     [[nodiscard]] const Customizer& customizer() const { return customizer_; }
+    [[nodiscard]] const Selection& selection() const { return selection_; }
+    [[nodiscard]] const TextPlace& text() const { return text_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
     /// The newest models differ from those before by a value of the customizer, which may go on changing.
     [[nodiscard]] bool customizing() const { return customizing_; }
@@ -46,6 +51,10 @@ class Session {
     void evaluate();
     [[nodiscard]] LatestJob<Revision>::Job next_revision() const;
     void customize();
+    void show_text(const TextPlace& place);
+    void show_selected_text();
+    /// The newest texts take the place of what is shown.
+    void renew_text();
     void place_camera();
     void cut(const npr::Sections& sections);
     bool act(Action action);
@@ -57,6 +66,8 @@ class Session {
     Document document_;
     ViewState view_;
     Customizer customizer_;
+    Selection selection_;  ///< In the model that is shown.
+    TextPlace text_;       ///< That the text panel shows.
     bool customizing_ = false;
     Shown shown_;
     int layer_count_ = 1;

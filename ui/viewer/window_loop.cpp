@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "ui/pipeline/picture/pick.h"
+#include "ui/viewer/editor.h"
+#include "ui/viewer/open_source.h"
 
 namespace ui {
 
@@ -174,7 +176,12 @@ Layout WindowLoop::draw_interface(Commands& commands) {
         make_layout({size.x, size.y}, menu_height, interface_.scale(), session_.shown(), console_height_);
     draw_overlay(layout.picture, session_, info_, fonts, interface_.scale());
     draw_panel(layout.panel, session_, info_, fonts, commands);
-    customizer_panel_.draw(layout.customizer, session_.customizer(), fonts, commands);
+    if (session_.shown().text) {
+        text_panel_.draw(layout.left, session_.text(), fonts, commands);
+    } else {
+        customizer_panel_.draw(layout.left, session_.customizer(), fonts, commands);
+    }
+    draw_selection(layout.picture, session_, fonts, interface_.scale(), commands);
     draw_console(layout.console, session_, fonts, console_height_, commands);
     draw_status(layout.status, session_, info_, note_);
     if (session_.shown().help) {
@@ -196,11 +203,19 @@ void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
     for (const PointerEvent& event : input.pointer) {
         navigator_.handle(event, picture, free, session_.camera());
     }
-    const auto clicked = navigator_.take_double_click();
+    const auto centered = navigator_.take_double_click(), selected = navigator_.take_click();
     const auto& model = session_.document().model();
-    if (clicked && model && !model->empty()) {
-        const base::Camera narrow = pixel_camera(session_.camera(), glm::ivec2(picture.size), *clicked);
-        picture_.pick(model, session_.view().picture.sections, narrow);
+    if (!model || model->empty()) {
+        return;
+    }
+    const auto narrow = [&](const glm::dvec2& at) {
+        return pixel_camera(session_.camera(), glm::ivec2(picture.size), at);
+    };
+    const npr::Sections& sections = session_.view().picture.sections;
+    if (centered) {
+        picture_.pick(model, sections, narrow(*centered));
+    } else if (selected && session_.document().model_sources()) {
+        picture_.select(model, session_.document().model_sources(), sections, narrow(*selected), *selected);
     }
 }
 
@@ -225,7 +240,9 @@ void WindowLoop::perform(const Command& command) {
     if (session_.perform(command)) {
         return;
     }
-    if (const auto* write = std::get_if<WritePicture>(&command)) {
+    if (const auto* edit = std::get_if<EditText>(&command)) {
+        note_ = open_editor(edit->path, edit->line, edit->column);
+    } else if (const auto* write = std::get_if<WritePicture>(&command)) {
         save_picture(*write);
     } else if (const auto* action = std::get_if<Action>(&command)) {
         quit_ = quit_ || *action == Action::Quit;
@@ -269,6 +286,12 @@ void WindowLoop::receive(const SavedPicture& saved) {
 void WindowLoop::receive(const PickedPoint& picked) {
     if (picked.surface) {
         session_.look_at(picked.surface->point);
+    }
+}
+
+void WindowLoop::receive(const PickedSurfaces& picked) {
+    if (picked.model == session_.document().model()) {
+        session_.select(picked.surfaces, picked.at);
     }
 }
 
@@ -354,6 +377,12 @@ void WindowLoop::log(double frame_ms) {
     record.engine = info_.samples > 0 ? info_.engine.engine->name : "";
     record.state = state_name(session_.document().state());
     record.evaluating = session_.evaluating();
+    if (!session_.selection().empty() && !session_.selection().current().calls.empty()) {
+        record.selected = session_.selection().current().calls[0].place;
+    }
+    if (session_.shown().text && session_.text().text) {
+        record.text_line = static_cast<int>(session_.text().range.line);
+    }
     record.camera = session_.view().picture.camera;
     log_.write(record);
 }

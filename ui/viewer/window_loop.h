@@ -14,6 +14,7 @@
 #include "ui/viewer/picture_view.h"
 #include "ui/viewer/recent_files.h"
 #include "ui/viewer/session.h"
+#include "ui/viewer/text_panel.h"
 #include "ui/viewer/window.h"
 
 namespace ui {
@@ -45,6 +46,7 @@ class WindowLoop {
     void receive(const DrawnStep& drawn);
     void receive(const SavedPicture& saved);
     void receive(const PickedPoint& picked);
+    void receive(const PickedSurfaces& picked);
     void log(double frame_ms);
 
     FrameLog log_;  ///< First: a path that cannot be written is told before the window opens.
@@ -58,6 +60,7 @@ class WindowLoop {
     Session session_;
     Navigator navigator_;
     CustomizerPanel customizer_panel_;
+    TextPanel text_panel_;
     RecentFiles recent_;
     OpenForm open_form_;
     SaveForm save_form_;

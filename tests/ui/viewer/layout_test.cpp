@@ -13,19 +13,19 @@ float area(const Rectangle& r) {
 TEST(Layout, PartsFillTheWindow) {
     for (const glm::vec2 window : {glm::vec2(1280, 800), glm::vec2(320, 240), glm::vec2(3840, 2160), glm::vec2(1, 1)}) {
         for (const float scale : {1.0F, 1.5F, 3.0F}) {
-            for (int bits = 0; bits < 8; ++bits) {
+            for (int bits = 0; bits < 12; ++bits) {
                 Shown shown;
                 shown.panel = (bits & 1) != 0;
                 shown.console = (bits & 2) != 0;
-                shown.customizer = (bits & 4) != 0;
+                shown.customizer = bits >= 4 && bits < 8;
+                shown.text = bits >= 8;
                 const float menu = std::min(24 * scale, window.y);
                 const Layout layout = make_layout(window, std::floor(menu), scale, shown, 150 * scale);
                 const float covered = area(layout.picture) + area(layout.panel) + area(layout.console) +
-                                      area(layout.status) + area(layout.customizer);
+                                      area(layout.status) + area(layout.left);
                 EXPECT_FLOAT_EQ(covered, window.x * (window.y - std::floor(menu)));
                 EXPECT_GE(layout.picture.size.x, std::min(240 * scale, std::floor(window.x / 3)));
-                for (const Rectangle& r :
-                     {layout.picture, layout.panel, layout.console, layout.status, layout.customizer}) {
+                for (const Rectangle& r : {layout.picture, layout.panel, layout.console, layout.status, layout.left}) {
                     EXPECT_GE(r.corner.x, 0);
                     EXPECT_GE(r.corner.y, 0);
                     EXPECT_LE(r.corner.x + r.size.x, window.x);

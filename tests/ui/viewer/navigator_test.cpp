@@ -34,6 +34,19 @@ class NavigatorTest : public testing::Test {
     double time_ = 0;
 };
 
+TEST_F(NavigatorTest, AClickIsNoDrag) {
+    drag(Button::Left);
+    EXPECT_EQ(navigator_.take_click(), std::nullopt);
+    send(PointerKind::Press, {220, 170}, Button::Left);
+    send(PointerKind::Move, {221, 171});  // An unsteady hand.
+    send(PointerKind::Release, {221, 171}, Button::Left);
+    EXPECT_EQ(navigator_.take_click(), glm::dvec2(121, 121));
+    EXPECT_EQ(navigator_.take_click(), std::nullopt) << "once";
+    send(PointerKind::Press, {220, 170}, Button::Right);
+    send(PointerKind::Release, {220, 170}, Button::Right);
+    EXPECT_EQ(navigator_.take_click(), std::nullopt);
+}
+
 TEST_F(NavigatorTest, LeftDragTurns) {
     drag(Button::Left);
     EXPECT_TRUE(turned());

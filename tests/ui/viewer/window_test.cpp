@@ -378,6 +378,42 @@ TEST_F(Window, TheCustomizerChangesTheSolidAndSavesASet) {
     EXPECT_GT(std::stod(saved.at("parameterSets").at("large").at("size").get<std::string>()), 12);
 }
 
+TEST_F(Window, AClickTellsWhereTheSurfaceComesFrom) {
+    folder_.write("model.scad",
+                  "module hole() {\n    cylinder(r = 7, h = 40, center = true, $fn = 32);\n}\n"
+                  "difference() {\n    cube(20, center = true);\n    hole();\n}\n");
+    open({"--camera", "0,0,0,0,0,0,100", "--projection", "o"});
+    wait_for_picture();
+    robot("mousemove 485 100 click 1");  // Nothing is there.
+    const auto selects = [&](const std::string& place) {
+        return wait_for(0, [&](const Json& frame) { return frame.at("selected") == place; });
+    };
+    robot("mousemove 390 240 click 1");
+    selects("model.scad:5");
+    robot("key t");
+    wait_for(0, [](const Json& frame) { return frame.at("text_line") == 5; });
+    robot("key t key Escape");
+    const std::size_t cleared = frames().size();
+    wait_for(cleared, [](const Json& frame) { return frame.at("selected") == "" && frame.at("text_line") == -1; });
+    robot("key 8");  // From the front; the third surface is the hole's, seen from within.
+    wait_for_picture(frames().size());
+    robot("mousemove 485 323 click 1");
+    selects("model.scad:5");
+    robot("mousemove 485 323 sleep 0.6 click 1");
+    selects("model.scad:2");
+}
+
+TEST_F(Window, AMessageLeadsToItsLine) {
+    folder_.write("model.scad", "cube(20);\n\necho(1);\nsphere(r = unknown);\n");
+    open();
+    wait_for(0, [](const Json& frame) { return frame.at("state") == "good" && frame.at("evaluating") == false; });
+    for (int y = 664; y < 720; y += 16) {  // What the console says of it has two lines and more.
+        robot("mousemove 60 " + std::to_string(y) + " click 1");
+        std::this_thread::sleep_for(100ms);
+    }
+    wait_for(0, [](const Json& frame) { return frame.at("text_line") == 4; });
+}
+
 TEST_F(Window, TheMenuChoosesTheEngine) {
     open();
     EXPECT_EQ(wait_for_picture().at("engine"), "lists-cpu") << "the quickest where the processor computes OpenGL";

@@ -1,6 +1,8 @@
 // The calls that made a leaf, from the top of the file down to its shape.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +32,15 @@ struct CallStep {
 
 /// The call as it is written, on one line and not too long. `sources`: of the program that made the model.
 [[nodiscard]] std::string call_text(const Model& model, const csg::scad::SourceSet& sources, const CallStep& step);
+
+/// Where a call stands.
+struct CallPlace {
+    std::shared_ptr<const csg::scad::SourceFile> text;
+    csg::scad::SourceRange range;  ///< Its `file` is of `sources`.
+};
+/// Nothing where the text is not known.
+[[nodiscard]] std::optional<CallPlace> call_place(const Model& model, const csg::scad::SourceSet& sources,
+                                                  const CallStep& step);
 
 /// A line for each step, indented.
 [[nodiscard]] std::string calls_text(const Model& model, const csg::scad::SourceSet& sources,

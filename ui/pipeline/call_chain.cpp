@@ -1,4 +1,4 @@
-#include "ui/command_line/call_chain.h"
+#include "ui/pipeline/call_chain.h"
 
 #include <algorithm>
 
@@ -27,18 +27,18 @@ bool is_loop(const CallStep& step) {
     return name == "for" || name == "intersection_for";
 }
 
-/// The text that holds the step's call; null where it is not known.
-const csg::scad::SourceFile* source_of(const Model& model, const csg::scad::SourceSet& sources, const CallStep& step) {
+/// The text that holds the step's call, in `sources`; none where it is not known.
+std::optional<std::uint32_t> source_of(const Model& model, const csg::scad::SourceSet& sources, const CallStep& step) {
     if (step.statement == nullptr) {
-        return nullptr;
+        return std::nullopt;
     }
     const std::string& name = model.tree->files()[step.node.where.file];
     for (std::uint32_t i = 0; i < sources.size(); ++i) {
         if (sources[i].name() == name) {
-            return &sources[i];
+            return i;
         }
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 /// Of its call, in the text of `source`.
@@ -79,12 +79,12 @@ std::string call_text(const Model& model, const csg::scad::SourceSet& sources, c
     if (step.statement == nullptr) {
         return text + std::string(name_of(step));
     }
-    const csg::scad::SourceFile* const source = source_of(model, sources, step);
-    if (source == nullptr) {
+    const auto source = source_of(model, sources, step);
+    if (!source) {
         return text + step.statement->name;
     }
-    const csg::scad::ByteRange bytes = bytes_of(step, *source);
-    const auto written = std::string_view(source->text()).substr(bytes.begin, bytes.end - bytes.begin);
+    const csg::scad::ByteRange bytes = bytes_of(step, sources[*source]);
+    const auto written = std::string_view(sources[*source].text()).substr(bytes.begin, bytes.end - bytes.begin);
     bool blank = false;
     std::size_t characters = text.size();
     for (const char c : written) {
@@ -103,6 +103,15 @@ std::string call_text(const Model& model, const csg::scad::SourceSet& sources, c
         blank = false;
     }
     return text;
+}
+
+std::optional<CallPlace> call_place(const Model& model, const csg::scad::SourceSet& sources, const CallStep& step) {
+    const auto source = source_of(model, sources, step);
+    if (!source) {
+        return std::nullopt;
+    }
+    const csg::Statement& s = *step.statement;
+    return CallPlace{sources.shared(*source), {*source, s.where.line, s.where.column, s.end_line, s.end_column}};
 }
 
 std::string calls_text(const Model& model, const csg::scad::SourceSet& sources, const std::vector<CallStep>& steps) {
@@ -125,12 +134,13 @@ std::string calls_text(const Model& model, const csg::scad::SourceSet& sources, 
 }
 
 Json call_json(const Model& model, const csg::scad::SourceSet& sources, const CallStep& step) {
-    const csg::scad::SourceFile* const source = source_of(model, sources, step);
+    const auto source = source_of(model, sources, step);
     Json begin = nullptr, end = nullptr;  // In the file, whose byte order mark is no part of the text.
-    if (source != nullptr) {
-        const csg::scad::ByteRange bytes = bytes_of(step, *source);
-        begin = source->mark_bytes() + bytes.begin;
-        end = source->mark_bytes() + bytes.end;
+    if (source) {
+        const csg::scad::SourceFile& file = sources[*source];
+        const csg::scad::ByteRange bytes = bytes_of(step, file);
+        begin = file.mark_bytes() + bytes.begin;
+        end = file.mark_bytes() + bytes.end;
     }
     return {{"name", name_of(step)},
             {"module", step.statement != nullptr && step.statement->user_module},
