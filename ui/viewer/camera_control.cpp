@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
 namespace ui {
@@ -61,6 +63,12 @@ glm::dvec3 point_on_target_plane(const base::Camera& camera, glm::ivec2 size, gl
 void toggle_projection(base::Camera& camera) {
     camera.projection = camera.projection == base::Projection::Perspective ? base::Projection::Orthographic
                                                                            : base::Projection::Perspective;
+}
+
+std::string camera_option(const base::Camera& camera) {
+    const glm::dvec3 &t = camera.target, &r = camera.rotation;
+    return fmt::format("--camera {:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}{}", t.x, t.y, t.z, r.x, r.y, r.z,
+                       camera.distance, camera.projection == base::Projection::Orthographic ? " --projection o" : "");
 }
 
 }  // namespace ui

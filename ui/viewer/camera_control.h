@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string>
 
 #include "base/camera.h"
 
@@ -22,5 +23,8 @@ void zoom(base::Camera& camera, double factor, const glm::dvec3& fixed);
 
 /// The other projection; things at the target keep their size, since both use the distance and the field of view.
 void toggle_projection(base::Camera& camera);
+
+/// The option of the command line that gives this camera, with --projection where it is orthographic.
+[[nodiscard]] std::string camera_option(const base::Camera& camera);
 
 }  // namespace ui

@@ -17,6 +17,7 @@ constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 constexpr std::array kActions{
     ActionInfo{Action::Open, "File", "Open…", {{GLFW_KEY_O, kCtrl}}},
     ActionInfo{Action::Reload, "File", "Reload", {{GLFW_KEY_F5}, {GLFW_KEY_F4}, {GLFW_KEY_R, kCtrl}}},
+    ActionInfo{Action::Cancel, "File", "Cancel the evaluation", {{GLFW_KEY_PERIOD, kCtrl}}},
     ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl}, {GLFW_KEY_E, kCtrl}}},
     ActionInfo{Action::Quit, "File", "Quit", {{GLFW_KEY_Q, kCtrl}, {GLFW_KEY_W, kCtrl}}},
 
@@ -38,6 +39,7 @@ constexpr std::array kActions{
     ActionInfo{Action::TurnRight, "Camera", "Turn right", {{GLFW_KEY_RIGHT}}},
     ActionInfo{Action::TurnUp, "Camera", "Turn up", {{GLFW_KEY_UP}}},
     ActionInfo{Action::TurnDown, "Camera", "Turn down", {{GLFW_KEY_DOWN}}},
+    ActionInfo{Action::CopyCamera, "Camera", "Copy as --camera", {}},
 
     ActionInfo{Action::NextStyle, "Style", "Next style", {{GLFW_KEY_S}}},
     ActionInfo{Action::PreviousStyle, "Style", "Previous style", {{GLFW_KEY_S, kShift}}},

@@ -21,6 +21,8 @@ namespace ui {
 enum class Action {
     Open,  ///< Opens the form.
     Reload,
+    Cancel,  ///< The evaluation that runs.
+    CopyCamera,
     SavePicture,  ///< Opens the form.
     Quit,
     ViewAll,

@@ -8,6 +8,7 @@ namespace ui {
 
 void Document::receive(Revision revision) {
     received_ = true;
+    cancelled_ = false;
     failed_ = !revision.model;
     if (revision.model) {
         model_ = std::move(revision.model);
@@ -47,6 +48,9 @@ std::string Document::trouble() const {
         case DocumentState::Evaluating:
         case DocumentState::Good:
             break;
+    }
+    if (cancelled_) {
+        return fmt::format("Cancelled: F5 begins anew. {}", kept);
     }
     return {};
 }

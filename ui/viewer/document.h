@@ -24,6 +24,8 @@ class Document {
     /// Whether the file is gone, as its watcher sees it.
     void set_gone(bool gone) { gone_ = gone; }
     void clear_messages() { messages_ = {}; }
+    /// The revision that was being made is given up.
+    void cancel() { cancelled_ = true; }
     /// The values of the customizer's parameters in revisions to come.
     void customize(std::vector<std::string> definitions) { source_.customized = std::move(definitions); }
     /// The parts of revisions to come.
@@ -54,6 +56,7 @@ class Document {
     bool received_ = false;
     bool failed_ = false;
     bool gone_ = false;
+    bool cancelled_ = false;
 };
 
 }  // namespace ui

@@ -52,6 +52,14 @@ class LatestJob {
         changed_.notify_all();
     }
 
+    /// Asks the job that runs to stop, and drops all others and what is not taken yet.
+    void cancel() {
+        std::scoped_lock lock(mutex_);
+        next_.reset();
+        result_.reset();
+        running_.request_stop();
+    }
+
     /// The result of the newest job, once.
     [[nodiscard]] std::optional<Result> take() {
         std::scoped_lock lock(mutex_);

@@ -35,8 +35,10 @@ bool draw_parameter(const npr::Parameter& parameter, npr::Value& value);
 void draw_console(const Rectangle& place, const Session& session, const Fonts& fonts, float& height,
                   Commands& commands);
 
-/// State of the document on the left, of the picture on the right. `note`: what was done last.
-void draw_status(const Rectangle& place, const Session& session, const PictureInfo& picture, const std::string& note);
+/// State of the document on the left, where an evaluation that takes long can be cancelled, of the picture on the
+/// right. `note`: what was done last.
+void draw_status(const Rectangle& place, const Session& session, const PictureInfo& picture, const std::string& note,
+                 Commands& commands);
 
 /// Over the picture, behind everything else: what is wrong, and the axes.
 void draw_overlay(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,

@@ -63,6 +63,16 @@ void Session::evaluate() {
         return;
     }
     job_.start(next_revision());
+    began_ = std::chrono::steady_clock::now();
+}
+
+double Session::evaluating_for() const {
+    return evaluating() ? std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count() : 0;
+}
+
+void Session::cancel() {
+    job_.cancel();
+    document_.cancel();
 }
 
 LatestJob<Revision>::Job Session::next_revision() const {
@@ -78,6 +88,7 @@ void Session::customize() {
         job_.start(next_revision());
     }
     customizing_ = true;
+    began_ = std::chrono::steady_clock::now();
 }
 
 bool Session::update(double now) {
@@ -308,12 +319,20 @@ bool Session::act(Action action) {
         case Action::Help:
             shown_.help = !shown_.help;
             break;
+        case Action::Cancel:
+            cancel();
+            break;
         case Action::Close:
+            // The last thing to be closed is what goes on behind the picture.
+            if (evaluating() && !shown_.help && !shown_.save_form && !shown_.open_form && selection_.empty()) {
+                cancel();
+            }
             shown_.help = shown_.save_form = shown_.open_form = false;
             selection_.clear();
             break;
         case Action::Quit:
         case Action::CopyConsole:
+        case Action::CopyCamera:
             return false;
     }
     return true;

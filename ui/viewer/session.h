@@ -1,6 +1,7 @@
 // All that the window shows and how it follows the file, without the window: document, view, evaluation, watcher.
 #pragma once
 
+#include <chrono>
 #include <functional>
 
 #include "ui/viewer/camera_control.h"
@@ -41,6 +42,8 @@ class Session {
     [[nodiscard]] const Selection& selection() const { return selection_; }
     [[nodiscard]] const TextPlace& text() const { return text_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
+    /// Seconds, since the evaluation that runs was asked for; 0 where none runs.
+    [[nodiscard]] double evaluating_for() const;
     /// The newest models differ from those before by a value of the customizer, which may go on changing.
     [[nodiscard]] bool customizing() const { return customizing_; }
     /// The most layers that were seen of the model, from wherever it was looked at; at least 1.
@@ -50,6 +53,8 @@ class Session {
     void open(const std::filesystem::path& path);
     void evaluate();
     [[nodiscard]] LatestJob<Revision>::Job next_revision() const;
+    /// Gives the evaluation that runs up.
+    void cancel();
     void customize();
     void show_text(const TextPlace& place);
     void show_selected_text();
@@ -69,6 +74,7 @@ class Session {
     Selection selection_;  ///< In the model that is shown.
     TextPlace text_;       ///< That the text panel shows.
     bool customizing_ = false;
+    std::chrono::steady_clock::time_point began_;  ///< The evaluation asked for last.
     Shown shown_;
     int layer_count_ = 1;
     std::uint64_t layers_of_ = 0;  ///< Generation of the model that layer_count_ belongs to.

@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include <string>
+
 #include <fmt/format.h>
 
 #include "ui/viewer/panel_window.h"
@@ -9,14 +11,18 @@ namespace ui {
 
 namespace {
 
+/// An evaluation that takes longer is worth being cancelled.
+constexpr double kSoon = 1;
+
 struct Lamp {
     ImVec4 color;
-    const char* text;
+    std::string text;
 };
 
 Lamp lamp(const Session& session) {
     if (session.evaluating()) {
-        return {theme::kAccent, "Evaluating…"};
+        const double seconds = session.evaluating_for();
+        return {theme::kAccent, seconds < kSoon ? "Evaluating…" : fmt::format("Evaluating… {:.0f} s", seconds)};
     }
     switch (session.document().state()) {
         case DocumentState::Failed:
@@ -39,7 +45,8 @@ std::string picture_text(const Session& session, const PictureInfo& picture) {
 
 }  // namespace
 
-void draw_status(const Rectangle& place, const Session& session, const PictureInfo& picture, const std::string& note) {
+void draw_status(const Rectangle& place, const Session& session, const PictureInfo& picture, const std::string& note,
+                 Commands& commands) {
     if (place.empty()) {
         return;
     }
@@ -55,7 +62,13 @@ void draw_status(const Rectangle& place, const Session& session, const PictureIn
                                                     ImGui::GetColorU32(state.color));
         ImGui::Dummy({0.6F * size, size});
         ImGui::SameLine();
-        ImGui::TextUnformatted(state.text);
+        ImGui::TextUnformatted(state.text.c_str());
+        if (session.evaluating_for() >= kSoon) {
+            ImGui::SameLine();
+            if (ImGui::SmallButton("Cancel")) {
+                commands.emplace_back(Action::Cancel);
+            }
+        }
         if (!note.empty()) {
             ImGui::SameLine(0, size);
             ImGui::TextDisabled("%s", note.c_str());

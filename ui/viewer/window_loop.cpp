@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ui/pipeline/picture/pick.h"
+#include "ui/viewer/camera_control.h"
 #include "ui/viewer/editor.h"
 #include "ui/viewer/open_source.h"
 
@@ -86,7 +87,8 @@ WindowEnd WindowLoop::run() {
             input_.add(std::move(input));
         }
         const bool received = receive();
-        if (session_.update(seconds()) || !input_.empty() || received) {
+        // The status line counts the seconds of an evaluation.
+        if (session_.update(seconds()) || !input_.empty() || received || session_.evaluating()) {
             frames_to_draw_ = kFramesAfterInput;
         }
         if (frames_to_draw_ > 0 || (!picture_.busy() && plan_.next(seconds()))) {
@@ -183,7 +185,7 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     }
     draw_selection(layout.picture, session_, fonts, interface_.scale(), commands);
     draw_console(layout.console, session_, fonts, console_height_, commands);
-    draw_status(layout.status, session_, info_, note_);
+    draw_status(layout.status, session_, info_, note_, commands);
     if (session_.shown().help) {
         draw_help(fonts, commands);
     }
@@ -249,6 +251,10 @@ void WindowLoop::perform(const Command& command) {
         if (*action == Action::CopyConsole) {
             window_.set_clipboard(session_.document().messages().text());
             note_ = "The console is copied";
+        } else if (*action == Action::CopyCamera) {
+            const std::string option = camera_option(session_.view().picture.camera);
+            window_.set_clipboard(option);
+            note_ = "Copied: " + option;
         }
     }
 }

@@ -120,5 +120,15 @@ TEST(Orbit, ACameraUpsideDownTurnsFreely) {
     EXPECT_NEAR(camera.rotation.x, 207, 1e-9);
 }
 
+TEST(CameraOption, IsWhatTheCommandLineTakes) {
+    base::Camera camera;
+    camera.target = {1, -2.5, 0};
+    camera.rotation = {55, 0, 25};
+    camera.distance = 140;
+    EXPECT_EQ(camera_option(camera), "--camera 1,-2.5,0,55,0,25,140");
+    camera.projection = base::Projection::Orthographic;
+    EXPECT_EQ(camera_option(camera), "--camera 1,-2.5,0,55,0,25,140 --projection o");
+}
+
 }  // namespace
 }  // namespace ui

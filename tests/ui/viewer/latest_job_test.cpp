@@ -57,6 +57,43 @@ TEST(LatestJob, ANewerJobStopsTheOlderAndDropsItsResult) {
     EXPECT_EQ(jobs.take(), std::nullopt);
 }
 
+TEST(LatestJob, ACancelledJobGivesNothing) {
+    std::promise<void> begun;
+    LatestJob<int> jobs;
+    jobs.start([&](const std::stop_token& stop) {
+        begun.set_value();
+        return run_until_stopped(stop);
+    });
+    begun.get_future().wait();
+    jobs.cancel();
+    while (jobs.busy()) {
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_EQ(jobs.take(), std::nullopt);
+    jobs.start([](std::stop_token) { return 3; });
+    EXPECT_EQ(wait_for(jobs), 3);
+}
+
+TEST(LatestJob, AJobMayWaitForTheOneBefore) {
+    std::promise<void> begun, go_on;
+    LatestJob<int> jobs;
+    jobs.start([&](const std::stop_token& stop) {
+        begun.set_value();
+        go_on.get_future().wait();
+        return stop.stop_requested() ? -1 : 1;
+    });
+    begun.get_future().wait();
+    std::promise<void> taken;
+    jobs.start_after([&](std::stop_token) {
+        taken.get_future().wait();
+        return 2;
+    });
+    go_on.set_value();
+    EXPECT_EQ(wait_for(jobs), 1) << "it was not stopped";
+    taken.set_value();
+    EXPECT_EQ(wait_for(jobs), 2);
+}
+
 TEST(LatestJob, AJobThatWaitsIsReplacedWithoutRunning) {
     std::promise<void> begun, go_on;
     std::atomic<int> ran{0};

@@ -229,7 +229,7 @@ class OtherParts : public Panels {
     void draw(Commands& commands) override {
         (void)draw_menu_bar(*session_, info_, commands);
         draw_overlay({{0, 30}, {900, 600}}, *session_, info_, fonts_, 1);
-        draw_status({{0, 1370}, {1280, 30}}, *session_, info_, "note");
+        draw_status({{0, 1370}, {1280, 30}}, *session_, info_, "note", commands_);
         draw_help(fonts_, commands);
     }
 };

@@ -407,8 +407,8 @@ TEST_F(Window, AMessageLeadsToItsLine) {
     folder_.write("model.scad", "cube(20);\n\necho(1);\nsphere(r = unknown);\n");
     open();
     wait_for(0, [](const Json& frame) { return frame.at("state") == "good" && frame.at("evaluating") == false; });
-    for (int y = 664; y < 720; y += 16) {  // What the console says of it has two lines and more.
-        robot("mousemove 60 " + std::to_string(y) + " click 1");
+    for (const char* const y : {"664", "680", "696", "712"}) {  // What the console says of it has two lines and more.
+        robot(std::string("mousemove 60 ").append(y).append(" click 1"));
         std::this_thread::sleep_for(100ms);
     }
     wait_for(0, [](const Json& frame) { return frame.at("text_line") == 4; });
@@ -498,6 +498,22 @@ TEST_F(Window, DoesNotWaitForTheEvaluation) {
     wait_for(from, [&](const Json& frame) {
         return frame.at("generation") != first.at("generation") && frame.at("evaluating") == false;
     });
+}
+
+TEST_F(Window, AnEvaluationIsCancelled) {
+    open();
+    const Json good = wait_for_picture();
+    folder_.write("model.scad", "function f(n) = n < 2 ? 1 : f(n - 1) + f(n - 2);\necho(f(70));\ncube(f(3));\n");
+    wait_for(frames().size(), [](const Json& frame) { return frame.at("evaluating") == true; });
+    const std::size_t before = frames().size();
+    robot("key Escape");
+    const Json ended = wait_for(before, [](const Json& frame) { return frame.at("evaluating") == false; });
+    EXPECT_EQ(ended.at("generation"), good.at("generation")) << "the model stays";
+    EXPECT_TRUE(shows(kErrorBanner, 2000)) << "and the window says why";
+    folder_.write("model.scad", "cube(25);\n");
+    wait_for(before,
+             [&](const Json& frame) { return finished(frame) && frame.at("generation") > good.at("generation"); });
+    EXPECT_TRUE(shows(kErrorBanner, 0, 100));
 }
 
 TEST_F(Window, DoesNotWaitForThePicture) {
