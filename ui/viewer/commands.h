@@ -94,6 +94,10 @@ struct EditText {
     std::string path;
     std::uint32_t line = 1, column = 1;
 };
+/// Shows what the call does.
+struct Explain {
+    ExplainedCall call;
+};
 /// Another of the surfaces behind the point that was clicked.
 struct StepSelection {
     int by = 1;
@@ -126,10 +130,10 @@ struct WritePicture {
     PictureRequest picture;
 };
 
-using Command =
-    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
-                 SetLayers, SetSamples, SetSections, ShowText, EditText, StepSelection, OpenFile, SetCustomized,
-                 ResetCustomized, UseParameterSet, SaveParameterSet, DeleteParameterSet, SetEngine, WritePicture>;
+using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
+                             SetTransparencyParameter, SetLayers, SetSamples, SetSections, Explain, ShowText, EditText,
+                             StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
+                             DeleteParameterSet, SetEngine, WritePicture>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

@@ -28,6 +28,8 @@ class Document {
     void cancel() { cancelled_ = true; }
     /// The values of the customizer's parameters in revisions to come.
     void customize(std::vector<std::string> definitions) { source_.customized = std::move(definitions); }
+    /// What revisions to come show instead of the model; nothing: the model.
+    void explain(std::optional<ExplainedCall> call) { source_.explained = std::move(call); }
     /// The parts of revisions to come.
     void divide(csg::PartRule parts) { source_.parts = std::move(parts); }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "ui/viewer/panels.h"
 
@@ -23,6 +26,13 @@ float banner(const Rectangle& place, float top, const ImVec4& color, const std::
     list.AddText(&font, font.FontSize, {corner.x + padding, corner.y + padding}, IM_COL32_WHITE, text.c_str(), nullptr,
                  wrap);
     return height;
+}
+
+std::string explanation(const ExplainedCall& call) {
+    const char* const colors = call.name == "intersection" ? "kept is green, lost of its operands red"
+                                                           : "removed is red, the rest of what it subtracts gray";
+    return fmt::format("What {}() in line {} of {} does: {}. Esc shows the model again.", call.name, call.line,
+                       std::filesystem::path(call.file).filename().string(), colors);
 }
 
 /// The directions of x, y and z in the lower left corner of the picture.
@@ -72,6 +82,9 @@ void draw_overlay(const Rectangle& place, const Session& session, const PictureI
     if (const std::string trouble = document.trouble(); !trouble.empty()) {
         const bool gone = document.state() == DocumentState::Gone;
         top += banner(place, top, gone ? theme::kGoneBanner : theme::kErrorBanner, trouble, fonts, scale);
+    }
+    if (const auto& call = document.source().explained; call && document.state() == DocumentState::Good) {
+        top += banner(place, top, theme::kNoteBanner, explanation(*call), fonts, scale);
     }
     if (!picture.error.empty()) {
         banner(place, top, theme::kErrorBanner, "The picture cannot be drawn: " + picture.error, fonts, scale);

@@ -4,6 +4,7 @@
 
 #include "base/stop.h"
 #include "csg/scad/syntax/appended_text.h"
+#include "csg/tree/explain.h"
 #include "csg/tree/out_of_memory.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/program_runner.h"
@@ -12,6 +13,19 @@
 namespace ui {
 
 namespace {
+
+/// The tree itself where the call is not there any more, which a message tells.
+std::shared_ptr<const csg::Tree> explained_tree(const std::shared_ptr<const csg::Tree>& tree, const ExplainedCall& call,
+                                                MessageLog& messages) {
+    for (const csg::Statement* statement : csg::explainable(*tree)) {
+        const csg::SourceLocation& where = statement->where;
+        if (where.line == call.line && where.column == call.column && tree->files()[where.file] == call.file) {
+            return std::make_shared<const csg::Tree>(csg::explained(*tree, where));
+        }
+    }
+    messages.add(LineKind::Note, "The " + call.name + " that was explained is not there any more.");
+    return tree;
+}
 
 /// What a customizer shows. What the parser has to say is told by the run.
 std::optional<std::vector<csg::scad::CustomizerParameter>> parameters_of(ProgramRunner& runner,
@@ -60,9 +74,11 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
         return;
     }
     Stopwatch watch;
+    const std::shared_ptr<const csg::Tree> tree =
+        source.explained ? explained_tree(evaluation.tree, *source.explained, revision.messages) : evaluation.tree;
     builder.divide(source.parts);
     builder.cut(source.sections);
-    auto model = builder.build(evaluation.tree, stop, evaluation.program);
+    auto model = builder.build(tree, stop, evaluation.program);
     revision.build_ms = watch.lap();
     for (const auto* texts : {&model->warnings, &model->failures}) {
         for (const std::string& text : *texts) {

@@ -20,6 +20,11 @@ SelectedSurface selected_surface(const Model& model, const csg::scad::SourceSet&
         const std::filesystem::path file(model.tree->files()[where.file]);
         call.call = call_text(model, sources, *step);
         call.place = fmt::format("{}:{}", file.filename().string(), where.line);
+        const csg::Operation operation = step->node.operation;
+        if (step->statement != nullptr &&
+            (operation == csg::Operation::Difference || operation == csg::Operation::Intersection)) {
+            call.explained = ExplainedCall{step->statement->name, file.string(), where.line, where.column};
+        }
         if (auto place = call_place(model, sources, *step)) {
             call.text = {std::move(place->text), place->range};
         }

@@ -36,6 +36,12 @@ void call_rows(const SelectedSurface& selected, Commands& commands) {
     for (std::size_t i = 0; i < selected.calls.size(); ++i) {
         const SelectedCall& call = selected.calls[i];
         ImGui::PushID(static_cast<int>(i));
+        if (call.explained) {
+            if (ImGui::SmallButton("What it does")) {
+                commands.emplace_back(Explain{*call.explained});
+            }
+            ImGui::SameLine();
+        }
         if (ImGui::Selectable(call.call.c_str()) && call.text.text) {
             commands.emplace_back(ShowText{call.text});
         }

@@ -70,6 +70,20 @@ double Session::evaluating_for() const {
     return evaluating() ? std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count() : 0;
 }
 
+/// What lies over the picture, then what is selected, then what stands in the model's place, then what goes on behind.
+void Session::close() {
+    if (shown_.help || shown_.save_form || shown_.open_form) {
+        shown_.help = shown_.save_form = shown_.open_form = false;
+    } else if (!selection_.empty()) {
+        selection_.clear();
+    } else if (document_.source().explained) {
+        document_.explain(std::nullopt);
+        evaluate();
+    } else if (evaluating()) {
+        cancel();
+    }
+}
+
 void Session::cancel() {
     job_.cancel();
     document_.cancel();
@@ -203,6 +217,10 @@ bool Session::perform(const Command& command) {
         view_.picture.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
     } else if (const auto* sections = std::get_if<SetSections>(&command)) {
         cut(sections->sections);
+    } else if (const auto* explain = std::get_if<Explain>(&command)) {
+        document_.explain(explain->call);
+        selection_.clear();
+        evaluate();
     } else if (const auto* text = std::get_if<ShowText>(&command)) {
         show_text(text->place);
     } else if (const auto* step = std::get_if<StepSelection>(&command)) {
@@ -323,12 +341,7 @@ bool Session::act(Action action) {
             cancel();
             break;
         case Action::Close:
-            // The last thing to be closed is what goes on behind the picture.
-            if (evaluating() && !shown_.help && !shown_.save_form && !shown_.open_form && selection_.empty()) {
-                cancel();
-            }
-            shown_.help = shown_.save_form = shown_.open_form = false;
-            selection_.clear();
+            close();
             break;
         case Action::Quit:
         case Action::CopyConsole:

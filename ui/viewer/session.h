@@ -55,6 +55,7 @@ class Session {
     [[nodiscard]] LatestJob<Revision>::Job next_revision() const;
     /// Gives the evaluation that runs up.
     void cancel();
+    void close();
     void customize();
     void show_text(const TextPlace& place);
     void show_selected_text();

@@ -14,6 +14,7 @@ inline const ImVec4 kWarning{0.95F, 0.76F, 0.35F, 1};
 inline const ImVec4 kError{1.00F, 0.47F, 0.43F, 1};
 // Banners over the picture, with white text.
 inline const ImVec4 kErrorBanner{0.74F, 0.15F, 0.15F, 1};
+inline const ImVec4 kNoteBanner{0.20F, 0.36F, 0.58F, 1};
 inline const ImVec4 kGoneBanner{0.70F, 0.45F, 0.06F, 1};
 
 }  // namespace theme

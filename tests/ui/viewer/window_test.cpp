@@ -134,6 +134,19 @@ class Window : public testing::Test {
         return testing::AssertionFailure() << found << " pixels instead of " << least << " to " << most;
     }
 
+    /// Red that is seen through, as what a difference removes.
+    testing::AssertionResult shows_removed(std::size_t least, std::size_t most = ~std::size_t{0}) const {
+        std::size_t found = 0;
+        for (int i = 0; i < 100; ++i) {
+            found =
+                count([](const std::uint8_t* p) { return p[0] > 110 && p[1] < p[0] * 2 / 3 && p[2] < p[0] / 2 + 20; });
+            if (found >= least && found <= most) {
+                return testing::AssertionSuccess();
+            }
+            std::this_thread::sleep_for(100ms);
+        }
+        return testing::AssertionFailure() << found << " red pixels";
+    }
     testing::AssertionResult shows_faces() const {
         for (int i = 0; i < 100; ++i) {
             if (count(is_face) > 10'000) {
@@ -401,6 +414,19 @@ TEST_F(Window, AClickTellsWhereTheSurfaceComesFrom) {
     selects("model.scad:5");
     robot("mousemove 485 323 sleep 0.6 click 1");
     selects("model.scad:2");
+}
+
+TEST_F(Window, WhatAnOperationDoesIsShown) {
+    open({"--camera", "0,0,0,55,0,25,140"});
+    wait_for_picture();
+    robot("mousemove 485 330 click 1");
+    wait_for(0, [](const Json& frame) { return frame.at("selected") != ""; });
+    ASSERT_TRUE(shows_removed(0, 100));
+    // The rows of the bar: the leaf, and the difference with its button.
+    robot("mousemove 60 602 click 1");
+    EXPECT_TRUE(shows_removed(2000)) << "the bore";
+    robot("key Escape");
+    EXPECT_TRUE(shows_removed(0, 100));
 }
 
 TEST_F(Window, AMessageLeadsToItsLine) {
