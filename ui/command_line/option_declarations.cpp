@@ -113,6 +113,10 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "Draw the model without the call at that place: of differences the first operand, of transformations what "
          "is below",
          "[FILE:]LINE[:COLUMN]", picture);
+    text("--thickness", raw.thickness,
+         "Color faces by how thick the wall behind them is, or how wide the gap before them: wall, gap, "
+         "wall-along-view or gap-along-view; with the range of the colors wall=MM",
+         "WHAT", picture);
     list(
         "--section", raw.sections,
         "Cut away what is on the eye's side of a plane (z=12), on one side of it (z>12, z<12), where the normal points "
@@ -179,6 +183,7 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--turntable",
                                    "--colorscheme",
                                    "--samples",
+                                   "--thickness",
                                    "--transparency",
                                    "--medium",
                                    "--medium-light",

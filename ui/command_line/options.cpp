@@ -168,6 +168,23 @@ void interpret_transparency(npr::Picture& picture, const RawOptions& raw, bool p
     }
 }
 
+ThicknessRequest read_thickness(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    using What = ThicknessRequest::What;
+    auto request = read_name<ThicknessRequest>("--thickness", text.substr(0, equals),
+                                               {{"wall", {What::Wall, false, {}}},
+                                                {"gap", {What::Gap, false, {}}},
+                                                {"wall-along-view", {What::Wall, true, {}}},
+                                                {"gap-along-view", {What::Gap, true, {}}}});
+    if (equals != std::string::npos) {
+        request.range = read_numbers("--thickness range", text.substr(equals + 1), {1}, "a length")[0];
+        if (*request.range <= 0) {
+            throw UsageError(fmt::format("--thickness {}: the range is above 0", text));
+        }
+    }
+    return request;
+}
+
 /// What is written or read by that name, whatever links lead there.
 std::filesystem::path file_behind(const std::string& path) {
     std::error_code error;
@@ -258,6 +275,9 @@ void interpret(Options& o, const RawOptions& raw) {
     }
     if (!raw.samples.empty()) {
         o.picture.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
+    }
+    if (!raw.thickness.empty()) {
+        o.thickness = read_thickness(raw.thickness);
     }
     interpret_transparency(o.picture, raw, !o.picture_texts.part_styles.empty());
     interpret_engine(o, raw);

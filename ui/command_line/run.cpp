@@ -25,6 +25,7 @@
 #include "ui/command_line/pick.h"
 #include "ui/command_line/standard_streams.h"
 #include "ui/command_line/summary.h"
+#include "ui/command_line/thin_places.h"
 #include "ui/command_line/time_limit.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/mesh/outline.h"
@@ -34,6 +35,7 @@
 #include "ui/pipeline/picture/legend.h"
 #include "ui/pipeline/picture/radiograph.h"
 #include "ui/pipeline/picture/renderer.h"
+#include "ui/pipeline/picture/thickness_map.h"
 #include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/sections.h"
 #include "ui/pipeline/stopwatch.h"
@@ -285,6 +287,23 @@ class Run {
         }
     }
 
+    /// The picture without colors, tinted by what was measured.
+    base::Image thickness_image(Renderer& renderer, PictureRequest request) {
+        if (extent_of(*model_) == Extent::Flat) {
+            throw UsageError("--thickness: an outline in the plane has no walls; extrude it first");
+        }
+        request.scheme.face = request.scheme.cut = glm::vec3(1);
+        const auto plain = without_colors(*shown_);
+        base::Image image = renderer.render(*plain, request, limit_.token());
+        const ThicknessMap map = thickness_map(renderer, *model_, *plain, request, *options_.thickness, limit_.token());
+        draw_thickness(image, map, picture_.scheme.background);
+        if (!options_.quiet) {
+            language_.progress().say("");
+            say(printable(thin_places_text(*model_, *language_.evaluation().sources, map)));
+        }
+        return image;
+    }
+
     void draw() {
         begin("Drawing…", "drawing");
         Stopwatch watch;
@@ -306,7 +325,8 @@ class Run {
             language_.progress().say("");
             return;
         }
-        base::Image image = renderer.render(*shown_, request, limit_.token());
+        base::Image image =
+            options_.thickness ? thickness_image(renderer, request) : renderer.render(*shown_, request, limit_.token());
         if (lines) {
             draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), picture_.camera,
                             picture_.scheme.edge_2d);
@@ -430,8 +450,8 @@ int open_window(const Options& options) {
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
     }
-    if (!(options.explain.empty() && options.without.empty())) {
-        throw UsageError("--explain and --without are of pictures: write one with -o");
+    if (!(options.explain.empty() && options.without.empty()) || options.thickness) {
+        throw UsageError("--explain, --without and --thickness are of pictures: write one with -o");
     }
     WindowOptions window;
     window.source.path = options.input;

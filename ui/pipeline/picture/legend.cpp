@@ -85,7 +85,38 @@ double round_up(double thickness) {
     return std::ceil(thickness / unit * (1 - 1e-9)) * unit;
 }
 
+void draw_ring(base::Image& image, const glm::dvec2& at, std::string_view text, int lower) {
+    constexpr int kTallOfOne = 320;
+    const int scale = std::max(1, std::min(image.width, image.height) / kTallOfOne);
+    const double radius = 7 * scale;
+    const glm::vec3 ink(0), paper(1);
+    Canvas canvas(image, scale);
+    const glm::ivec2 middle(glm::floor(at));
+    const int reach = static_cast<int>(radius) + 2 * scale;
+    for (int y = -reach; y <= reach; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+            const double off = std::abs(std::hypot(x, y) - radius);
+            if (off < 0.75 * scale) {
+                canvas.fill(middle + glm::ivec2(x, y), glm::ivec2(1), ink);
+            } else if (off < 1.5 * scale) {
+                canvas.fill(middle + glm::ivec2(x, y), glm::ivec2(1), paper);
+            }
+        }
+    }
+    const glm::ivec2 size((static_cast<int>(text.size()) * (kGlyphWidth + 1) + 1) * scale, (kGlyphHeight + 2) * scale);
+    const bool left = middle.x + reach + size.x > image.width;
+    const glm::ivec2 corner(left ? middle.x - reach - size.x : middle.x + reach,
+                            std::clamp(middle.y - size.y / 2 + lower * size.y, 0, std::max(0, image.height - size.y)));
+    canvas.fill(corner, size, paper);
+    canvas.write(text, corner + scale, ink);
+}
+
 void draw_legend(base::Image& image, double full, const std::function<glm::vec3(float share)>& tone) {
+    draw_legend(image, full, tone, tone(0));
+}
+
+void draw_legend(base::Image& image, double full, const std::function<glm::vec3(float share)>& tone,
+                 const glm::vec3& ground) {
     constexpr int kSmallest = 96, kTallOfOne = 320;
     if (std::min(image.width, image.height) < kSmallest || !(full > 0)) {
         return;
@@ -94,7 +125,7 @@ void draw_legend(base::Image& image, double full, const std::function<glm::vec3(
     const int margin = 6 * scale, width = 8 * scale, height = image.height * 2 / 5;
     const glm::ivec2 lo(margin, image.height - margin - height);
     const auto luminance = [](const glm::vec3& c) { return c.r + c.g + c.b; };
-    const glm::vec3 ground = tone(0), ink(luminance(ground) > 1.5F ? 0.0F : 1.0F);
+    const glm::vec3 ink(luminance(ground) > 1.5F ? 0.0F : 1.0F);
     Canvas canvas(image, scale);
     canvas.fill(lo - scale, glm::ivec2(width, height) + 2 * scale, ink);
     for (int y = 0; y < height; ++y) {

@@ -13,6 +13,13 @@ namespace ui {
 /// it at round thicknesses. `tone`: the sRGB color of a share of the full tone. Pictures too small for it stay as they
 /// are.
 void draw_legend(base::Image& image, double full, const std::function<glm::vec3(float share)>& tone);
+/// The same on a ground of another color than the tone of 0 (sRGB).
+void draw_legend(base::Image& image, double full, const std::function<glm::vec3(float share)>& tone,
+                 const glm::vec3& ground);
+
+/// Draws a ring about the place (pixels from the upper left corner) with a text of digits and points beside it, so
+/// many lines lower.
+void draw_ring(base::Image& image, const glm::dvec2& at, std::string_view text, int lower = 0);
 
 /// The nearest number above that has two digits.
 [[nodiscard]] double round_up(double thickness);
