@@ -43,6 +43,12 @@ void orbit(base::Camera& camera, glm::dvec2 drag) {
     camera.rotation.z = wrapped(camera.rotation.z - kDegreesPerPixel * drag.x);
 }
 
+void orbit_about(base::Camera& camera, glm::dvec2 drag, const glm::dvec3& pivot) {
+    const glm::dvec3 from_target = glm::dmat3(camera.eye_from_world()) * (pivot - camera.target);
+    orbit(camera, drag);
+    camera.target = pivot - glm::transpose(glm::dmat3(camera.eye_from_world())) * from_target;
+}
+
 void pan(base::Camera& camera, glm::dvec2 drag, int picture_height) {
     const auto [right, up, back] = axes(camera);
     camera.target += pixel_size(camera, picture_height) * (up * drag.y - right * drag.x);

@@ -11,6 +11,9 @@ namespace ui {
 /// Turntable about the world's z axis, 0.7 degrees per pixel as in OpenSCAD. A camera that has +z up keeps it up.
 void orbit(base::Camera& camera, glm::dvec2 drag);
 
+/// The same about a point (world coordinates), which keeps its place in the picture.
+void orbit_about(base::Camera& camera, glm::dvec2 drag, const glm::dvec3& pivot);
+
 /// Shifts the camera so that the plane through its target, parallel to the picture, follows the cursor.
 void pan(base::Camera& camera, glm::dvec2 drag, int picture_height);
 

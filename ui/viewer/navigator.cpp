@@ -15,6 +15,11 @@ constexpr double kDoubleClickSeconds = 0.4, kDoubleClickDistance = 5;
 
 }  // namespace
 
+void Navigator::ask(const PointerEvent& event, const Rectangle& picture) {
+    question_ = asked_ = event.position - glm::dvec2(picture.corner);
+    pivot_.reset();
+}
+
 void Navigator::press(const PointerEvent& event, const Rectangle& picture) {
     if (event.button == Button::Left) {
         const bool second = event.time - clicked_at_ < kDoubleClickSeconds &&
@@ -25,6 +30,7 @@ void Navigator::press(const PointerEvent& event, const Rectangle& picture) {
         clicked_at_ = second ? -1 : event.time;
         clicked_ = event.position;
     }
+    ask(event, picture);
     dragged_ = false;
     button_ = event.button;
     pans_ = event.button != Button::Left || event.shift;
@@ -49,20 +55,37 @@ void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool
             break;
         case PointerKind::Move: {
             const glm::dvec2 drag = event.position - std::exchange(last_, event.position);
+            if (button_ != Button::None && drag != glm::dvec2(0)) {
+                asked_.reset();  // What lies there is another now.
+            }
             dragged_ = dragged_ || glm::distance(event.position, clicked_) > kClickDistance;
             if (button_ != Button::None && drag != glm::dvec2(0)) {
-                pans_ ? pan(camera, drag, height) : orbit(camera, drag);
+                if (pans_) {
+                    pan(camera, drag, height);
+                } else if (pivot_) {
+                    orbit_about(camera, drag, *pivot_);
+                } else {
+                    orbit(camera, drag);
+                }
             }
             break;
         }
         case PointerKind::Scroll:
             if (free && picture.contains(event.position)) {
                 const glm::dvec2 cursor = event.position - glm::dvec2(picture.corner);
+                if (!asked_ || glm::distance(*asked_, cursor) > kClickDistance) {
+                    ask(event, picture);
+                }
+                // About a surface, so that nothing is flown through, however far one goes.
                 zoom(camera, std::pow(kZoomPerNotch, -event.amount),
-                     point_on_target_plane(camera, glm::ivec2(picture.size), cursor));
+                     pivot_ ? *pivot_ : point_on_target_plane(camera, glm::ivec2(picture.size), cursor));
             }
             break;
     }
+}
+
+std::optional<glm::dvec2> Navigator::take_question() {
+    return std::exchange(question_, std::nullopt);
 }
 
 std::optional<glm::dvec2> Navigator::take_click() {

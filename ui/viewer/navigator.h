@@ -20,10 +20,17 @@ class Navigator {
     /// Where the picture was double-clicked since the last call, from the picture's upper left corner.
     [[nodiscard]] std::optional<glm::dvec2> take_double_click();
 
+    /// Where the surface under the pointer is to be found, since the last call, from the picture's upper left corner:
+    /// turns and zooms go about it.
+    [[nodiscard]] std::optional<glm::dvec2> take_question();
+    /// The answer, whenever it comes; none where there is no surface, and turns go about the camera's target.
+    void answer(const std::optional<glm::dvec3>& surface) { pivot_ = surface; }
+
     /// Where the picture was clicked, without being dragged, since the last call.
     [[nodiscard]] std::optional<glm::dvec2> take_click();
 
   private:
+    void ask(const PointerEvent& event, const Rectangle& picture);
     void press(const PointerEvent& event, const Rectangle& picture);
 
     Button button_ = Button::None;
@@ -33,6 +40,8 @@ class Navigator {
     glm::dvec2 clicked_{0};
     bool dragged_ = false;  ///< Since the button was pressed.
     std::optional<glm::dvec2> double_click_, click_;
+    std::optional<glm::dvec2> question_, asked_;  ///< To be taken; that was asked last.
+    std::optional<glm::dvec3> pivot_;             ///< World coordinates, of the surface at asked_.
 };
 
 }  // namespace ui

@@ -94,9 +94,10 @@ void PictureView::save(std::shared_ptr<const Model> model, PictureRequest reques
     });
 }
 
-void PictureView::pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera) {
-    run([this, model = std::move(model), sections = std::move(sections), camera](Renderer& renderer) {
-        PickedPoint picked;
+void PictureView::pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera,
+                       PickFor purpose) {
+    run([this, model = std::move(model), sections = std::move(sections), camera, purpose](Renderer& renderer) {
+        PickedPoint picked{{}, purpose};
         try {
             const auto surfaces = renderer.pick(cut(model, sections, renderer), camera);
             picked.surface = surfaces.empty() ? std::nullopt : std::optional(surfaces.front());

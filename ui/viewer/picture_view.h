@@ -34,8 +34,12 @@ struct SavedPicture {
     std::string error;  ///< Why it is not saved; empty where it is.
 };
 
+/// What a point is asked for.
+enum class PickFor { Center, Navigation };
+
 struct PickedPoint {
     std::optional<PickedSurface> surface;  ///< The nearest; none where there is nothing.
+    PickFor purpose = PickFor::Center;     ///< As it was given.
 };
 
 /// What is to be selected, nearest first.
@@ -68,7 +72,8 @@ class PictureView {
     /// Writes a picture of its own. The picture that is shown must be begun anew afterwards.
     void save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path);
     /// See Renderer::pick.
-    void pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera);
+    void pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera,
+              PickFor purpose = PickFor::Center);
 
     /// All surfaces behind the camera's one pixel, with their places in the sources, which are the model's. `at` comes
     /// back with them.

@@ -205,7 +205,8 @@ void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
     for (const PointerEvent& event : input.pointer) {
         navigator_.handle(event, picture, free, session_.camera());
     }
-    const auto centered = navigator_.take_double_click(), selected = navigator_.take_click();
+    const auto centered = navigator_.take_double_click(), selected = navigator_.take_click(),
+               question = navigator_.take_question();
     const auto& model = session_.document().model();
     if (!model || model->empty()) {
         return;
@@ -214,6 +215,9 @@ void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
         return pixel_camera(session_.camera(), glm::ivec2(picture.size), at);
     };
     const npr::Sections& sections = session_.view().picture.sections;
+    if (question) {
+        picture_.pick(model, sections, narrow(*question), PickFor::Navigation);
+    }
     if (centered) {
         picture_.pick(model, sections, narrow(*centered));
     } else if (selected && session_.document().model_sources()) {
@@ -290,7 +294,9 @@ void WindowLoop::receive(const SavedPicture& saved) {
 }
 
 void WindowLoop::receive(const PickedPoint& picked) {
-    if (picked.surface) {
+    if (picked.purpose == PickFor::Navigation) {
+        navigator_.answer(picked.surface ? std::optional(picked.surface->point) : std::nullopt);
+    } else if (picked.surface) {
         session_.look_at(picked.surface->point);
     }
 }

@@ -53,6 +53,46 @@ TEST_F(NavigatorTest, LeftDragTurns) {
     EXPECT_FALSE(shifted());
 }
 
+TEST_F(NavigatorTest, TurnsAboutTheSurfaceUnderThePointer) {
+    const glm::dvec3 surface(30, -20, 10);
+    const auto place = [&] { return glm::dvec3(camera_.eye_from_world() * glm::dvec4(surface, 1)); };
+    send(PointerKind::Press, {300, 250}, Button::Left);
+    EXPECT_EQ(navigator_.take_question(), glm::dvec2(200, 200));
+    EXPECT_EQ(navigator_.take_question(), std::nullopt) << "once";
+    const glm::dvec3 before = place();
+    navigator_.answer(surface);
+    send(PointerKind::Move, {380, 310});
+    EXPECT_TRUE(turned());
+    EXPECT_NEAR(glm::distance(place(), before), 0, 1e-9) << "it keeps its place in the picture";
+    send(PointerKind::Release, {380, 310}, Button::Left);
+    send(PointerKind::Press, {300, 250}, Button::Left);  // Another question, which nobody has answered yet.
+    const glm::dvec3 target = camera_.target;
+    send(PointerKind::Move, {280, 250});
+    EXPECT_EQ(camera_.target, target) << "about the target";
+}
+
+TEST_F(NavigatorTest, TheWheelStaysBeforeTheSurface) {
+    const glm::dvec3 surface(30, -20, 10);
+    send(PointerKind::Scroll, {300, 250});
+    EXPECT_TRUE(navigator_.take_question().has_value());
+    navigator_.answer(surface);
+    const auto depth = [&] { return -(camera_.eye_from_world() * glm::dvec4(surface, 1)).z; };
+    const double before = depth();
+    PointerEvent event;
+    event.kind = PointerKind::Scroll;
+    event.position = {301, 250};
+    event.amount = 1;
+    for (int i = 0; i < 60; ++i) {
+        navigator_.handle(event, picture_, true, camera_);
+    }
+    EXPECT_EQ(navigator_.take_question(), std::nullopt) << "the answer still holds";
+    EXPECT_GT(depth(), 0);
+    EXPECT_LT(depth(), before / 1000);
+    event.position = {400, 250};
+    navigator_.handle(event, picture_, true, camera_);
+    EXPECT_TRUE(navigator_.take_question().has_value()) << "another place";
+}
+
 TEST_F(NavigatorTest, RightAndMiddleAndShiftShift) {
     for (const Button button : {Button::Right, Button::Middle, Button::Left}) {
         camera_ = {};

@@ -186,13 +186,13 @@ TEST_F(Window, MouseAndKeysChangeTheView) {
     open();
     const Json first = wait_for_picture();
     std::size_t from = frames().size();
-    robot("mousemove 400 300 mousedown 1");
+    robot("mousemove 60 80 mousedown 1");  // Beside the model: the camera turns about its target.
     for (int i = 0; i < 10; ++i) {
         robot("mousemove_relative 6 4");
     }
     robot("mouseup 1");
     // 0.7 degrees per pixel.
-    const Json turned = wait_for(from, [&](const Json& frame) {
+    Json turned = wait_for(from, [&](const Json& frame) {
         return std::abs(frame.at("camera").at("rotation")[0].get<double>() - (55 - 0.7 * 40)) < 0.01;
     });
     EXPECT_NEAR(turned.at("camera").at("rotation")[2].get<double>(), 360 + 25 - 0.7 * 60, 0.01);
@@ -209,11 +209,20 @@ TEST_F(Window, MouseAndKeysChangeTheView) {
     }
 
     from = frames().size();
-    robot("click 4 click 4");
+    robot("click 4 click 4");  // At the same place.
     const double distance = turned.at("camera").at("distance");
     wait_for(from, [&](const Json& frame) {
         return std::abs(frame.at("camera").at("distance").get<double>() * 1.15 * 1.15 - distance) < 1e-6;
     });
+
+    // On the model it turns about what is under the pointer.
+    from = frames().size();
+    robot("mousemove 430 300 mousedown 1 sleep 0.5 mousemove_relative 20 0 mouseup 1");
+    const Json about = wait_for(from, [&](const Json& frame) {
+        return frame.at("camera").at("rotation") != turned.at("camera").at("rotation") && finished(frame);
+    });
+    EXPECT_NE(about.at("camera").at("translation"), turned.at("camera").at("translation"));
+    turned = about;
 
     from = frames().size();
     robot("mousemove 400 300 mousedown 3 mousemove_relative 50 0 mouseup 3");
