@@ -18,7 +18,8 @@ constexpr std::array kActions{
     ActionInfo{Action::Open, "File", "Open…", {{GLFW_KEY_O, kCtrl}}},
     ActionInfo{Action::Reload, "File", "Reload", {{GLFW_KEY_F5}, {GLFW_KEY_F4}, {GLFW_KEY_R, kCtrl}}},
     ActionInfo{Action::Cancel, "File", "Cancel the evaluation", {{GLFW_KEY_PERIOD, kCtrl}}},
-    ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl}, {GLFW_KEY_E, kCtrl}}},
+    ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl}}},
+    ActionInfo{Action::Export, "File", "Export…", {{GLFW_KEY_E, kCtrl}}},
     ActionInfo{Action::Quit, "File", "Quit", {{GLFW_KEY_Q, kCtrl}, {GLFW_KEY_W, kCtrl}}},
 
     ActionInfo{Action::ViewAll, "View", "View all", {{GLFW_KEY_V}, {GLFW_KEY_HOME}, {GLFW_KEY_V, kCtrl | kShift}}},

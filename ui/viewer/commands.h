@@ -24,6 +24,7 @@ enum class Action {
     Cancel,  ///< The evaluation that runs.
     CopyCamera,
     SavePicture,  ///< Opens the form.
+    Export,       ///< Opens the form.
     Quit,
     ViewAll,
     ResetView,
@@ -130,10 +131,14 @@ struct WritePicture {
     PictureRequest picture;
 };
 
+struct ExportModel {
+    std::filesystem::path path;
+};
+
 using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
                              SetTransparencyParameter, SetLayers, SetSamples, SetSections, Explain, ShowText, EditText,
                              StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
-                             DeleteParameterSet, SetEngine, WritePicture>;
+                             DeleteParameterSet, SetEngine, WritePicture, ExportModel>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

@@ -23,6 +23,8 @@ class Document {
     void receive(Revision revision);
     /// Whether the file is gone, as its watcher sees it.
     void set_gone(bool gone) { gone_ = gone; }
+    /// A message of ours.
+    void add_message(LineKind kind, const std::string& text) { messages_.add(kind, text); }
     void clear_messages() { messages_ = {}; }
     /// The revision that was being made is given up.
     void cancel() { cancelled_ = true; }

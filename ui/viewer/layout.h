@@ -26,6 +26,11 @@ struct Shown {
     bool help = false;
     bool save_form = false;
     bool open_form = false;
+    bool export_form = false;
+
+    /// Something lies over the picture.
+    [[nodiscard]] bool covered() const { return help || save_form || open_form || export_form; }
+    void uncover() { help = save_form = open_form = export_form = false; }
 };
 
 struct Layout {

@@ -72,8 +72,8 @@ double Session::evaluating_for() const {
 
 /// What lies over the picture, then what is selected, then what stands in the model's place, then what goes on behind.
 void Session::close() {
-    if (shown_.help || shown_.save_form || shown_.open_form) {
-        shown_.help = shown_.save_form = shown_.open_form = false;
+    if (shown_.covered()) {
+        shown_.uncover();
     } else if (!selection_.empty()) {
         selection_.clear();
     } else if (document_.source().explained) {
@@ -260,6 +260,9 @@ bool Session::act(Action action) {
             break;
         case Action::SavePicture:
             shown_.save_form = true;
+            break;
+        case Action::Export:
+            shown_.export_form = true;
             break;
         case Action::ViewAll:
             if (document_.model()) {

@@ -31,6 +31,8 @@ class Session {
     void look_at(const glm::dvec3& point);
     /// What was picked at a place of the picture is selected; the text shows where the first of it comes from.
     void select(std::vector<SelectedSurface> surfaces, const glm::dvec2& at);
+    /// The console says so.
+    void tell(LineKind kind, const std::string& text) { document_.add_message(kind, text); }
     /// So many layers were seen in a picture of the model.
     void see_layers(const Model& model, int layers);
 

@@ -42,6 +42,10 @@ std::string proposed_picture(const Source& source) {
     return source.followed().empty() ? "picture.png" : std::filesystem::path(source.path).stem().string() + ".png";
 }
 
+std::string proposed_export(const Source& source) {
+    return source.followed().empty() ? "model.stl" : std::filesystem::path(source.path).stem().string() + ".stl";
+}
+
 std::string title_of(const Source& source) {
     return source.nothing() ? "csgscope" : Document(source).file_name() + " – csgscope";
 }
@@ -64,6 +68,8 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       picture_(*context_, options.engine, context_->software(), GlfwWindow::wake),
       session_(options, make_evaluate(), GlfwWindow::wake),
       open_form_(first_folder(options.source)),
+      export_form_(proposed_export(options.source)),
+      export_job_(GlfwWindow::wake),
       save_form_(proposed_picture(options.source), options.picture) {
     recent_.add(options.source.followed());
     console_height_ = 150 * window_.interface_scale();
@@ -86,7 +92,7 @@ WindowEnd WindowLoop::run() {
         if (input.any && !only_hovers(input)) {
             input_.add(std::move(input));
         }
-        const bool received = receive();
+        const bool exported = receive_export(), received = receive() || exported;
         // The status line counts the seconds of an evaluation.
         if (session_.update(seconds()) || !input_.empty() || received || session_.evaluating()) {
             frames_to_draw_ = kFramesAfterInput;
@@ -101,8 +107,7 @@ WindowEnd WindowLoop::run() {
 
 /// A pointer that moves over the picture, with nothing held and nothing over it, changes nothing.
 bool WindowLoop::only_hovers(const Input& input) {
-    const bool covered = session_.shown().save_form || session_.shown().open_form || session_.shown().help ||
-                         ImGui::GetIO().WantCaptureMouse;
+    const bool covered = session_.shown().covered() || ImGui::GetIO().WantCaptureMouse;
     const bool moves = !input.pointer.empty() && input.keys.empty() && !input.other &&
                        std::ranges::all_of(input.pointer, [&](const PointerEvent& event) {
                            return event.kind == PointerKind::Move && picture_place_.contains(event.position);
@@ -194,6 +199,9 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     } else if (session_.document().source().nothing()) {
         draw_start(layout.picture, recent_.paths(), fonts, commands);
     }
+    if (session_.shown().export_form) {
+        export_form_.draw(commands);
+    }
     if (session_.shown().save_form) {
         save_form_.draw(session_.view().request(pixel_size(layout.picture)), commands);
     }
@@ -234,8 +242,34 @@ void WindowLoop::open(const OpenFile& file) {
     const Source& source = session_.document().source();
     window_.set_title(title_of(source));
     save_form_.propose(proposed_picture(source));
+    export_form_.propose(proposed_export(source));
     recent_.add(source.path);
     note_.clear();
+}
+
+void WindowLoop::export_model(const ExportModel& what) {
+    const Source& source = session_.document().source();
+    if (source.nothing()) {
+        note_ = "There is nothing to export";
+        return;
+    }
+    note_ = fmt::format("Exporting {}…", what.path.filename().string());
+    export_job_.start(source, what.path);
+}
+
+bool WindowLoop::receive_export() {
+    const auto exported = export_job_.take();
+    if (!exported) {
+        return false;
+    }
+    const std::string name = exported->path.filename().string();
+    note_ =
+        exported->good ? fmt::format("Exported {}", exported->path.string()) : fmt::format("{} is not exported", name);
+    if (!exported->text.empty()) {
+        session_.tell(exported->good ? LineKind::Warning : LineKind::Error,
+                      fmt::format("{}: {}", name, exported->text));
+    }
+    return true;
 }
 
 void WindowLoop::perform(const Command& command) {
@@ -246,7 +280,9 @@ void WindowLoop::perform(const Command& command) {
     if (session_.perform(command)) {
         return;
     }
-    if (const auto* edit = std::get_if<EditText>(&command)) {
+    if (const auto* exported = std::get_if<ExportModel>(&command)) {
+        export_model(*exported);
+    } else if (const auto* edit = std::get_if<EditText>(&command)) {
         note_ = open_editor(edit->path, edit->line, edit->column);
     } else if (const auto* write = std::get_if<WritePicture>(&command)) {
         save_picture(*write);

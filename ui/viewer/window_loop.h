@@ -6,6 +6,8 @@
 
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/customizer_panel.h"
+#include "ui/viewer/export_form.h"
+#include "ui/viewer/export_job.h"
 #include "ui/viewer/frame_log.h"
 #include "ui/viewer/interface.h"
 #include "ui/viewer/navigator.h"
@@ -38,6 +40,9 @@ class WindowLoop {
     void navigate(const Input& input, const Rectangle& picture);
     void perform(const Command& command);
     void open(const OpenFile& file);
+    void export_model(const ExportModel& what);
+    /// True where an export has ended.
+    bool receive_export();
     void save_picture(const WritePicture& what);
     void plan_picture(glm::ivec2 size);
     void draw_picture();
@@ -63,6 +68,8 @@ class WindowLoop {
     TextPanel text_panel_;
     RecentFiles recent_;
     OpenForm open_form_;
+    ExportForm export_form_;
+    ExportJob export_job_;
     SaveForm save_form_;
     FramePlan plan_;
     std::optional<PictureStep> drawing_;  ///< Asked of picture_, and not received yet.

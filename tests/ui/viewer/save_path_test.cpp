@@ -32,5 +32,14 @@ TEST(SavePath, BeginsAtHome) {
     setenv("HOME", before.c_str(), 1);
 }
 
+TEST(ExportPath, TheSuffixDecides) {
+    EXPECT_EQ(export_path("box").path, "box.stl");
+    EXPECT_EQ(export_path("a/box.3MF").path, "a/box.3MF");
+    EXPECT_EQ(export_path(" box.svg ").path, "box.svg");
+    EXPECT_NE(export_path("box.step").error.find("box.stl"), std::string::npos);
+    EXPECT_NE(export_path("").error, "");
+    EXPECT_NE(export_path("folder/").error, "");
+}
+
 }  // namespace
 }  // namespace ui

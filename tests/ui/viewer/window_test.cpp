@@ -587,6 +587,23 @@ TEST_F(Window, SavesThePicture) {
     EXPECT_EQ(image.pixel(2, 2)[2], kBlueprint.b);
 }
 
+TEST_F(Window, ExportsWhatIsShown) {
+    folder_.write("model.scad", "size = 4; // [1:20]\ncube(size);\n");
+    open({"-D", "size=7"});
+    wait_for_picture();
+    robot("key ctrl+e");
+    std::this_thread::sleep_for(500ms);
+    robot("key ctrl+a");
+    robot("type --delay 40 '" + folder_.path("cube.off") + "'");
+    robot("key Return");
+    for (int i = 0; i < 300 && !std::filesystem::exists(folder_.path("cube.off")); ++i) {
+        std::this_thread::sleep_for(100ms);
+    }
+    const std::string mesh = folder_.read("cube.off");
+    EXPECT_NE(mesh.find("8 12 0"), std::string::npos) << mesh;
+    EXPECT_NE(mesh.find("7 7 7"), std::string::npos) << mesh;
+}
+
 TEST_F(Window, WithoutDisplayItSaysWhatToDo) {
     program_ =
         std::make_unique<Process>(std::vector<std::string>{CSGSCOPE_PROGRAM, folder_.path("model.scad")},
