@@ -1,6 +1,7 @@
 #include "goldfeather/surface_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "goldfeather/local_frame.h"
 #include "goldfeather/part_extents.h"
@@ -39,6 +40,21 @@ glm::vec4 color_of(const csg::Rgba& c, csg::PartKind kind) {
     return {c.r, c.g, c.b, std::min(a, 1.0F)};
 }
 
+/// Of a leaf's z axis in the world: the octahedron's coordinates in 15 bits each, above the lowest two bits.
+std::uint32_t packed_axis(const glm::dmat4& to_world) {
+    const glm::dvec3 axis(to_world[2]);
+    const double sum = std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z);
+    if (!(sum > 0) || !std::isfinite(sum)) {
+        return packed_axis(glm::dmat4(1));
+    }
+    glm::dvec2 at = glm::dvec2(axis) / sum;
+    if (axis.z < 0) {
+        at = (1.0 - glm::abs(glm::dvec2(at.y, at.x))) * glm::dvec2(at.x < 0 ? -1 : 1, at.y < 0 ? -1 : 1);
+    }
+    const glm::uvec2 bits(glm::round(at * 16383.0) + 16384.0);
+    return bits.x << 2U | bits.y << 17U;
+}
+
 void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry) {
     const LocalFrame frame = local_frame(geometry);
     table.local_center = frame.center;
@@ -60,7 +76,7 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
         const auto& solid = geometry.leaves[i].solid;
         table.leaves.push_back({color_of(color, part.kind),
                                 {leaf.part, static_cast<std::uint32_t>(kind_of(part)), leaf.hatching,
-                                 solid && solid->groups_estimated ? 1U : 0U}});
+                                 (solid && solid->groups_estimated ? 1U : 0U) | packed_axis(leaf.to_world)}});
     }
     table.planes.clear();
     table.planes.reserve(geometry.planes.planes().size());
@@ -87,6 +103,10 @@ void update(layers::SurfaceTable& table, const csg::Scene& scene, const csg::sol
     table.diagonal = local_frame(geometry).diagonal;
     for (const std::uint32_t plane : change.planes) {
         table.planes[plane] = row_of(geometry.planes.planes()[plane], table.local_center);
+    }
+    for (const csg::LeafId leaf : change.leaves) {
+        std::uint32_t& word = table.leaves[leaf].part.w;
+        word = (word & 3U) | packed_axis(scene.leaves[leaf].to_world);
     }
     if (!change.leaves.empty()) {
         table.groups = smooth_groups(geometry);

@@ -20,7 +20,7 @@ enum class PartKind : std::uint32_t {
 /// In the layout of the storage blocks of layers/layer_stack.glsl, under the same names.
 struct LeafRow {
     glm::vec4 color{0};  ///< Straight alpha; below 0: not given.
-    glm::uvec4 part{0};  ///< Part, its PartKind, hatching (csg::LeafInstance), 1 where its groups are estimated.
+    glm::uvec4 part{0};  ///< Part, its PartKind, hatching (csg::LeafInstance), 1 where its groups are estimated | axis.
 };
 
 /// A part, by its id.

@@ -2,51 +2,13 @@
 
 #include <algorithm>
 
+#include "npr/layer_filter.h"
 #include "npr/painter/cpu_paint.h"
 #include "npr/part_style.h"
 #include "npr/style.h"
 
 namespace npr {
 namespace {
-
-/// The layers of those parts that `is_of` says, one of them behind the other.
-template <typename IsOf>
-void keep_parts(const CpuFrame& frame, const IsOf& is_of, layers::HostStack& kept) {
-    const layers::HostStack& all = frame.layers;
-    kept.resize(all.size);
-    kept.table = all.table;
-    kept.reserve(static_cast<std::size_t>(all.layers));
-    kept.layers = all.layers;
-    kept.complete = all.complete;
-    base::for_each_index(
-        all.size.y,
-        [&] {
-            return [&](int y) {
-                const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(all.size.x);
-                for (std::size_t pixel = first; pixel < first + static_cast<std::size_t>(all.size.x); ++pixel) {
-                    std::size_t to = 0;
-                    for (std::size_t from = 0; from < static_cast<std::size_t>(all.layers); ++from) {
-                        const glm::uvec2 ids = all.planes[from].surface[pixel];
-                        if (ids.x == layers::kNoSurface) {
-                            break;
-                        }
-                        const layers::Surface s = layers::decode(all.planes[from].depth[pixel], ids);
-                        if (is_of(all.table->leaves[s.leaf].part.x)) {
-                            kept.planes[to].surface[pixel] = ids;
-                            kept.planes[to++].depth[pixel] = s.depth;
-                        }
-                    }
-                    for (; to < static_cast<std::size_t>(all.layers); ++to) {
-                        kept.planes[to].surface[pixel] = {layers::kNoSurface, 0};
-                        kept.planes[to].depth[pixel] = 0;
-                    }
-                }
-            };
-        },
-        0, frame.stop);
-    kept.count();
-    kept.layers = std::max(1, kept.held.empty() ? 1 : *std::max_element(kept.held.begin(), kept.held.end()));
-}
 
 /// Puts notes and ground together, pixel by pixel.
 struct Together : PixelFrame {
@@ -105,8 +67,14 @@ void PartPainter::paint_group(const CpuFrame& frame, std::size_t group, std::spa
     if (!mine.paint) {
         mine.paint = picture.style->make_paint();
     }
-    keep_parts(
-        frame, [&](std::uint32_t part) { return group_of_part[part] == group; }, mine.stack);
+    filter_layers(
+        frame.layers,
+        [&] {
+            return [&](const layers::Surface& s) {
+                return group_of_part[frame.layers.table->leaves[s.leaf].part.x] == group;
+            };
+        },
+        mine.stack, frame.stop);
     mine.notes.resize(static_cast<std::size_t>(Tiles(mine.stack).count()));
     for (TileNotes& tile : mine.notes) {
         tile.clear();

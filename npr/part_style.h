@@ -33,6 +33,13 @@ struct PartStyle {
     bool operator==(const PartStyle&) const = default;
 };
 
+/// What hides those parts is peeled away until such a share of them is to be seen (npr/reveal.h).
+struct RevealedPart {
+    PartSelector of;
+    double fraction = 1;
+    bool operator==(const RevealedPart&) const = default;
+};
+
 /// Whether `name` names the part: "bolt" does name the parts bolt, bolt 2, bolt 3, ….
 [[nodiscard]] bool names_part(std::string_view name, std::string_view part);
 

@@ -40,6 +40,7 @@ struct Picture {
     std::vector<PartMedium> media;        ///< In Volume: of parts; what is not said follows from color and opacity.
     MediumLight medium_light;             ///< In Volume.
     std::vector<PartStyle> part_styles;   ///< Of parts that are not drawn in `style`.
+    std::vector<RevealedPart> reveal;     ///< Parts that are to be seen, whatever hides them.
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
 
     /// Another style, with its parameters' defaults.

@@ -24,6 +24,6 @@ float crease_limit(Surface s, Surface t) {
         return kLeastOfLeaf;
     // An angle below the usual one asks for bends within surfaces that are only estimated. Across a corner where four
     // facets meet the angle is that of two bends.
-    bool asked = leaf_rows[s.leaf].part.w != 0u && crease_angle < kUsualCrease;
+    bool asked = (leaf_rows[s.leaf].part.w & 1u) != 0u && crease_angle < kUsualCrease;
     return asked ? max(crease_angle, 1.5f * max(bend_of(a), bend_of(b))) : kNever;
 }

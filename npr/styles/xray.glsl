@@ -10,10 +10,7 @@ vec4 layer_color(Surface s, int layer) {
     return model;
 }
 
-// 0 at the near end of the scene, 1 at the far end.
-float remoteness(Surface s) {
-    return clamp(0.5f + (view_distance(s.depth) + center_in_eye.z) / view.depth_range.w, 0.0f, 1.0f);
-}
+#include "npr/styles/remoteness.glsl"
 
 // A thin wall is crossed on a longer way where it is seen at a slant. `direction`: unit vector.
 float wall_opacity(Surface s, vec3 direction) {

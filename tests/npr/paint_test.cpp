@@ -57,6 +57,10 @@ std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>
     add("lines", {{"width", "3"}, {"ink", "#ffffff"}, {"paper", "#204060"}});
     add("gooch", {{"inner-color", "#000000"}, {"inner", "0.4"}, {"specular", "1"}, {"width", "3"}});
     add("toon", {{"steps", "6"}, {"highlight", "0"}});
+    add("hatch", {{"tone", "1"}, {"color", "0.5"}, {"spacing", "6"}, {"crossed", "0.1"}});
+    add("stipple", {{"tone", "1"}, {"spacing", "8"}, {"seed", "3"}});
+    add("tech", {{"dashes", "on"}, {"opacity", "0.7"}});
+    add("ntone", {{"steps", "7"}, {"cue", "1"}});
     add("blueprint", {{"grid", "on"}, {"ground", "white"}, {"layers", "2"}, {"width", "0.5"}});
     add("blueprint", {{"width", "3.3"}, {"crease", "4"}, {"inner", "0.3"}});
     add("blueprint", {{"dashes", "on"}, {"width", "2"}});

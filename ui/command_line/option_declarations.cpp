@@ -88,6 +88,10 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "Draw some parts in another style: 'part=NAME: STYLE,PARAMETER=VALUE,…', or color=COLOR or module=NAME for "
          "part=NAME; may be repeated",
          "STYLE", picture);
+    list("--reveal", o.picture_texts.reveal,
+         "Take the first layers of other parts away, until that share (1) of the parts NAME, color=COLOR or "
+         "module=NAME is to be seen; may be repeated",
+         "PART[,SHARE]", picture);
     text("--transparency", raw.transparency, transparencies.c_str(), "NAME[:KEY=VALUE,...]", picture);
     list("--medium", raw.media,
          "In volume: what a part is made of, as 'PART: tau=0.3/mm, albedo=#aabbcc'; may be repeated", "MEDIUM",
@@ -100,7 +104,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          picture);
     text("--parts", raw.parts,
          "What is a part: model (all of it), top (children of the top-level union), color, depth=N or "
-         "module=NAME[,NAME] (model; with --section color; with --style-of what that names, or top)",
+         "module=NAME[,NAME] (model; with --section color; with --style-of or --reveal what they name, or top)",
          "RULE", picture);
     text("--changes-from", o.changes_from,
          "Draw what has changed since that version of the file: what is new green, what is gone red, the rest seen "
@@ -177,6 +181,7 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--summary",
                                    "--style",
                                    "--style-of",
+                                   "--reveal",
                                    "--set",
                                    "--animate",
                                    "--animate_sharding",

@@ -164,7 +164,7 @@ void interpret_transparency(npr::Picture& picture, const RawOptions& raw, bool p
         throw UsageError("--medium and --medium-light are for --transparency volume");
     }
     if (picture.transparency != npr::Transparency::Exact && part_styles) {
-        throw UsageError("--style-of is for --transparency exact: others need all of the layers at once");
+        throw UsageError("--style-of and --reveal are for --transparency exact: others need all of the layers at once");
     }
 }
 
@@ -265,8 +265,10 @@ void interpret(Options& o, const RawOptions& raw) {
         o.parts = read_parts(raw.parts);
     }
     o.picture.sections = read_sections(raw.sections, raw.uncut, raw.hatching);
-    if (raw.parts.empty() && !o.picture_texts.part_styles.empty()) {
-        o.parts = parts_of_styles(o.picture_texts.part_styles);
+    std::vector<std::string> named = o.picture_texts.part_styles;
+    named.insert(named.end(), o.picture_texts.reveal.begin(), o.picture_texts.reveal.end());
+    if (raw.parts.empty() && !named.empty()) {
+        o.parts = parts_of_styles(named);
     } else if (raw.parts.empty() && !o.picture.sections.cuts.empty()) {
         o.parts.kind = csg::PartRule::Kind::Color;  // Cut faces have the color of what was cut.
     }
@@ -279,7 +281,7 @@ void interpret(Options& o, const RawOptions& raw) {
     if (!raw.thickness.empty()) {
         o.thickness = read_thickness(raw.thickness);
     }
-    interpret_transparency(o.picture, raw, !o.picture_texts.part_styles.empty());
+    interpret_transparency(o.picture, raw, !named.empty());
     interpret_engine(o, raw);
     interpret_animation(o, raw);
     interpret_view(o, raw);

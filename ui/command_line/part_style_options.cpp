@@ -25,17 +25,18 @@ std::string_view trimmed(std::string_view text) {
     return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+/// `text`: of the option, with its name.
 std::runtime_error wrong(const std::string& text, std::string_view why) {
-    return std::runtime_error(fmt::format("--style-of {}: {}", text, why));
+    return std::runtime_error(fmt::format("{}: {}", text, why));
 }
 
 /// The text before the colon, and what comes after it.
-std::pair<std::string_view, std::string_view> split(const std::string& text) {
-    const std::size_t colon = text.rfind(':');
+std::pair<std::string_view, std::string_view> split(const std::string& text, const std::string& given) {
+    const std::size_t colon = given.rfind(':');
     if (colon == std::string::npos) {
         throw wrong(text, "expected 'part=NAME: STYLE,PARAMETER=VALUE,…', or color=COLOR or module=NAME for part=NAME");
     }
-    return {trimmed(std::string_view(text).substr(0, colon)), trimmed(std::string_view(text).substr(colon + 1))};
+    return {trimmed(std::string_view(given).substr(0, colon)), trimmed(std::string_view(given).substr(colon + 1))};
 }
 
 npr::PartSelector read_selector(const std::string& text, std::string_view what) {
@@ -74,10 +75,24 @@ const npr::StyleInfo& read_style(const std::string& text, std::string_view name)
     throw wrong(text, fmt::format("no style \"{}\".{}", name, suggestion(name, names, all)));
 }
 
+void need_part(const csg::Scene& scene, std::string_view option, const npr::PartSelector& selector) {
+    const bool known = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const csg::Part& part) {
+        layers::PartLook look;
+        look.name = part.name;
+        look.color = {part.color.r, part.color.g, part.color.b, part.color.a};
+        return npr::selects(selector, look);
+    });
+    if (!known) {
+        const std::string name = selector.by_color ? selector.text.substr(kColor.size()) : selector.name;
+        throw UsageError(unknown_part(scene, fmt::format("{} {}", option, selector.text), name));
+    }
+}
+
 }  // namespace
 
-npr::PartStyle read_part_style(const std::string& text) {
-    const auto [what, drawn] = split(text);
+npr::PartStyle read_part_style(const std::string& given) {
+    const std::string text = fmt::format("--style-of {}", given);
+    const auto [what, drawn] = split(text, given);
     npr::PartStyle result;
     result.of = read_selector(text, what);
     std::size_t comma = drawn.find(',');
@@ -101,18 +116,33 @@ npr::PartStyle read_part_style(const std::string& text) {
     return result;
 }
 
+npr::RevealedPart read_revealed_part(const std::string& text) {
+    const std::string option = fmt::format("--reveal {}", text);
+    const std::size_t comma = text.rfind(',');
+    std::string what(trimmed(std::string_view(text).substr(0, comma)));
+    if (!what.starts_with(kPart) && !what.starts_with(kColor) && !what.starts_with(kModule)) {
+        what.insert(0, kPart);
+    }
+    npr::RevealedPart result;
+    result.of = read_selector(option, what);
+    if (comma != std::string::npos) {
+        result.fraction = read_numbers(option, trimmed(std::string_view(text).substr(comma + 1)), {1}, "a share")[0];
+        if (!(result.fraction > 0 && result.fraction <= 1)) {
+            throw wrong(option, "a share is above 0 and at most 1");
+        }
+    }
+    return result;
+}
+
 void need_parts(std::span<const npr::PartStyle> styles, const csg::Scene& scene) {
     for (const npr::PartStyle& style : styles) {
-        const bool known = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const csg::Part& part) {
-            layers::PartLook look;
-            look.name = part.name;
-            look.color = {part.color.r, part.color.g, part.color.b, part.color.a};
-            return npr::selects(style.of, look);
-        });
-        if (!known) {
-            const std::string name = style.of.by_color ? style.of.text.substr(kColor.size()) : style.of.name;
-            throw UsageError(unknown_part(scene, fmt::format("--style-of {}", style.of.text), name));
-        }
+        need_part(scene, "--style-of", style.of);
+    }
+}
+
+void need_parts(std::span<const npr::RevealedPart> revealed, const csg::Scene& scene) {
+    for (const npr::RevealedPart& each : revealed) {
+        need_part(scene, "--reveal", each.of);
     }
 }
 

@@ -13,7 +13,11 @@ namespace ui {
 /// is none, or there is no such style, parameter or value; names the nearest one.
 [[nodiscard]] npr::PartStyle read_part_style(const std::string& text);
 
-/// Throws UsageError where a style is of no part of the scene.
+/// 'NAME', 'part=NAME', 'color=COLOR' or 'module=NAME', and maybe ',SHARE' above 0, at most 1. Throws as above.
+[[nodiscard]] npr::RevealedPart read_revealed_part(const std::string& text);
+
+/// Throws UsageError where one of them is of no part of the scene.
 void need_parts(std::span<const npr::PartStyle> styles, const csg::Scene& scene);
+void need_parts(std::span<const npr::RevealedPart> revealed, const csg::Scene& scene);
 
 }  // namespace ui

@@ -1,5 +1,6 @@
 #include "ui/command_line/part_style_rule.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace ui {
@@ -8,9 +9,9 @@ namespace {
 
 constexpr std::string_view kColor = "color=", kModule = "module=";
 
-/// What stands before the colon, without blanks.
+/// What stands before the colon, or the comma, without blanks.
 std::string_view selector(std::string_view text) {
-    text = text.substr(0, text.rfind(':'));
+    text = text.substr(0, std::min(text.rfind(':'), text.find(',')));
     const std::size_t first = text.find_first_not_of(' ');
     return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }

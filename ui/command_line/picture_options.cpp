@@ -43,6 +43,9 @@ npr::Picture picture_of(npr::Picture picture, const PictureTexts& texts) {
             throw std::runtime_error(fmt::format("style {}: {}", texts.style, error.what()));
         }
     }
+    for (const std::string& text : texts.reveal) {
+        picture.reveal.push_back(read_revealed_part(text));
+    }
     for (const std::string& text : texts.part_styles) {
         picture.part_styles.push_back(read_part_style(text));
     }

@@ -14,6 +14,7 @@ struct PictureTexts {
     std::vector<std::pair<std::string, std::string>> settings{};  ///< Style parameters by name; the rest are defaults.
     std::string scheme = "Cornfield";
     std::vector<std::string> part_styles{};  ///< As read_part_style takes them.
+    std::vector<std::string> reveal{};       ///< As read_revealed_part takes them.
 
     bool operator==(const PictureTexts&) const = default;
 };

@@ -199,6 +199,7 @@ class Run {
         }
         need_parts(picture_.media, model_->scene);
         need_parts(picture_.part_styles, model_->scene);
+        need_parts(picture_.reveal, model_->scene);
         for (const std::string& warning : exported_->warnings) {
             language_.messages().warn(warning);
         }

@@ -4,6 +4,7 @@
 #include "base/camera.h"
 #include "goldfeather/choice.h"
 #include "goldfeather/walk_stats.h"
+#include "npr/reveal.h"
 #include "ui/pipeline/json.h"
 #include "ui/pipeline/model.h"
 
@@ -19,6 +20,7 @@ struct PictureStatistics {
     double peel_ms = 0;
     double style_ms = 0;
     double read_ms = 0;
+    npr::Revealed revealed;  ///< In pictures that reveal parts.
 };
 
 /// [x, y, z]

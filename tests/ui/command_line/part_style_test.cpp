@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <string>
 
 #include "base/image.h"
 #include "tests/support/program_test.h"
@@ -138,6 +139,27 @@ TEST_F(PartStyles, WhatIsWrongIsTold) {
     tells("--style-of 'part=: xray'", "which part?");
     tells("--style-of near", "expected 'part=NAME");
     tells("--style-of 'part=near: xray' --transparency volume", "--transparency exact");
+}
+
+TEST_F(PartStyles, WhatHidesARevealedPartIsPeeledAway) {
+    write_blocks();
+    const auto peeled = [&](const std::string& reveal) {
+        (void)drawn(fmt::format("--stats s.json {}", reveal));
+        const std::string json = folder_.read("s.json");
+        const std::size_t at = json.find("\"peeled_away\":");
+        return at == std::string::npos ? -1 : std::atoi(json.c_str() + at + 14);
+    };
+    EXPECT_EQ(peeled("--reveal near"), 0) << "nothing is before it";
+    EXPECT_EQ(peeled("--reveal far"), 2) << "a front and a back of what is before a part of it";
+    EXPECT_EQ(peeled("--reveal far,0.5"), 0) << "half of it is seen as it is";
+    EXPECT_EQ(peeled("--reveal module=apart --reveal module=far"), 2);
+    const base::Image alone = drawn("--parts top -D 'module near() {}'"), revealed = drawn("--reveal far");
+    EXPECT_EQ(differing(alone, revealed, {31, 38, 44, 52}, 1), 0);
+    EXPECT_EQ(differing(drawn("--reveal far --style-of 'part=far: edges'"), revealed, {32, 40, 44, 50}, 1), 0);
+    EXPECT_EQ(run("blocks.scad -o p.png --reveal farr").status, 1);
+    EXPECT_NE(run("blocks.scad -o p.png --reveal farr").err.find("Did you mean \"far\"?"), std::string::npos);
+    EXPECT_EQ(run("blocks.scad -o p.png --reveal far,2").status, 1);
+    EXPECT_EQ(run("blocks.scad -o p.png --reveal far,").status, 1);
 }
 
 }  // namespace

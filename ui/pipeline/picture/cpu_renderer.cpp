@@ -77,6 +77,14 @@ void CpuRenderer::begin(int sample) {
     }
 }
 
+const layers::HostStack& CpuRenderer::reveal(const npr::Picture& picture, const layers::HostStack& stack, int sample) {
+    if (sample == 0) {
+        statistics_.revealed = npr::layers_to_peel_away(picture, stack);
+    }
+    npr::peel_away(picture, stack, statistics_.revealed.layers, revealed_);
+    return revealed_;
+}
+
 void CpuRenderer::paint_sample(const Model& model, const npr::Picture& picture, int sample,
                                const std::function<const layers::HostStack&(const base::View&)>& peel,
                                const std::stop_token& stop) {
@@ -87,7 +95,7 @@ void CpuRenderer::paint_sample(const Model& model, const npr::Picture& picture, 
                                       const layers::HostStack& stack = peel(view);
                                       statistics_.peel_ms += watch.lap();
                                       ++statistics_.samples;
-                                      return stack;
+                                      return picture.reveal.empty() ? stack : reveal(picture, stack, sample);
                                   }};
     const auto in_parts = [&](const npr::CpuFrame& frame) { parts_(frame); };
     accumulator_.paint_sample(picture.part_styles.empty() ? paint(*picture.style) : npr::Paint(in_parts), picture,

@@ -43,6 +43,8 @@ class CpuRenderer {
     void paint_sample(const Model& model, const npr::Picture& picture, int sample,
                       const std::function<const layers::HostStack&(const base::View&)>& peel,
                       const std::stop_token& stop);
+    /// What is left of a stack; how much is taken away is the same for all samples.
+    const layers::HostStack& reveal(const npr::Picture& picture, const layers::HostStack& stack, int sample);
     void hold(const Model& model, const goldfeather::EngineInfo& engine);
     const npr::Paint& paint(const npr::StyleInfo& style);
 
@@ -54,6 +56,7 @@ class CpuRenderer {
     layers::Stack stack_;           ///< Of the last sample.
     npr::CpuAccumulator accumulator_;
     std::map<const npr::StyleInfo*, npr::Paint> styles_;  ///< Made when first used.
+    layers::HostStack revealed_;
     npr::PartPainter parts_;
     PictureStatistics statistics_;
 };

@@ -25,7 +25,8 @@ int layers_to_peel(const npr::Picture& picture, const Model& model) {
     if (picture.layers != npr::kLayersOfStyle) {
         return picture.layers;
     }
-    return picture.part_styles.empty() ? picture.style->layers(seen_through) : layers::kAllLayers;
+    return picture.part_styles.empty() && picture.reveal.empty() ? picture.style->layers(seen_through)
+                                                                 : layers::kAllLayers;
 }
 
 bool translucent(const csg::Scene& scene) {

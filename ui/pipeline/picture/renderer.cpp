@@ -41,7 +41,7 @@ void Renderer::draw_sample(const Model& model, const PictureRequest& request, in
     const npr::Picture picture = is_flat_picture(model, request) ? flat_picture(request, true) : npr::Picture(request);
     if (sample == 0) {
         peeled_on_cpu_ = choose_cpu(model, request.engine, layers_to_peel(picture, model));
-        on_cpu_ = peeled_on_cpu_ || !picture.part_styles.empty();
+        on_cpu_ = peeled_on_cpu_ || !picture.part_styles.empty() || !picture.reveal.empty();
     }
     if (peeled_on_cpu_) {
         cpu_.draw_sample(model, picture, *choice_.engine, sample, stop);
@@ -53,7 +53,6 @@ void Renderer::draw_sample(const Model& model, const PictureRequest& request, in
             [&](const base::View& view, int layers) { return with_opengl().pick(model, view, layers, choice_); }, stop);
         statistics_ = cpu_.statistics();
         statistics_.engine = choice_;
-        statistics_.opengl = true;
     } else {
         with_opengl().draw_sample(model, picture, choice_, sample, stop);
         statistics_ = gl_->statistics();

@@ -1,0 +1,64 @@
+// Hatching (Nienhaus 2005, 4.6).
+#include "npr/styles/lined_style.h"
+
+namespace npr {
+namespace {
+
+struct Settings : LinedSettings {
+    float spacing{};  ///< Pixels between two strokes, at least.
+    float darkest{};
+    float wash{};
+    float crossed_from{};
+    glm::vec3 ink_color{};
+    glm::vec3 paper_color{};
+
+    void complete(const Picture& picture) {
+        visible_only = true;
+        hidden_width = width;
+        complete_lines(picture);
+    }
+    static const SettingsTable<Settings>& table();
+};
+
+const SettingsTable<Settings>& Settings::table() {
+    static const SettingsTable<Settings> all{
+        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::crease_degrees>(crease_angle()),
+        setting<&Settings::parts>(part_edges()),
+        setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 1, 0, 1)),
+        setting<&Settings::spacing>(Parameter::number("spacing", "Distance of strokes", 3.5F, 2, 32)),
+        setting<&Settings::darkest>(Parameter::number("tone", "Darkest tone", 0.65F, 0, 1)),
+        setting<&Settings::wash>(Parameter::number("color", "Strength of surface colors", 0, 0, 1)),
+        setting<&Settings::crossed_from>(
+            Parameter::number("crossed", "Tone from which strokes are crossed", 0.4F, 0, 0.95F)),
+        setting<&Settings::ink_color>(Parameter::color("ink", "Color of strokes", {0.1F, 0.09F, 0.09F})),
+        setting<&Settings::paper_color>(Parameter::color("paper", "Color of the paper", {1, 1, 1})),
+    };
+    return all;
+}
+
+using namespace glm;  // As shader files do.
+
+struct HatchPixels : LinedFrame, Settings {
+    HatchPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
+        : LinedFrame(frame, edges, s), Settings(s) {}
+#include "npr/styles/surface_place.glsl"
+
+#include "npr/styles/hatch.glsl"
+
+    glm::vec4 pixel(glm::ivec2 p) {
+        at = p;
+        return hatch(p);
+    }
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
+    }
+};
+
+}  // namespace
+
+StyleInfo hatch_style() {
+    return lined_style<Settings, HatchPixels>({"hatch", "Hatching", "npr/styles/hatch.frag"});
+}
+
+}  // namespace npr

@@ -1,0 +1,58 @@
+// Few tones (Nienhaus 2005, 4.6).
+#include "npr/styles/lined_style.h"
+
+namespace npr {
+namespace {
+
+struct Settings : LinedSettings {
+    int steps{};
+    float shadow{};  ///< The darkest tone, as a share of the surface's color.
+    float cue{};     ///< How much less saturated the far end is.
+    glm::vec3 edge_color{};
+
+    void complete(const Picture& picture) {
+        visible_only = true;
+        hidden_width = width;
+        complete_lines(picture);
+    }
+    static const SettingsTable<Settings>& table();
+};
+
+const SettingsTable<Settings>& Settings::table() {
+    static const SettingsTable<Settings> all{
+        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::crease_degrees>(crease_angle()),
+        setting<&Settings::parts>(part_edges()),
+        setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.8F, 0, 1)),
+        setting<&Settings::steps>(Parameter::integer("steps", "Tones", 4, 2, 8)),
+        setting<&Settings::shadow>(Parameter::number("shadow", "Lightness of the darkest tone", 0.55F, 0, 1)),
+        setting<&Settings::cue>(Parameter::number("cue", "Less saturation of what is far", 0.8F, 0, 1)),
+        setting<&Settings::edge_color>(Parameter::color("edge-color", "Color of edges", {0.08F, 0.07F, 0.07F})),
+    };
+    return all;
+}
+
+using namespace glm;  // As shader files do.
+
+struct NtonePixels : LinedFrame, Settings {
+    NtonePixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
+        : LinedFrame(frame, edges, s), Settings(s) {}
+#include "npr/styles/ntone.glsl"
+
+    glm::vec4 pixel(glm::ivec2 p) {
+        at = p;
+        return ntone(p);
+    }
+    /// Saturation changes with depth.
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
+    }
+};
+
+}  // namespace
+
+StyleInfo ntone_style() {
+    return lined_style<Settings, NtonePixels>({"ntone", "n-tone", "npr/styles/ntone.frag"});
+}
+
+}  // namespace npr
