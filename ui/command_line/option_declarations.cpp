@@ -55,7 +55,11 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--summary-file", raw.summary_file, "Write what --summary names (all) as JSON; - is standard output", "FILE",
          in);
     list("--summary", raw.summary,
-         "Print all (but parts), cache, time, camera, geometry, bounding-box, area, volume or parts", "WHAT", in);
+         "Print all (but parts and measures), cache, time, camera, geometry, bounding-box, area, volume, parts or "
+         "measures",
+         "WHAT", in);
+    text("--precision", raw.precision,
+         "Of --summary measures: the share of volume and area that their errors may be (0.01)", "SHARE", in);
     text("--animate", raw.animate,
          "Write each output N times, with $t from 0 on in steps of 1/N: x00000.png, x00001.png, … for -o x.png", "N",
          in);
@@ -179,6 +183,7 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--stats",
                                    "--summary-file",
                                    "--summary",
+                                   "--precision",
                                    "--style",
                                    "--style-of",
                                    "--reveal",

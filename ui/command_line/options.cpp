@@ -292,6 +292,12 @@ void interpret(Options& o, const RawOptions& raw) {
     refuse_equal_outputs(o);
     o.summary = !raw.summary.empty();
     o.summary_parts = read_summary_parts(raw.summary);
+    if (!raw.precision.empty()) {
+        o.precision = read_numbers("--precision", raw.precision, {1}, "a share")[0];
+        if (o.precision <= 0 || o.precision > 1) {
+            throw UsageError(fmt::format("--precision {}: a share is above 0 and at most 1", raw.precision));
+        }
+    }
     o.exports = read_export_options(raw.export_options);
     o.preview = raw.render.empty() || !raw.preview.empty();
     if (raw.samples.empty() && !o.preview && o.picture_texts.style == "shaded") {

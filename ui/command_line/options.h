@@ -67,6 +67,7 @@ struct Options {
     bool hard_warnings = false;
     bool summary = false;  ///< Printed.
     SummaryParts summary_parts;
+    double precision = 0.01;  ///< Of its measures: the share that errors may be.
     csg::PartRule parts;
     bool information = false;  ///< --info
 };

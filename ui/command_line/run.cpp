@@ -418,6 +418,9 @@ class Run {
         figures.milliseconds = 1000 * limit_.spent();
         figures.geometry = geometry_.figures();
         figures.parts = parts_json(*model_);
+        if (options_.summary_parts.measures) {
+            figures.measures = measures_json(*model_, options_.precision, limit_.token());
+        }
         return summary_json(options_.summary_parts, figures);
     }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "ui/pipeline/inspection/layer_measures.h"
+#include "ui/pipeline/picture/exact_bounds.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
@@ -27,6 +29,17 @@ Json box_json(const csg::Box& box) {
     }
     const auto array = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
     return {{"min", array(box.lo)}, {"max", array(box.hi)}, {"size", array(box.size())}};
+}
+
+Json to_json(const SolidMeasures& m) {
+    return {{"volume", m.volume.value},
+            {"volume_error", m.volume.error},
+            {"area", m.area.value},
+            {"area_error", m.area.error},
+            {"centroid", ui::to_json(m.centroid)},
+            {"centroid_error", m.centroid_error},
+            {"moments", ui::to_json(m.moments)},
+            {"moments_error", m.moments_error}};
 }
 
 /// The figures that were asked for.
@@ -63,6 +76,24 @@ Json parts_json(const Model& model) {
     return all;
 }
 
+Json measures_json(const Model& model, double precision, const std::stop_token& stop) {
+    const LayerMeasures measures = measure_by_layers(model, precision, stop);
+    Json json = to_json(measures.all);
+    json["bounding_box"] = box_json(exact_bounds(model, stop));
+    json["spacing"] = measures.spacing;
+    Json parts = Json::array();
+    for (csg::PartId id = 0; id < model.scene.parts.size(); ++id) {
+        if (!measures.parts[id].box.empty()) {
+            Json part = {{"name", model.scene.parts[id].name}};
+            part.update(to_json(measures.parts[id]));
+            part["bounding_box"] = box_json(measures.parts[id].box);
+            parts.push_back(part);
+        }
+    }
+    json["parts"] = parts;
+    return json;
+}
+
 Json summary_json(const SummaryParts& parts, const SummaryFigures& figures) {
     Json json = Json::object();
     if (parts.cache) {
@@ -82,6 +113,9 @@ Json summary_json(const SummaryParts& parts, const SummaryFigures& figures) {
     }
     if (parts.parts) {
         json["parts"] = figures.parts;
+    }
+    if (parts.measures) {
+        json["measures"] = figures.measures;
     }
     return json;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
 #include "base/camera.h"
 #include "csg/solid/placed.h"
@@ -19,12 +20,18 @@ struct SummaryFigures {
     csg::solid::SolidCache::Size cache;
     double milliseconds = 0;  ///< Wall time of the run so far.
     Json parts;               ///< See parts_json.
+    Json measures;            ///< See measures_json.
 };
 
 /// [{"name": …, "kind": …, "color": …, "leaves": …, "bounding_box": …}]; boxes enclose the parts.
 [[nodiscard]] Json parts_json(const Model& model);
 
-/// {"cache": …, "time": …, "camera": …, "bounding_box": …, "geometry": …, "parts": …}, of which `parts` are told.
+/// {"volume": …, "volume_error": …, "area": …, "area_error": …, "centroid": …, "centroid_error": …, "moments": …,
+/// "moments_error": …, "bounding_box": …, "spacing": …, "parts": [{"name": …, "volume": …, …}]} by layers.
+[[nodiscard]] Json measures_json(const Model& model, double precision, const std::stop_token& stop);
+
+/// {"cache": …, "time": …, "camera": …, "bounding_box": …, "geometry": …, "parts": …, "measures": …}, of which `parts`
+/// are told.
 [[nodiscard]] Json summary_json(const SummaryParts& parts, const SummaryFigures& figures);
 
 }  // namespace ui

@@ -11,7 +11,7 @@ namespace ui {
 
 SummaryParts read_summary_parts(const std::vector<std::string>& names) {
     const std::vector<std::string> known{"all",          "cache", "time",   "camera", "geometry",
-                                         "bounding-box", "area",  "volume", "parts"};
+                                         "bounding-box", "area",  "volume", "parts",  "measures"};
     SummaryParts parts;
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -27,9 +27,11 @@ SummaryParts read_summary_parts(const std::vector<std::string>& names) {
         parts.area |= name == "area";
         parts.volume |= name == "volume";
         parts.parts |= name == "parts";
+        parts.measures |= name == "measures";
     }
-    return parts.all || names.empty() ? SummaryParts{true, true, true, true, true, true, true, true, parts.parts}
-                                      : parts;
+    return parts.all || names.empty()
+               ? SummaryParts{true, true, true, true, true, true, true, true, parts.parts, parts.measures}
+               : parts;
 }
 
 }  // namespace ui

@@ -10,8 +10,8 @@ namespace ui {
 struct SummaryParts {
     bool cache = false, time = false, camera = false, geometry = false, bounding_box = false, area = false,
          volume = false;
-    bool all = false;    ///< Said as such, or nothing was said.
-    bool parts = false;  ///< Told only where it is named.
+    bool all = false;                      ///< Said as such, or nothing was said.
+    bool parts = false, measures = false;  ///< Told only where they are named.
 
     /// Is the mesh (or the region) asked for by name? `all` takes it where it was made anyway.
     [[nodiscard]] bool needs_geometry() const { return !all && (geometry || area || volume); }

@@ -76,4 +76,18 @@ TEST_F(CheckProgram, ReportHasAPictureOfEachFinding) {
     EXPECT_EQ(Json::parse(folder_.read("found/report.json")).at("findings").size(), 1u);
 }
 
+TEST_F(CheckProgram, SummaryTellsMeasuresWithoutAMesh) {
+    folder_.write("two.scad", "cube([20, 10, 5]); translate([30, 0, 0]) cube(10);");
+    ASSERT_EQ(run("two.scad --parts top --precision 0.02 --summary measures --summary-file facts.json -q").status, 0);
+    const Json measures = Json::parse(folder_.read("facts.json")).at("measures");
+    EXPECT_NEAR(measures.at("volume").get<double>(), 2000, measures.at("volume_error").get<double>());
+    EXPECT_LE(measures.at("volume_error").get<double>(), 40);
+    ASSERT_EQ(measures.at("parts").size(), 2u);
+    EXPECT_NEAR(measures.at("parts")[0].at("volume").get<double>(), 1000, 20);
+    EXPECT_NEAR(measures.at("parts")[1].at("centroid")[0].get<double>(), 35, 0.1);
+    for (const char* const bad : {"--precision 0", "--precision 2", "--precision x"}) {
+        EXPECT_EQ(run(std::string("two.scad --summary measures ") + bad).status, 1) << bad;
+    }
+}
+
 }  // namespace

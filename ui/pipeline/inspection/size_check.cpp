@@ -1,38 +1,29 @@
 #include "ui/pipeline/inspection/size_check.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
-#include "base/camera.h"
-#include "base/stop.h"
-#include "goldfeather/lists_cpu/lists_cpu.h"
-#include "ui/pipeline/comparison/layer_volume.h"
-#include "ui/pipeline/comparison/solid_scene.h"
+#include "ui/pipeline/inspection/layer_measures.h"
 #include "ui/pipeline/picture/exact_bounds.h"
 
 namespace ui {
 
 namespace {
 
-/// Along the axis where the least may lie between the rays.
-LayerVolume volume_of(const Model& model, const std::stop_token& stop) {
-    const SolidScene solid = solid_scene(model.scene, model.geometry);
-    LayerVolume best;
-    bool known = false;
-    constexpr int kSide = 1024;
-    for (const glm::dvec3& rotation : {glm::dvec3(0, 0, 0), glm::dvec3(90, 0, 0), glm::dvec3(90, 0, 90)}) {
-        base::end_if_asked(stop);
-        base::Camera camera;
-        camera.projection = base::Projection::Orthographic;
-        camera.rotation = rotation;
-        base::view_all(camera, model.box.lo, model.box.hi, true);
-        const base::View view(camera, {kSide, kSide}, solid.geometry.box.lo, solid.geometry.box.hi);
-        const LayerVolume seen = layer_volume(goldfeather::peel_to_host(solid.scene, solid.geometry, view), view);
-        if (!known || seen.uncertainty < best.uncertainty) {
-            best = seen;
-            known = true;
+constexpr double kFirstPrecision = 0.02, kLastPrecision = 1e-4;
+
+/// As exact as it takes to tell on which side of the limits it is, or as can be.
+Measured volume_of(const Model& model, const CheckRequest& request, const std::stop_token& stop) {
+    Measured volume = measure_by_layers(model, kFirstPrecision, stop).all.volume;
+    for (const auto& limit : {request.min_volume, request.max_volume}) {
+        const double apart = limit ? std::abs(volume.value - *limit) : volume.error;
+        if (apart < volume.error) {
+            volume = measure_by_layers(model, std::max(kLastPrecision, 0.5 * apart / volume.value), stop).all.volume;
         }
     }
-    return best;
+    return volume;
 }
 
 }  // namespace
@@ -60,21 +51,21 @@ std::vector<Finding> size_findings(const Model& model, const CheckRequest& reque
         }
     }
     if (request.min_volume || request.max_volume) {
-        const LayerVolume volume = volume_of(model, stop);
+        const Measured volume = volume_of(model, request, stop);
         const auto tell = [&](const char* text, double limit) {
             Finding finding;
             finding.kind = FindingKind::Size;
             finding.text = text;
-            finding.value = volume.volume;
-            finding.error = volume.uncertainty;
+            finding.value = volume.value;
+            finding.error = volume.error;
             finding.limit = limit;
             finding.point = model.box.center();
             found.push_back(finding);
         };
-        if (request.max_volume && volume.volume - volume.uncertainty > *request.max_volume) {
+        if (request.max_volume && volume.value - volume.error > *request.max_volume) {
             tell("too large a volume", *request.max_volume);
         }
-        if (request.min_volume && volume.volume + volume.uncertainty < *request.min_volume) {
+        if (request.min_volume && volume.value + volume.error < *request.min_volume) {
             tell("too small a volume", *request.min_volume);
         }
     }
