@@ -5,7 +5,7 @@
 
 vec4 gooch(ivec2 pixel) {
     vec3 ray = pixel_ray(pixel);
-    vec3 direction = normalize(ray);
+    vec3 direction = mat3(view.eye_from_world) * normalize(ray);
     Composite seen = nothing_seen();
     Media media = media_at_eye(pixel);
     while (goes_on(seen, layer_count, least_seen())) {

@@ -5,11 +5,11 @@
 
 vec4 tech(ivec2 pixel) {
     vec3 ray = pixel_ray(pixel);
-    vec3 direction = normalize(ray);
+    vec3 direction = mat3(view.eye_from_world) * normalize(ray);
     int layers = most_layers > 0 ? min(most_layers, layer_count) : layer_count;
     Composite seen = nothing_seen();
     float strength = 1.0f;
-    while (goes_on(seen, layers, 0.004f)) {
+    while (goes_on(seen, layers, 0.008f)) {
         Surface s = layer_surface(pixel, seen.layer, ray);
         vec4 c = vec4(0.0f);
         if (s.hit) {
