@@ -10,7 +10,7 @@
 namespace npr {
 
 /// Fills `kept` with the surfaces for which `make_filter()`(surface) is true, nearest first; a filter is made anew for
-/// each pixel.
+/// each pixel. What was in `kept` is taken away; its memory is used again.
 template <typename MakeFilter>
 void filter_layers(const layers::HostStack& all, const MakeFilter& make_filter, layers::HostStack& kept,
                    const std::stop_token& stop = {}) {
@@ -38,7 +38,7 @@ void filter_layers(const layers::HostStack& all, const MakeFilter& make_filter, 
                             kept.planes[to++].depth[pixel] = s.depth;
                         }
                     }
-                    for (; to < kept.planes.size(); ++to) {
+                    for (const auto before = static_cast<std::size_t>(kept.counts[pixel]); to < before; ++to) {
                         kept.planes[to].surface[pixel] = {layers::kNoSurface, 0};
                         kept.planes[to].depth[pixel] = 0;
                     }

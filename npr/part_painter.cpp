@@ -29,14 +29,25 @@ struct Together : PixelFrame {
             seen = Frame::behind(seen, true, nearest->front().color);
             *nearest = nearest->subspan(1);
         }
-        return before_ground(seen.color, seen.through,
-                             ground == nullptr ? glm::vec3(0) : glm::vec3(straight_srgb(*ground)));
+        const bool bare = ground != nullptr && seen.through > 0;
+        return before_ground(seen.color, seen.through, bare ? srgb_of(*ground) : glm::vec3(0));
     }
 
   private:
+    /// Much of the ground has one color.
+    glm::vec3 srgb_of(const glm::vec4& ground) {
+        if (ground != last_ground_) {
+            last_ground_ = ground;
+            last_srgb_ = glm::vec3(straight_srgb(ground));
+        }
+        return last_srgb_;
+    }
     static bool before(const Note& a, const Note& b) {
         return a.depth > b.depth || (a.depth == b.depth && a.part < b.part);
     }
+
+    glm::vec4 last_ground_{0};
+    glm::vec3 last_srgb_{0};
 };
 
 }  // namespace

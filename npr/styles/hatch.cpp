@@ -27,7 +27,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::parts>(part_edges()),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 1, 0, 1)),
         setting<&Settings::spacing>(Parameter::number("spacing", "Distance of strokes", 3.5F, 2, 32)),
-        setting<&Settings::darkest>(Parameter::number("tone", "Darkest tone", 0.65F, 0, 1)),
+        setting<&Settings::darkest>(Parameter::number("tone", "Share of ink, at most", 0.65F, 0, 1)),
         setting<&Settings::wash>(Parameter::number("color", "Strength of surface colors", 0, 0, 1)),
         setting<&Settings::crossed_from>(
             Parameter::number("crossed", "Tone from which strokes are crossed", 0.4F, 0, 0.95F)),

@@ -27,7 +27,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::parts>(part_edges()),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 1, 0, 1)),
         setting<&Settings::spacing>(Parameter::number("spacing", "Distance of dots", 3.5F, 2, 32)),
-        setting<&Settings::darkest>(Parameter::number("tone", "Darkest tone", 0.65F, 0, 1)),
+        setting<&Settings::darkest>(Parameter::number("tone", "Share of ink, at most", 0.65F, 0, 1)),
         setting<&Settings::wash>(Parameter::number("color", "Strength of surface colors", 0, 0, 1)),
         setting<&Settings::seed>(Parameter::integer("seed", "Seed", 1, 0, 9999)),
         setting<&Settings::ink_color>(Parameter::color("ink", "Color of strokes", {0.1F, 0.09F, 0.09F})),

@@ -50,8 +50,10 @@ vec3 across_axis(vec3 axis) {
     return normalize(cross(axis, abs(axis.z) < 0.9f ? vec3(0.0f, 0.0f, 1.0f) : vec3(1.0f, 0.0f, 0.0f)));
 }
 
-// How dark a surface is to be, from 0 to `darkest`, by one light.
-float ink_tone(Surface s, float darkest) {
-    float direct = dot(mat3(view.eye_from_world) * s.normal, kLightDirection);
-    return darkest * (1.0f - max(direct, 0.0f));
+// How much of a surface ink is to cover, up to `most`, by one light: more where it is dark, or, where the ink is lighter
+// than the paper, where it is lit.
+float ink_tone(Surface s, float most) {
+    float lit = max(dot(mat3(view.eye_from_world) * s.normal, kLightDirection), 0.0f);
+    bool light_ink = dot(ink_color - paper_color, vec3(1.0f)) > 0.0f;
+    return most * (light_ink ? 0.1f + 0.9f * lit : 1.0f - lit);
 }
