@@ -293,6 +293,9 @@ class Run {
         if (extent_of(*model_) == Extent::Flat) {
             throw UsageError("--thickness: an outline in the plane has no walls; extrude it first");
         }
+        if (!request.reveal.empty()) {
+            throw UsageError("--thickness measures what the model hides and what it does not; leave --reveal out");
+        }
         request.scheme.face = request.scheme.cut = glm::vec3(1);
         const auto plain = without_colors(*shown_);
         base::Image image = renderer.render(*plain, request, limit_.token());

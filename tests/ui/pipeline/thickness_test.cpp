@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "npr/srgb.h"
 #include "npr/style.h"
 #include "tests/csg/scad/evaluate_text.h"
@@ -64,7 +66,7 @@ TEST(Thickness, WallsAreThoseOfTheSolid) {
 }
 
 TEST(Thickness, GapsAreThoseBetweenSolids) {
-    const auto model = model_of(std::string(kTray) + "translate([10, 10, 5.5]) cube([4, 4, 3]);");
+    const auto model = model_of(fmt::format("{}translate([10, 10, 5.5]) cube([4, 4, 3]);", kTray));
     PictureRequest picture = from_above();
     picture.camera.rotation = {40, 0, 0};
     const ThicknessMap map = map_of(*model, picture, {ThicknessRequest::What::Gap, false, {}});

@@ -94,19 +94,22 @@ void SolidProbe::inside(const Covers& covers, std::vector<csg::LeafId>& out) con
 }
 
 std::optional<Crossing> SolidProbe::crossing(csg::LeafId leaf, std::uint32_t triangle, const glm::dvec3& origin,
-                                             const glm::dvec3& direction) const {
+                                             const glm::dvec3& direction, double least, double most) const {
     const PlacedLeaf& placed = geometry_.leaves[leaf];
     const glm::uvec3& t = placed.triangles[triangle];
     const glm::dvec3 &a = placed.points[t.x], &b = placed.points[t.y], &c = placed.points[t.z];
-    const bool ab = left_of(origin, direction, a, b);
-    if (ab != left_of(origin, direction, b, c) || ab != left_of(origin, direction, c, a)) {
-        return std::nullopt;
-    }
     const csg::solid::Plane& plane = geometry_.planes.planes()[placed.planes[triangle].index];
     const double slope = glm::dot(plane.normal, direction);
     constexpr double kEdgeOn = 1e-9;  // Such a triangle is one of a pair that is passed at the same place.
     const double distance = std::abs(slope) > kEdgeOn ? (plane.offset - glm::dot(plane.normal, origin)) / slope
                                                       : glm::dot(direction, (a + b + c) / 3.0 - origin);
+    if (!(distance >= least && distance <= most)) {
+        return std::nullopt;
+    }
+    const bool ab = left_of(origin, direction, a, b);
+    if (ab != left_of(origin, direction, b, c) || ab != left_of(origin, direction, c, a)) {
+        return std::nullopt;
+    }
     // Seen along the ray its corners turn one way or the other: into what it bounds, or out of it.
     return Crossing{distance, leaf, triangle, ab ? -1 : 1};
 }
@@ -125,10 +128,10 @@ void SolidProbe::sides(const glm::dvec3& point, const glm::dvec3& normal,
         }
         int front = 0, here = 0;
         (void)triangles_[leaf]->tree.along(origin, normal, [&](std::uint32_t triangle) {
-            if (const auto met = crossing(leaf, triangle, point, normal)) {
+            if (const auto met = crossing(leaf, triangle, point, normal, -event_, kInfinity)) {
                 if (met->t > event_) {
                     front -= met->step;
-                } else if (met->t >= -event_) {
+                } else {
                     here += met->step;
                     out.met.push_back(*met);
                 }
@@ -154,8 +157,8 @@ void SolidProbe::crossings(const glm::dvec3& origin, const glm::dvec3& direction
                            std::vector<Crossing>& out) const {
     out.clear();
     const auto look = [&](std::uint32_t leaf, std::uint32_t triangle) {
-        const auto met = crossing(leaf, triangle, origin, direction);
-        if (met && met->t > event_ && met->t <= most) {
+        const auto met = crossing(leaf, triangle, origin, direction, event_, most);
+        if (met && met->t > event_) {
             out.push_back(*met);
         }
         return true;

@@ -75,8 +75,9 @@ class SolidProbe {
     };
     void sides(const glm::dvec3& point, const glm::dvec3& normal,
                const std::optional<std::pair<csg::LeafId, std::uint32_t>>& own, Sides& out) const;
+    /// From `least` to `most` along the ray.
     [[nodiscard]] std::optional<Crossing> crossing(csg::LeafId leaf, std::uint32_t triangle, const glm::dvec3& origin,
-                                                   const glm::dvec3& direction) const;
+                                                   const glm::dvec3& direction, double least, double most) const;
 
     const csg::Scene& scene_;
     const csg::solid::Geometry& geometry_;
