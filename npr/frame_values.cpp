@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "npr/samples.h"
+#include "npr/screen_door_settings.h"
 #include "npr/shine/view_dependent_settings.h"
 
 namespace npr {
@@ -43,6 +45,8 @@ const SettingsTable<FrameValues>& FrameValues::table() {
         setting<&FrameValues::transparency>(),
         setting<&FrameValues::medium_unit>(),
         setting<&FrameValues::medium_light>(),
+        setting<&FrameValues::door_size>(),
+        setting<&FrameValues::door_tilt>(),
         setting<&FrameValues::gooch_shading>(),
     };
     return all;
@@ -65,6 +69,9 @@ FrameValues frame_values(const Picture& picture, const base::View& view, const g
     v.transparent_background = picture.transparent_background;
     v.transparency = static_cast<int>(picture.transparency);
     v.medium_light = {picture.medium_light.ambient, picture.medium_light.directional};
+    const auto door = transparency_settings<ScreenDoorSettings>(picture);
+    v.door_size = door.size / static_cast<float>(std::sqrt(sample_offsets(picture.samples).size()));
+    v.door_tilt = door.silhouettes;
     v.gooch_shading = picture.transparency == Transparency::ViewDependent &&
                       transparency_settings<ViewDependentSettings>(picture).gooch;
     return v;

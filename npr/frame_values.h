@@ -21,6 +21,8 @@ struct FrameValues {
     int transparency{};        ///< A Transparency.
     float medium_unit{};       ///< See npr/medium_rows.h.
     glm::vec2 medium_light{};  ///< Ambient and directional.
+    float door_size{};         ///< In screen-door: of a surface's samples, in pixels.
+    bool door_tilt{};          ///< The same: tilted surfaces are more opaque.
     bool gooch_shading{};      ///< Cool to warm colors in place of light and dark.
 
     static const SettingsTable<FrameValues>& table();

@@ -11,10 +11,11 @@
 namespace npr {
 
 /// How many samples a pixel may have.
-inline constexpr std::array kSampleCounts{1, 4, 8, 16};
+inline constexpr std::array kSampleCounts{1, 4, 8, 16, 64, 256};
 
-/// Offsets from the pixel's center, in pixels: 1 (the center), 4 (rotated grid), 8 or 16 (each row and each column of
-/// the pixel's grid holds one). Other counts give the next larger set; counts above 16 give 16.
+/// Offsets from the pixel's center, in pixels: 1 (the center), 4 (rotated grid), or more (each row and each column of
+/// the pixel's grid holds one; of 64 and 256 each cell of a grid of 8 by 8 or 16 by 16, too). Other counts give the
+/// next larger set; counts above 256 give 256.
 [[nodiscard]] std::span<const glm::dvec2> sample_offsets(int count);
 
 /// The view of a picture's sample, one of sample_offsets(picture.samples).

@@ -56,7 +56,7 @@ struct Frame : FrameValues, LineCode {
                                    : surface_of(ids, depths[static_cast<std::size_t>(layer)][index(p)], ray);
     }
     [[nodiscard]] ShineRow shine_row(ivec2 p) const {
-        return shine[index(p)];
+        return shine.empty() ? ShineRow{-1, 1 << 30, 1, 0, 0} : shine[index(p)];
     }
     [[nodiscard]] vec4 premultiplied(vec3 color, float alpha) const {
         return {srgb->linear(color.r) * alpha, srgb->linear(color.g) * alpha, srgb->linear(color.b) * alpha, alpha};
@@ -68,7 +68,8 @@ struct Frame : FrameValues, LineCode {
 
     /// Does what is seen change from pixel to pixel, even where they see the same surfaces?
     [[nodiscard]] bool everywhere_new() const {
-        return transparency == kViewDependent || (transparency != kExact && medium_unit > 0);
+        return transparency == kViewDependent || transparency == kScreenDoor ||
+               (transparency != kExact && medium_unit > 0);
     }
     /// Do two pixels see the same planes of the same leaves, in all layers?
     [[nodiscard]] bool same_surfaces(ivec2 p, ivec2 q) const;

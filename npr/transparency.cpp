@@ -4,6 +4,7 @@
 #include <array>
 
 #include "npr/picture.h"
+#include "npr/screen_door_settings.h"
 #include "npr/shine/view_dependent_settings.h"
 
 namespace npr {
@@ -14,6 +15,8 @@ std::span<const TransparencyInfo> transparencies() {
         TransparencyInfo{Transparency::Volume, "volume", "Bodies"},
         TransparencyInfo{Transparency::ViewDependent, "view-dependent", "Illustration",
                          ViewDependentSettings::table().parameters()},
+        TransparencyInfo{Transparency::ScreenDoor, "screen-door", "Screen doors",
+                         ScreenDoorSettings::table().parameters()},
     };
     return kAll;
 }

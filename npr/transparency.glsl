@@ -16,6 +16,7 @@
 const int kExact = 0;
 const int kVolume = 1;
 const int kViewDependent = 2;
+const int kScreenDoor = 3;
 
 // Less light than this is as good as none.
 float least_seen() {
@@ -80,6 +81,20 @@ Surface shone_through(Surface s, ivec2 pixel, int layer) {
     return s;
 }
 
+#include "npr/screen_door.glsl"
+
+// In screen-door: a surface of what is seen through is there or is not.
+Surface with_door(Surface s, ivec2 pixel, vec3 ray) {
+    float opacity = base_color(s).a;
+    if (s.part_kind != kPartTranslucent || s.leaving || opacity <= 0.0f)
+        return s;
+    if (opacity >= 1.0f || behind_door(s, opacity, pixel, ray))
+        s.color.a = 1.0f;
+    else
+        s.covered = true;
+    return s;
+}
+
 // A layer of what is seen.
 Surface seen_surface(ivec2 pixel, int layer, vec3 ray) {
     Surface s = layer_surface(pixel, layer, ray);
@@ -87,6 +102,8 @@ Surface seen_surface(ivec2 pixel, int layer, vec3 ray) {
         s.covered = is_medium(s.part) || shared_with_another(s, pixel, layer, ray);
     if (transparency == kViewDependent)
         s = shone_through(s, pixel, layer);
+    if (transparency == kScreenDoor && s.hit && !s.covered)
+        s = with_door(s, pixel, ray);
     return s;
 }
 

@@ -18,6 +18,8 @@ enum class Transparency : int {
     /// Illustration: the nearest face, opaque within it, clear far from its silhouettes (Diepstraten, Weiskopf and
     /// Ertl 2002).
     ViewDependent = 2,
+    /// Some samples of a face are opaque, the others are not there (object-space screen doors).
+    ScreenDoor = 3,
 };
 
 /// What is known of a model; docs/transparency/ has a page for each.

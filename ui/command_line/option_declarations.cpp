@@ -136,7 +136,8 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "Distance of the lines of hatching on cut faces, in units of the model; 0: none (by the model's size)",
          "LENGTH", picture);
     text("--samples", raw.samples,
-         "Samples per pixel: 1, 4, 8 or 16 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N", picture);
+         "Samples per pixel: 1, 4, 8, 16, 64 or 256 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N",
+         picture);
     flag("--transparent-background", o.picture.transparent_background, "No background", picture);
     text("--view", raw.view, "Show axes, scales (of the axes), crosshairs and edges; several with commas between",
          "WHAT", picture);

@@ -276,7 +276,8 @@ void interpret(Options& o, const RawOptions& raw) {
         o.pick = read_pick(raw, o.picture.size);
     }
     if (!raw.samples.empty()) {
-        o.picture.samples = read_name<int>("--samples", raw.samples, {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}});
+        o.picture.samples = read_name<int>("--samples", raw.samples,
+                                           {{"1", 1}, {"4", 4}, {"8", 8}, {"16", 16}, {"64", 64}, {"256", 256}});
     }
     if (!raw.thickness.empty()) {
         o.thickness = read_thickness(raw.thickness);
