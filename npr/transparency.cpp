@@ -6,6 +6,7 @@
 #include "npr/picture.h"
 #include "npr/screen_door_settings.h"
 #include "npr/shine/view_dependent_settings.h"
+#include "npr/sorted/sorted_settings.h"
 
 namespace npr {
 
@@ -17,6 +18,7 @@ std::span<const TransparencyInfo> transparencies() {
                          ViewDependentSettings::table().parameters()},
         TransparencyInfo{Transparency::ScreenDoor, "screen-door", "Screen doors",
                          ScreenDoorSettings::table().parameters()},
+        TransparencyInfo{Transparency::Sorted, "sorted", "Sorted triangles", SortedSettings::table().parameters()},
     };
     return kAll;
 }

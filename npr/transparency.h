@@ -20,6 +20,8 @@ enum class Transparency : int {
     ViewDependent = 2,
     /// Some samples of a face are opaque, the others are not there (object-space screen doors).
     ScreenDoor = 3,
+    /// Triangles of the mesh, blended one after the other, back to front.
+    Sorted = 4,
 };
 
 /// What is known of a model; docs/transparency/ has a page for each.

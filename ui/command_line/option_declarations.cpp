@@ -97,6 +97,10 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "module=NAME is to be seen; may be repeated",
          "PART[,SHARE]", picture);
     text("--transparency", raw.transparency, transparencies.c_str(), "NAME[:KEY=VALUE,...]", picture);
+    text("--blend", raw.blend,
+         "In sorted: OpenGL's blend factors and equation; three more are those of alpha "
+         "(src-alpha,one-minus-src-alpha,add,one,one-minus-src-alpha,add)",
+         "SRC,DST[,EQUATION]", picture);
     list("--medium", raw.media,
          "In volume: what a part is made of, as 'PART: tau=0.3/mm, albedo=#aabbcc'; may be repeated", "MEDIUM",
          picture);
@@ -196,6 +200,7 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--samples",
                                    "--thickness",
                                    "--transparency",
+                                   "--blend",
                                    "--medium",
                                    "--medium-light",
                                    "--transparent-background",

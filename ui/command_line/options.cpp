@@ -154,6 +154,7 @@ void interpret_view(Options& o, const RawOptions& raw) {
 
 void interpret_transparency(npr::Picture& picture, const RawOptions& raw, bool part_styles) {
     read_transparency(picture, raw.transparency);
+    read_blend(picture, raw.blend);
     for (const std::string& medium : raw.media) {
         picture.media.push_back(read_medium(medium));
     }

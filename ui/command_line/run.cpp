@@ -95,6 +95,9 @@ class Run {
                 return false;
             }
         }
+        if (options_.statistics && options_.turntable && model_) {
+            write_output(*options_.statistics, text_of(statistics()));
+        }
         return true;
     }
 
@@ -371,7 +374,7 @@ class Run {
     /// What is written beside the outputs.
     void report() {
         language_.write_dependencies();
-        if (options_.statistics) {
+        if (options_.statistics && !options_.turntable) {  // Which has more to tell when it is through.
             write_output(*options_.statistics, text_of(statistics()));
         }
         if (options_.summary_file) {

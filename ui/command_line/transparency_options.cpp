@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -42,6 +45,35 @@ void read_transparency(npr::Picture& picture, const std::string& text) {
         } catch (const std::invalid_argument& error) {
             throw UsageError(fmt::format("--transparency {}: {}", model->name, error.what()));
         }
+    }
+}
+
+void read_blend(npr::Picture& picture, const std::string& text) {
+    if (text.empty()) {
+        return;
+    }
+    if (picture.transparency != npr::Transparency::Sorted) {
+        throw UsageError("--blend is for --transparency sorted");
+    }
+    std::vector<std::string> values;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        values.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (values.size() != 2 && values.size() != 3 && values.size() != 6) {
+        throw UsageError(
+            fmt::format("--blend {}: expected SRC,DST, SRC,DST,EQUATION or these for color and alpha", text));
+    }
+    // One of two or three is of color and alpha alike, as OpenGL has it.
+    const std::array<const char*, 3> color{"src", "dst", "equation"}, alpha{"src-alpha", "dst-alpha", "alpha-equation"};
+    try {
+        for (std::size_t i = 0; i < 3 && i < values.size(); ++i) {
+            picture.transparency_parameters.read(color[i], values[i]);
+            picture.transparency_parameters.read(alpha[i], values[values.size() == 6 ? i + 3 : i]);
+        }
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(fmt::format("--blend {}: {}", text, error.what()));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "goldfeather/choice.h"
 #include "goldfeather/walk_stats.h"
 #include "npr/reveal.h"
+#include "npr/sorted/index_sort.h"
 #include "ui/pipeline/json.h"
 #include "ui/pipeline/model.h"
 
@@ -20,7 +21,9 @@ struct PictureStatistics {
     double peel_ms = 0;
     double style_ms = 0;
     double read_ms = 0;
-    npr::Revealed revealed;  ///< In pictures that reveal parts.
+    npr::Revealed revealed;             ///< In pictures that reveal parts.
+    std::vector<npr::SortCount> sorts;  ///< In `sorted`: of each picture of the model so far.
+    std::size_t sorted_triangles = 0;   ///< Of the mesh; 0 where none was drawn.
 };
 
 /// [x, y, z]

@@ -1,6 +1,7 @@
 #include "ui/pipeline/picture/cpu_renderer.h"
 
 #include "goldfeather/surface_table.h"
+#include "ui/pipeline/picture/sorted_mesh.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -17,6 +18,7 @@ void CpuRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine
 }
 
 void CpuRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
+    sorted_.reset();
     if (!scene_ || generation_ != model.generation) {
         return;
     }
@@ -100,6 +102,28 @@ void CpuRenderer::paint_sample(const Model& model, const npr::Picture& picture, 
     const auto in_parts = [&](const npr::CpuFrame& frame) { parts_(frame); };
     accumulator_.paint_sample(picture.part_styles.empty() ? paint(*picture.style) : npr::Paint(in_parts), picture,
                               static_cast<std::size_t>(sample), subject, stop);
+    statistics_.style_ms += watch.lap();
+}
+
+void CpuRenderer::draw_sorted(const Model& model, const npr::Picture& picture, int sample,
+                              const std::stop_token& stop) {
+    begin(sample);
+    Stopwatch watch;
+    if (!sorted_ || sorted_generation_ != model.generation || !(sorted_scheme_ == picture.scheme)) {
+        sorted_ = std::make_unique<npr::SortedPainter>(colored_mesh(model, picture.scheme, stop));
+        sorted_generation_ = model.generation;
+        sorted_scheme_ = picture.scheme;
+        statistics_.upload_ms += watch.lap();
+    }
+    layers::HostStack none;  // It is not looked at.
+    accumulator_.paint_sample([&](const npr::CpuFrame& frame) { sorted_->paint(frame, sample == 0); }, picture,
+                              static_cast<std::size_t>(sample),
+                              {model.geometry.box.lo, model.geometry.box.hi,
+                               [&](const base::View&) -> const layers::HostStack& { return none; }},
+                              stop);
+    ++statistics_.samples;
+    statistics_.sorts = sorted_->counts();
+    statistics_.sorted_triangles = sorted_->mesh().triangles.size();
     statistics_.style_ms += watch.lap();
 }
 

@@ -10,6 +10,7 @@
 #include "layers/host_stack.h"
 #include "npr/painter/cpu_accumulate.h"
 #include "npr/part_painter.h"
+#include "npr/sorted/sorted_painter.h"
 #include "ui/pipeline/picture/picture_request.h"
 #include "ui/pipeline/statistics.h"
 
@@ -28,6 +29,8 @@ class CpuRenderer {
     using Peel = std::function<std::shared_ptr<const layers::HostStack>(const base::View& view, int layers)>;
     void draw_sample(const Model& model, const npr::Picture& picture, int sample, const Peel& peel,
                      const std::stop_token& stop = {});
+    /// The same of the model's mesh (draws_sorted).
+    void draw_sorted(const Model& model, const npr::Picture& picture, int sample, const std::stop_token& stop = {});
     [[nodiscard]] std::vector<glm::vec4> light() const { return accumulator_.light(); }
     [[nodiscard]] base::Image image() const { return accumulator_.image(); }
     /// The first surfaces of a view of one pixel (0: all).
@@ -58,6 +61,9 @@ class CpuRenderer {
     std::map<const npr::StyleInfo*, npr::Paint> styles_;  ///< Made when first used.
     layers::HostStack revealed_;
     npr::PartPainter parts_;
+    std::unique_ptr<npr::SortedPainter> sorted_;  ///< Of the model and scheme in its last picture; null before.
+    std::uint64_t sorted_generation_ = 0;
+    npr::ColorScheme sorted_scheme_;
     PictureStatistics statistics_;
 };
 

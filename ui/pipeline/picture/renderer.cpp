@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ui/pipeline/picture/sorted_mesh.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -41,9 +42,13 @@ void Renderer::draw_sample(const Model& model, const PictureRequest& request, in
     const npr::Picture picture = is_flat_picture(model, request) ? flat_picture(request, true) : npr::Picture(request);
     if (sample == 0) {
         peeled_on_cpu_ = choose_cpu(model, request.engine, layers_to_peel(picture, model));
-        on_cpu_ = peeled_on_cpu_ || !picture.part_styles.empty() || !picture.reveal.empty();
+        on_cpu_ = peeled_on_cpu_ || !picture.part_styles.empty() || !picture.reveal.empty() || draws_sorted(picture);
     }
-    if (peeled_on_cpu_) {
+    if (draws_sorted(picture)) {
+        cpu_.draw_sorted(model, picture, sample, stop);
+        statistics_ = cpu_.statistics();
+        statistics_.engine = choice_;
+    } else if (peeled_on_cpu_) {
         cpu_.draw_sample(model, picture, *choice_.engine, sample, stop);
         statistics_ = cpu_.statistics();
         statistics_.engine = choice_;
