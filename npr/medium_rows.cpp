@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "npr/part_style.h"
+
 namespace npr {
 namespace {
 
@@ -43,7 +45,7 @@ MediumTable media_of(const Picture& picture, std::span<const layers::PartLook> p
             albedo[c] = std::min(part.color[c] >= 0 ? part.color[c] : picture.scheme.face[c], 1.0F);
         }
         for (const PartMedium& given : picture.media) {
-            if (given.part == part.name) {
+            if (names_part(given.part, part.name)) {
                 attenuation = given.attenuation ? *given.attenuation : attenuation;
                 is_medium = true;
                 albedo = given.albedo ? glm::dvec3(*given.albedo) : albedo;

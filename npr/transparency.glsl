@@ -107,7 +107,8 @@ Surface seen_surface(ivec2 pixel, int layer, vec3 ray) {
     return s;
 }
 
-// The media that hold the eye: those that rays leave once more often than they enter them.
+// The media that hold the eye: those whose first surface is one where the ray leaves. Others may go on behind the last
+// layer that there is.
 Media media_at_eye(ivec2 pixel) {
     Media m = no_media(view.depth_range.z > 0.5f ? view.depth_range.x : 0.0f);
     if (transparency != kVolume)
@@ -117,7 +118,11 @@ Media media_at_eye(ivec2 pixel) {
         if (ids.x == kNoSurface)
             break;
         uint part = leaf_rows[leaf_of(ids)].part.x;
-        m = crossed(m, medium_rows[part].high, medium_rows[part].low, !is_leaving(ids));
+        bool first = is_leaving(ids);
+        for (int j = i - 1; j >= 0 && first; --j)
+            first = leaf_rows[leaf_of(surface_ids(pixel, j))].part.x != part;
+        if (first)
+            m = crossed(m, medium_rows[part].high, medium_rows[part].low, false);
     }
     return m;
 }

@@ -40,7 +40,7 @@ struct TransparencyInfo {
 
 /// What a part is made of, where its color and opacity are not to say it.
 struct PartMedium {
-    std::string part;                  ///< Its name (csg::Part).
+    std::string part;                  ///< Names of parts, as names_part() has them.
     std::optional<float> attenuation;  ///< Per millimeter, 0 or more.
     std::optional<glm::vec3> albedo;   ///< sRGB: the share of the light lost that is scattered to the eye.
 

@@ -20,8 +20,12 @@ class Easel {
 
     [[nodiscard]] const csg::Box& box() const { return subject_.geometry.box; }
 
-    [[nodiscard]] base::Image paint(const npr::Picture& picture, unsigned threads = 0) {
-        return paint(picture.style->make_paint(), picture, threads);
+    /// `layers`: the first so many; 0: all.
+    [[nodiscard]] base::Image paint(const npr::Picture& picture, unsigned threads = 0, int layers = 0) {
+        most_layers_ = layers;
+        base::Image image = paint(picture.style->make_paint(), picture, threads);
+        most_layers_ = 0;
+        return image;
     }
 
     [[nodiscard]] base::Image paint(const npr::Paint& paint, const npr::Picture& picture, unsigned threads = 0) {
@@ -53,7 +57,7 @@ class Easel {
                     unsigned threads) {
         const npr::CpuSubject subject{box().lo, box().hi, [&](const base::View& v) -> const layers::HostStack& {
                                           goldfeather::ListsStats stats;
-                                          goldfeather::peel_lists(lists_, v, 0, threads, layers_, stats);
+                                          goldfeather::peel_lists(lists_, v, most_layers_, threads, layers_, stats);
                                           return layers_;
                                       }};
         for (std::size_t i = 0; i < npr::sample_offsets(picture.samples).size(); ++i) {
@@ -71,6 +75,7 @@ class Easel {
     comparison::Subject subject_;
     goldfeather::ListsModel lists_;
     layers::HostStack layers_;
+    int most_layers_ = 0;
 };
 
 /// Pixels that differ by more than `channel` in some channel.

@@ -205,6 +205,25 @@ TEST(Volume, TheEyeMayBeInsideOfOneTwoAndThree) {
     }
 }
 
+/// Up to the Nth surface: as if what is behind the first two were not there.
+TEST(Volume, ByTheFirstLayersItIsWhatIsBetweenThem) {
+    const Model near = colored({1, 0, 0, 0.5F}, box({-9, -9, 2}, {18, 18, 4})),
+                far = colored({0, 0, 1, 0.5F}, box({-9, -9, -6}, {18, 18, 4}));
+    npr::Picture picture = picture_of(Easel(all({near, far})).box(), Transparency::Volume);
+    picture.camera.projection = base::Projection::Orthographic;
+    picture.camera.rotation = {0, 0, 0};
+    picture.media = {{"#ff000080", 0.2F, glm::vec3(0.7F, 0.2F, 0.1F)}, {"#0000ff80", 0.2F, glm::vec3(0.1F)}};
+    const auto first = [&](const Model& model, int layers) {
+        const base::Image image = Easel(model).paint(picture, 0, layers);
+        const auto c = image.pixel(48, 48);
+        return glm::ivec3(c[0], c[1], c[2]);
+    };
+    EXPECT_EQ(first(all({near, far}), 2), first(near, 0));
+    EXPECT_EQ(first(all({near, far}), 3), first(near, 0))
+        << "the second body is entered, and how far it goes is not known";
+    EXPECT_NE(first(all({near, far}), 4), first(near, 0));
+}
+
 /// A plate of the thickness that opacity is said of has that opacity.
 TEST(Volume, OpacityIsThatOfTheStatedThickness) {
     // Diagonal: 30 by the frame about it; thickness 3.

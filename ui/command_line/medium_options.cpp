@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "npr/parameter.h"
+#include "npr/part_style.h"
 #include "ui/command_line/option_values.h"
 #include "ui/pipeline/part_names.h"
 
@@ -80,7 +81,7 @@ npr::MediumLight read_medium_light(const std::string& text) {
 void need_parts(std::span<const npr::PartMedium> media, const csg::Scene& scene) {
     for (const npr::PartMedium& medium : media) {
         if (std::none_of(scene.parts.begin(), scene.parts.end(),
-                         [&](const csg::Part& part) { return part.name == medium.part; })) {
+                         [&](const csg::Part& part) { return npr::names_part(medium.part, part.name); })) {
             throw UsageError(unknown_part(scene, "--medium", medium.part));
         }
     }

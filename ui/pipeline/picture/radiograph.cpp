@@ -32,8 +32,7 @@ base::FloatImage::Channel channel(std::string name, const std::vector<glm::vec4>
 }
 
 PictureRequest in_millimeters(PictureRequest request) {
-    constexpr int kValues = 3;  // Of npr/styles/radiograph_tones.glsl.
-    request.parameters.set("colors", kValues);
+    request.parameters.read("colors", "values");
     return request;
 }
 
