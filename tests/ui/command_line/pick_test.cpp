@@ -241,7 +241,7 @@ TEST_F(Pick, SaysWhatIsWrong) {
     const Result help = run("pick --help");
     EXPECT_EQ(help.status, 0);
     EXPECT_NE(help.out.find("--at X,Y"), std::string::npos) << help.out;
-    EXPECT_EQ(help.out.find("--style"), std::string::npos);
+    EXPECT_EQ(help.out.find("--style STYLE"), std::string::npos);
 }
 
 }  // namespace
