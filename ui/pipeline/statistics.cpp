@@ -58,6 +58,8 @@ Json to_json(const PictureStatistics& s) {
                  {"parity_slots", s.walk.slots},
                  {"longest_list", s.walk.longest_list},
                  {"pixel_memory", s.walk.memory},
+                 {"peeled_away", s.revealed.layers},
+                 {"revealed_share", s.revealed.share},
                  {"ms", {{"upload", s.upload_ms}, {"peel", s.peel_ms}, {"style", s.style_ms}, {"read", s.read_ms}}}};
     if (s.sorted_triangles > 0) {
         json["sorted"] = sorts(s);
