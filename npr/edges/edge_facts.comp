@@ -6,6 +6,7 @@
 
 uniform float crease_angle;
 uniform bool part_edges;
+uniform bool follow_borders;
 uniform bool clearing;  // the first of two passes
 
 layout(local_size_x = 64) in;

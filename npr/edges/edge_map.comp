@@ -4,6 +4,7 @@
 
 uniform float crease_angle;  // between normals, from which a bend is an inner edge
 uniform bool part_edges;     // boundaries of parts and colors on smooth surfaces are inner edges
+uniform bool follow_borders;
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 3) readonly buffer Candidates {

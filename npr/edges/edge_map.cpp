@@ -97,6 +97,7 @@ void EdgeMap::draw(const Frame& frame, const EdgeSettings& settings) {
     if (count > 0) {
         find_edges_.program().set("crease_angle", glm::radians(settings.crease_degrees));
         find_edges_.program().set("part_edges", settings.parts);
+        find_edges_.program().set("follow_borders", settings.follow_borders);
         gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
         gl_.BindImageTexture(1, marks_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
         gl_.BindImageTexture(2, tiles_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
@@ -123,6 +124,7 @@ void EdgeMap::find_facts(const Frame& frame, const EdgeSettings& settings, std::
     }
     find_facts_->program().set("crease_angle", glm::radians(settings.crease_degrees));
     find_facts_->program().set("part_edges", settings.parts);
+    find_facts_->program().set("follow_borders", settings.follow_borders);
     for (const bool clearing : {true, false}) {
         gl_.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
         gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32UI);

@@ -16,10 +16,11 @@ namespace npr {
 
 /// What counts as an edge.
 struct EdgeSettings {
-    float crease_degrees = 33;  ///< Between normals, from which a bend is an inner edge.
-    bool parts = true;          ///< Whether boundaries of parts and of colors on smooth surfaces are inner edges.
-    bool visible_only = false;  ///< Only edges that no opaque surface hides are asked for; there may be others.
-    bool facts = false;         ///< Whether what lines are is asked for, too (npr/edges/line_facts.glsl).
+    float crease_degrees = 33;   ///< Between normals, from which a bend is an inner edge.
+    bool parts = true;           ///< Whether boundaries of parts and of colors on smooth surfaces are inner edges.
+    bool visible_only = false;   ///< Only edges that no opaque surface hides are asked for; there may be others.
+    bool follow_borders = true;  ///< Whether outlines at faces seen edge-on are where the surface's border tells.
+    bool facts = false;          ///< Whether what lines are is asked for, too (npr/edges/line_facts.glsl).
 };
 
 }  // namespace npr

@@ -111,6 +111,10 @@ Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
             o.across = normalize(m.apart);
         }
     }
+    if (!follow_borders) {
+        o.at = o.at < -0.1f || o.at > 2.0f ? 0.5f : clamp(o.at, 0.0f, 1.0f);
+        return o;
+    }
     bool crosses = o.beside < 0.5f && o.at > -0.1f && o.at < 1.1f;
     o.at = clamp(o.at, 0.0f, 1.0f);
     // On curved surfaces front and back need not be neighbors: they may meet beside the border, about in parallel.

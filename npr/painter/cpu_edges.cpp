@@ -18,10 +18,11 @@ struct EdgeSearch : Frame {
         : Frame(frame),
           part_edges(settings.parts),
           visible_only(settings.visible_only),
+          follow_borders(settings.follow_borders),
           facts(settings.facts),
           crease_angle(radians(settings.crease_degrees)) {}
 
-    bool part_edges, visible_only, facts;
+    bool part_edges, visible_only, follow_borders, facts;
     float crease_angle;
 
 #include "npr/edges/same_surface.glsl"

@@ -14,6 +14,7 @@ struct Settings : LinedSettings {
         visible_only = true;
         hidden_width = width;
         hard = !smooth_lines;
+        follow_borders = smooth_lines;
         complete_lines(picture);
     }
     static const SettingsTable<Settings>& table();
