@@ -21,6 +21,7 @@ void DrawCommands::draw(GLenum mode, const std::stop_token& stop) const {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.id());
     const auto draw_commands = [&](GLsizei first, GLsizei end) {
         const std::size_t offset = static_cast<std::size_t>(first) * sizeof(DrawCommand);
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL wants an offset as a pointer.
         gl_.MultiDrawArraysIndirect(mode, reinterpret_cast<const void*>(offset), end - first, 0);
     };
     if (!stop.stop_possible()) {

@@ -230,6 +230,7 @@ class Rewriter {
             // not(a - b) = not a + b
             const bool complement = choice.complement != (e.kind == ExpressionKind::Difference && c > 0);
             const Box& own = box_of(children[c]);
+            // NOLINTNEXTLINE(bugprone-use-after-move): it is moved with the last child only.
             if (!complement && !may_show(csg::intersect(state.box, own), own)) {
                 ++stats_.pruned_products;
                 continue;

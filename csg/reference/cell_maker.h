@@ -90,6 +90,7 @@ class CellMaker {
         std::sort(ids.begin(), ids.end());
         ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
         std::vector<std::pair<typename Kernel::Point_2, std::uint32_t>> points;
+        points.reserve(ids.size());
         for (const std::uint32_t id : ids) {
             points.emplace_back(at(id), id);
         }

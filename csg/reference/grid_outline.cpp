@@ -84,6 +84,7 @@ struct Split {
 /// cross because they were rounded have one of their four ends near the other edge.
 std::vector<Split> touching_corners(const std::vector<Edge>& edges) {
     std::vector<Box> boxes;
+    boxes.reserve(edges.size());
     for (const Edge& e : edges) {
         boxes.push_back(enclose(enclose({}, {e.from, 0}), {e.to, 0}));
     }

@@ -54,7 +54,7 @@ std::vector<Region> regions_of(std::span<const std::vector<glm::dvec2>> loops) {
         if (around == nullptr) {
             throw std::runtime_error("a hole lies in nothing");
         }
-        around->add_hole(std::move(hole));
+        around->add_hole(hole);
     }
     return regions;
 }

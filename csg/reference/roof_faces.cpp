@@ -18,11 +18,10 @@ std::vector<std::uint32_t> reduced(std::span<const std::uint32_t> loop) {
     }
     std::size_t from = 0, to = kept.size();
     while (to - from > 1) {
-        if (kept[from] == kept[to - 1]) {
-            --to;
-        } else if (to - from > 2 && (kept[from + 1] == kept[to - 1])) {
+        const bool same_ends = kept[from] == kept[to - 1], longer = to - from > 2;
+        if (!same_ends && longer && kept[from + 1] == kept[to - 1]) {
             ++from;
-        } else if (to - from > 2 && (kept[from] == kept[to - 2])) {
+        } else if (same_ends || (longer && kept[from] == kept[to - 2])) {
             --to;
         } else {
             break;

@@ -60,7 +60,7 @@ std::string zip(const std::vector<std::pair<std::string, std::string>>& entries)
         put(head, static_cast<std::uint32_t>(name.size()), 2);
         put(head, 0, 2);  // extra
         put(out, 0x04034b50, 4);
-        out += head + name + packed;
+        out.append(head).append(name).append(packed);
         put(directory, 0x02014b50, 4);
         put(directory, 20, 2);
         directory += head;

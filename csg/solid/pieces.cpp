@@ -102,6 +102,7 @@ Mesh united(std::vector<Mesh> meshes, const Tools& tools) {
         return std::move(meshes[0]);
     }
     std::vector<Box> boxes;
+    boxes.reserve(meshes.size());
     for (const Mesh& mesh : meshes) {
         boxes.push_back(bounds_of(std::span(&mesh, 1)));
     }

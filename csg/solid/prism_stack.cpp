@@ -99,6 +99,7 @@ std::optional<PrismStack> prisms_of_solid(const Piece& piece) {
     }
     const double rounding = reach * kRounding;
     std::vector<double> heights;
+    heights.reserve(points.size());
     for (const glm::dvec3& p : points) {
         heights.push_back(p.z);
     }

@@ -97,7 +97,7 @@ std::shared_ptr<const Solid> SolidCache::get(const Tree& tree, NodeId node, cons
         const LeafShape& shape = tree.shape(node);
         if (!std::holds_alternative<std::shared_ptr<const Import>>(shape) &&
             !std::holds_alternative<std::shared_ptr<const Surface>>(shape)) {
-            const auto solid = of_node(tree, node, [&] { return get(shape, stop); });
+            auto solid = of_node(tree, node, [&] { return get(shape, stop); });
             tell(tree, node, *solid, remarks);
             return solid;
         }

@@ -73,7 +73,8 @@ void set_below_each_other(const Font& font, std::vector<Glyph>& glyphs) {
         hb_font_get_glyph_v_origin(font.shaper.get(), glyph.index, &x, &y);
         hb_glyph_extents_t box{};
         hb_font_get_glyph_extents(font.shaper.get(), glyph.index, &box);
-        glyph.offset.y += y - (box.y_bearing + (line + box.height) / 2);
+        const hb_position_t middle = (line + box.height) / 2;  // Whole units, as fonts have them.
+        glyph.offset.y += y - (box.y_bearing + middle);
         glyph.advance.y -= line + hb_font_get_glyph_v_advance(font.shaper.get(), glyph.index);
     }
 }

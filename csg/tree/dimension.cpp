@@ -25,11 +25,9 @@ std::vector<Dimension> dimensions(const Tree& tree) {
         const Operation operation = tree.node(id).operation;
         if (operation == Operation::Leaf) {
             result[id] = is_flat(tree.shape(id)) ? Dimension::Flat : Dimension::Solid;
-        } else if (operation != Operation::Mesh) {
-            result[id] = of_children(tree, id, result);
-        } else if (const MeshOperation& mesh = tree.mesh(id); is_one_of<LinearExtrude, RotateExtrude, Roof>(mesh)) {
+        } else if (operation == Operation::Mesh && is_one_of<LinearExtrude, RotateExtrude, Roof>(tree.mesh(id))) {
             result[id] = Dimension::Solid;
-        } else if (is_one_of<Offset, Fill, Projection>(mesh)) {
+        } else if (operation == Operation::Mesh && is_one_of<Offset, Fill, Projection>(tree.mesh(id))) {
             result[id] = Dimension::Flat;
         } else {
             result[id] = of_children(tree, id, result);

@@ -74,7 +74,7 @@ LeafId insert_leaf(Scene& scene, const Site& site, ExpressionKind operation, Lea
     }
     shift_leaves(scene, part, id, 1);
     leaf.part = part;
-    scene.leaves.insert(scene.leaves.begin() + id, std::move(leaf));
+    scene.leaves.insert(scene.leaves.begin() + id, leaf);
 
     // Behind the expression stand the new leaf and the new whole, which takes its place.
     renumber(scene, part, [&](std::uint32_t i) { return i < expression ? i : i + 2; });
@@ -106,7 +106,7 @@ class PartCopier {
                 copy.color = look->color;
                 copy.hatching = look->hatching;
             }
-            to_.leaves.push_back(std::move(copy));
+            to_.leaves.push_back(copy);
         }
         const auto first = static_cast<std::uint32_t>(to_.expressions.size());
         for (std::uint32_t i = part.first_expression; i <= part.root; ++i) {

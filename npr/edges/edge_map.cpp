@@ -159,8 +159,8 @@ std::vector<HostEdge> EdgeMap::read_back() const {
             }
             const auto e = code.unpack_edge(points[pixels * static_cast<std::size_t>(slice) + i]);
             const std::size_t words = 2 * pixels * static_cast<std::size_t>(slice) + i;
-            const glm::vec2 lower(static_cast<float>(i % static_cast<std::size_t>(size.x)),
-                                  static_cast<float>(i / static_cast<std::size_t>(size.x)));
+            const std::size_t row = i / static_cast<std::size_t>(size.x);
+            const glm::vec2 lower(static_cast<float>(i % static_cast<std::size_t>(size.x)), static_cast<float>(row));
             edges.push_back({lower + 0.5F + jitter_ + (axis == 0 ? glm::vec2(e.at, 0) : glm::vec2(0, e.at)), e.across,
                              layer, e.kind == code.kProfileEdge,
                              has_facts_ ? code.unpack_facts({facts[words], facts[words + pixels]}) : code.no_facts()});

@@ -8,7 +8,6 @@
 namespace {
 
 using goldfeather::choose_engine;
-using goldfeather::EngineConditions;
 using goldfeather::EngineInfo;
 using goldfeather::find_engine;
 

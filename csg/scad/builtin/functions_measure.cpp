@@ -32,7 +32,7 @@ auto answer(FunctionHost& host, std::string_view name, Ask&& ask)
         return std::nullopt;
     }
     MeasureWarnings warnings;
-    const auto result = ask(*host.measures, warnings);
+    auto result = ask(*host.measures, warnings);
     for (std::string& warning : warnings.of_file) {
         host.warn_without_place(std::move(warning));
     }

@@ -250,6 +250,7 @@ void Evaluator::instantiate_user(const Instantiation& i, const DefinitionRef& de
         for (const auto& [known, slot] : info.other_arguments) {
             if (known == other) {
                 body.slots[slot] = std::move(value);
+                break;
             }
         }
     }

@@ -344,7 +344,10 @@ Value Evaluator::run(Activation& a, std::uint32_t entry) {
                 a.step.at = &i;
                 fail_assertion(p_[i.e].where, i.b, i.flag != 0 ? &at(i.a) : nullptr);
             case Opcode::Return:
-                return (i.a & 1U) != 0 ? constants[i.a >> 1U] : std::move(r[i.a >> 1U]);
+                if ((i.a & 1U) != 0) {
+                    return constants[i.a >> 1U];
+                }
+                return std::move(r[i.a >> 1U]);
         }
     }
 }

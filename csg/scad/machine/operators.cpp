@@ -51,9 +51,10 @@ std::optional<int> order(const Value& a, const Value& b, std::size_t& steps, int
         case ValueType::Vector: {
             const auto x = a.elements(), y = b.elements();
             for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-                constexpr int kUnordered = 2;  // What is no number does not decide: the elements after it do.
                 const auto o = order(x[i], y[i], steps, depth + 1);
-                if (o != 0 && o != kUnordered) {
+                // What is equal does not decide, nor does what is no number: the elements after it do.
+                const bool decides = !o.has_value() || *o == -1 || *o == 1;
+                if (decides) {
                     return o;
                 }
             }

@@ -134,7 +134,7 @@ Token Lexer::finish(TokenKind kind, const Place& begin) const {
     return token;
 }
 
-Token Lexer::error(const Place& begin, std::string text) {
+Token Lexer::error(const Place& begin, std::string_view text) {
     failed_ = finish(TokenKind::Error, begin);
     failed_.name = symbols_.intern(text);
     return failed_;
@@ -162,7 +162,6 @@ std::size_t Lexer::blank_bytes() const {
         case '\r':
         case '\f':
         case '\v':
-            return 1;
         case '\xA0':
             return 1;
         case '\xC2':
@@ -207,12 +206,9 @@ bool Lexer::skip_blanks() {
         } else if (c == '\n') {
             ++place_.line;
             place_.line_start = ++place_.at;
-        } else if (c > ' ' && c != '/') {
+        } else if (c > ' ' && (c != '/' || (peek(1) != '/' && peek(1) != '*'))) {
             break;
         } else if (c == '/') {
-            if (peek(1) != '/' && peek(1) != '*') {
-                break;
-            }
             const Place begin = place_;
             if (!skip_comment()) {
                 place_ = begin;

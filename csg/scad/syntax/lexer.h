@@ -42,7 +42,7 @@ class Lexer {
     [[nodiscard]] std::uint32_t column() const { return static_cast<std::uint32_t>(place_.at - place_.line_start) + 1; }
     [[nodiscard]] SourceRange since(const Place& begin) const;
     [[nodiscard]] Token finish(TokenKind kind, const Place& begin) const;
-    Token error(const Place& begin, std::string text);
+    Token error(const Place& begin, std::string_view text);
     void warn(const SourceRange& where, std::string text) const;
 
     void advance();       ///< By one byte, or a line end of two.

@@ -114,8 +114,8 @@ std::optional<std::uint32_t> Files::include(const std::string& name, std::uint32
 }
 
 void Files::use(const std::string& name, std::uint32_t from, UnitId unit, const SourceRange& where) {
-    Found found = find(name, from, {});
-    Use use{found.file ? std::move(found.path) : name, kNone, is_font(name), where};
+    const Found found = find(name, from, {});
+    Use use{found.file ? found.path : name, kNone, is_font(name), where};
     if (!found.file) {
         report(sink_, {Severity::Warning, where,
                        found.problem.empty() ? fmt::format("Can't open library '{}'.", name)

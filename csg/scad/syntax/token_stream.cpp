@@ -189,7 +189,7 @@ bool TokenStream::enter(const Token& include, const std::string& name, Token& fa
     return true;
 }
 
-Token TokenStream::too_much(const Token& include, std::string text) {
+Token TokenStream::too_much(const Token& include, std::string_view text) {
     Token failed;
     failed.kind = TokenKind::Error;
     failed.name = files_->program().symbols.intern(text);

@@ -56,7 +56,7 @@ class TokenStream {
     bool read_piece(Token& token);
     void read(Token& token);
     void read_next();
-    [[nodiscard]] Token too_much(const Token& include, std::string text);
+    [[nodiscard]] Token too_much(const Token& include, std::string_view text);
     bool enter(const Token& include, const std::string& name, Token& failed);
 
     Files* files_ = nullptr;  ///< Null for what names no files.

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kDigits = 6;
 constexpr std::uint32_t kTooMany = 1'000'000;  // 10^kDigits
+constexpr double kFewest = 1e5;                 // The least number of kDigits.
 
 /// Writes the digits of `value`, as many as `count`, the first ones zeros where it is smaller.
 void write_digits(char* out, std::uint32_t value, std::size_t count) {
@@ -56,7 +57,7 @@ bool append_plain_number(std::string& out, double number) {
         behind = kDigits - digits_of(whole);
     } else {
         behind = kDigits;
-        while (behind < kPowers.size() && size * kPowers[behind] < kTooMany / 10) {
+        while (behind < kPowers.size() && size * kPowers[behind] < kFewest) {
             ++behind;
         }
         if (behind == kPowers.size()) {
@@ -67,7 +68,7 @@ bool append_plain_number(std::string& out, double number) {
     const double floor = std::floor(scaled);
     const double rest = scaled - floor;
     constexpr double kTooClose = 1e-9;
-    if (std::abs(rest - 0.5) < kTooClose || scaled < kTooMany / 10 - 0.5) {
+    if (std::abs(rest - 0.5) < kTooClose || scaled < kFewest - 0.5) {
         return false;
     }
     auto digits = static_cast<std::uint32_t>(floor) + (rest > 0.5 ? 1 : 0);

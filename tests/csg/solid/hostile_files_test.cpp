@@ -87,8 +87,6 @@ zip_int64_t blanks(void* left, void* data, zip_uint64_t size, zip_source_cmd_t c
         case ZIP_SOURCE_SUPPORTS:
             return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT,
                                                   ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, -1);
-        case ZIP_SOURCE_ERROR:
-            return 0;
         default:
             return 0;
     }
