@@ -113,7 +113,7 @@ TEST(Robustness, EveryPrefixOfEveryFile) {
 
 TEST(Robustness, MutatedFiles) {
     const std::vector<std::string> all = sources();
-    constexpr char kOdd[] =
+    static constexpr char kOdd[] =
         "(){}[]<>;:,.?!#%*&|~^=+-/\\\"'$ \n\r\t\0\x01\xC3\xA0\xFF"
         "e0x1";
     constexpr std::string_view odd(kOdd, sizeof kOdd - 1);
