@@ -8,7 +8,7 @@ namespace ui {
 
 void Document::receive(Revision revision) {
     received_ = true;
-    cancelled_ = false;
+    canceled_ = false;
     failed_ = !revision.model;
     if (revision.model) {
         model_ = std::move(revision.model);
@@ -49,8 +49,8 @@ std::string Document::trouble() const {
         case DocumentState::Good:
             break;
     }
-    if (cancelled_) {
-        return fmt::format("Cancelled: F5 begins anew. {}", kept);
+    if (canceled_) {
+        return fmt::format("Canceled: F5 begins anew. {}", kept);
     }
     return {};
 }

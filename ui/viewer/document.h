@@ -27,7 +27,7 @@ class Document {
     void add_message(LineKind kind, const std::string& text) { messages_.add(kind, text); }
     void clear_messages() { messages_ = {}; }
     /// The revision that was being made is given up.
-    void cancel() { cancelled_ = true; }
+    void cancel() { canceled_ = true; }
     /// The values of the customizer's parameters in revisions to come.
     void customize(std::vector<std::string> definitions) { source_.customized = std::move(definitions); }
     /// What revisions to come show instead of the model; nothing: the model.
@@ -60,7 +60,7 @@ class Document {
     bool received_ = false;
     bool failed_ = false;
     bool gone_ = false;
-    bool cancelled_ = false;
+    bool canceled_ = false;
 };
 
 }  // namespace ui

@@ -35,7 +35,7 @@ bool draw_parameter(const npr::Parameter& parameter, npr::Value& value);
 void draw_console(const Rectangle& place, const Session& session, const Fonts& fonts, float& height,
                   Commands& commands);
 
-/// State of the document on the left, where an evaluation that takes long can be cancelled, of the picture on the
+/// State of the document on the left, where an evaluation that takes long can be canceled, of the picture on the
 /// right. `note`: what was done last.
 void draw_status(const Rectangle& place, const Session& session, const PictureInfo& picture, const std::string& note,
                  Commands& commands);

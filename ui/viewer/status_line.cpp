@@ -11,7 +11,7 @@ namespace ui {
 
 namespace {
 
-/// An evaluation that takes longer is worth being cancelled.
+/// An evaluation that takes longer is worth being canceled.
 constexpr double kSoon = 1;
 
 struct Lamp {

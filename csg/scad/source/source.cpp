@@ -136,7 +136,8 @@ class InputFile {
         const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(data) + kPage - 1) & ~(kPage - 1);
         const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(data) + size) & ~(kPage - 1);
         if (end > begin + 4 * kPage) {
-            (void)madvise(data + (begin - reinterpret_cast<std::uintptr_t>(data)), end - begin, MADV_POPULATE_WRITE);  // If it can.
+            (void)madvise(data + (begin - reinterpret_cast<std::uintptr_t>(data)), end - begin,
+                          MADV_POPULATE_WRITE);  // If it can.
         }
 #else
         (void)data, (void)size;

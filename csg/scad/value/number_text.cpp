@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kDigits = 6;
 constexpr std::uint32_t kTooMany = 1'000'000;  // 10^kDigits
-constexpr double kFewest = 1e5;                 // The least number of kDigits.
+constexpr double kFewest = 1e5;                // The least number of kDigits.
 
 /// Writes the digits of `value`, as many as `count`, the first ones zeros where it is smaller.
 void write_digits(char* out, std::uint32_t value, std::size_t count) {

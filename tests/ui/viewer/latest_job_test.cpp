@@ -57,7 +57,7 @@ TEST(LatestJob, ANewerJobStopsTheOlderAndDropsItsResult) {
     EXPECT_EQ(jobs.take(), std::nullopt);
 }
 
-TEST(LatestJob, ACancelledJobGivesNothing) {
+TEST(LatestJob, ACanceledJobGivesNothing) {
     std::promise<void> begun;
     LatestJob<int> jobs;
     jobs.start([&](const std::stop_token& stop) {
