@@ -73,7 +73,8 @@ TEST_P(AccumulateTest, AlphaIsStraight) {
 }
 
 TEST_P(AccumulateTest, SamplesAreSpreadEvenly) {
-    for (const auto& [asked, given] : {std::pair{-1, 1}, {1, 1}, {2, 4}, {4, 4}, {7, 8}, {16, 16}, {99, 16}}) {
+    for (const auto& [asked, given] :
+         {std::pair{-1, 1}, {1, 1}, {2, 4}, {4, 4}, {7, 8}, {16, 16}, {17, 64}, {99, 256}, {300, 256}}) {
         npr::Accumulator accumulator(gl());
         Constant style(gl(), glm::vec4(1));
         (void)draw(style, accumulator, asked);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <utility>
 
 #include "npr/accumulate.h"
@@ -55,11 +56,13 @@ void SaveForm::fields(const PictureRequest& shown, bool& save) {
         size_ = glm::clamp(size, 1, kLargestSide);
     }
     label("Samples");
-    const auto at =
-        std::find(npr::kSampleCounts.begin(), npr::kSampleCounts.end(), samples_) - npr::kSampleCounts.begin();
-    int chosen = static_cast<int>(at);
-    if (ImGui::Combo("##samples", &chosen, "1\0004\0008\00016\0")) {
-        samples_ = npr::kSampleCounts[static_cast<std::size_t>(chosen)];
+    if (ImGui::BeginCombo("##samples", std::to_string(samples_).c_str())) {
+        for (const int count : npr::kSampleCounts) {
+            if (ImGui::Selectable(std::to_string(count).c_str(), count == samples_)) {
+                samples_ = count;
+            }
+        }
+        ImGui::EndCombo();
     }
     label("Background");
     ImGui::Checkbox("transparent", &transparent_);
