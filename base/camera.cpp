@@ -75,6 +75,35 @@ void view_all(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, bool a
     camera.distance = radius > 0 ? radius / std::sin(radians(camera.fov / 2)) : Camera{}.distance;
 }
 
+void view_tight(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, double aspect, double margin, bool center) {
+    if (!(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z)) {
+        camera.distance = Camera{}.distance;
+        return;
+    }
+    if (center) {
+        camera.target = 0.5 * (lo + hi);
+    }
+    camera.distance = 0;
+    const glm::dmat4 turned = camera.eye_from_world();
+    const double tangent = std::tan(radians(camera.fov / 2)) * (1 - 2 * margin);
+    const glm::dvec2 slope(tangent * aspect, tangent);
+    const bool flat = camera.projection == Projection::Orthographic;
+    // A corner is in the picture where |x - x of the axis| <= slope * (distance - z), without z in an orthographic one.
+    glm::dvec2 right(-std::numeric_limits<double>::infinity()), left(right);
+    for_each_corner(turned, lo, hi, [&](const glm::dvec3& p) {
+        const glm::dvec2 depth = slope * (flat ? 0.0 : p.z);
+        right = glm::max(right, glm::dvec2(p) + depth);
+        left = glm::max(left, depth - glm::dvec2(p));
+    });
+    const glm::dvec2 axis = center ? 0.5 * (right - left) : glm::dvec2(0);
+    const glm::dvec2 reach = glm::max(right - axis, left + axis) / slope;
+    camera.distance = std::max(reach.x, reach.y);
+    if (!(camera.distance > 0)) {
+        camera.distance = Camera{}.distance;
+    }
+    camera.target += glm::transpose(glm::dmat3(turned)) * glm::dvec3(axis, 0);
+}
+
 View::View(const Camera& camera, glm::ivec2 size, const glm::dvec3& lo, const glm::dvec3& hi, glm::dvec2 jitter)
     : camera_(camera), size_(size), jitter_(jitter), eye_from_world_(camera.eye_from_world()) {
     const double tangent = std::tan(radians(camera.fov / 2));

@@ -29,6 +29,10 @@ struct Camera {
 /// the center of the box as well. An empty box (lo > hi) gives the default distance.
 void view_all(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, bool autocenter);
 
+/// The same, as near as leaves a margin at each side of a picture of that shape (width / height): that share of its
+/// width and height. `center`: it looks where both sides are as far away; else its target stays. Of the box's corners.
+void view_tight(Camera& camera, const glm::dvec3& lo, const glm::dvec3& hi, double aspect, double margin, bool center);
+
 /// A camera's picture of a bounded scene.
 ///
 /// Depth is reversed: 1 at the near plane; perspective `near / distance` (the far plane is at infinity), orthographic

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -79,7 +80,7 @@ RowFilter better_filter(const Image& image) {
 
 /// Nothing here has a destructor that an error of libpng could jump over. `row`: room for one without alpha.
 Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alpha, RowFilter filter, std::uint8_t* row,
-                   const std::stop_token& stop) {
+                   const std::stop_token& stop, png_uint_32 dots_per_meter) {
     if (setjmp(png_jmpbuf(png)) != 0) {
         return Outcome::Failed;
     }
@@ -90,6 +91,9 @@ Outcome write_rows(png_structp png, png_infop info, const Image& image, bool alp
                  alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (dots_per_meter > 0) {
+        png_set_pHYs(png, info, dots_per_meter, dots_per_meter, PNG_RESOLUTION_METER);
+    }
     png_write_info(png, info);
     for (int y = 0; y < image.height; ++y) {
         if (stop.stop_requested()) {
@@ -140,7 +144,7 @@ bool read_rows(png_structp png, png_bytepp rows) {
 
 }  // namespace
 
-std::string encode_png(const Image& image, const std::stop_token& stop) {
+std::string encode_png(const Image& image, const std::stop_token& stop, double dots_per_inch) {
     Written written;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &written, note_problem, nullptr);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
@@ -151,7 +155,8 @@ std::string encode_png(const Image& image, const std::stop_token& stop) {
     png_set_write_fn(png, &written, append, nullptr);
     const bool alpha = !opaque(image);
     std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
-    const Outcome outcome = write_rows(png, info, image, alpha, better_filter(image), row.data(), stop);
+    const Outcome outcome = write_rows(png, info, image, alpha, better_filter(image), row.data(), stop,
+                                       static_cast<png_uint_32>(std::lround(dots_per_inch / 0.0254)));
     png_destroy_write_struct(&png, &info);
     if (written.out_of_memory) {
         throw std::bad_alloc();

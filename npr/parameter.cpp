@@ -74,7 +74,7 @@ bool valid(const Parameter& p, const Value& value) {
         return false;
     }
     if (const float* f = std::get_if<float>(&value)) {
-        return *f >= p.min && *f <= p.max;
+        return p.is_length ? *f >= 0 && *f <= Parameter::kLongest : *f >= p.min && *f <= p.max;
     }
     if (const int* i = std::get_if<int>(&value)) {
         if (p.kind == ParameterKind::Choice) {
@@ -91,7 +91,9 @@ bool valid(const Parameter& p, const Value& value) {
 std::string takes(const Parameter& p) {
     switch (p.kind) {
         case ParameterKind::Number:
-            return fmt::format("a number from {} to {}", p.min, p.max);
+            return p.is_length
+                       ? fmt::format("a length up to {} in pixels, or in millimeters as 0.35mm", Parameter::kLongest)
+                       : fmt::format("a number from {} to {}", p.min, p.max);
         case ParameterKind::Integer:
             return fmt::format("a whole number from {} to {}", p.min, p.max);
         case ParameterKind::Toggle:
@@ -108,6 +110,11 @@ std::string takes(const Parameter& p) {
 
 Parameter Parameter::number(std::string_view name, std::string_view label, float initial, float min, float max) {
     return {name, label, ParameterKind::Number, initial, min, max, {}};
+}
+Parameter Parameter::length(std::string_view name, std::string_view label, float initial, float min, float max) {
+    Parameter p = number(name, label, initial, min, max);
+    p.is_length = true;
+    return p;
 }
 Parameter Parameter::integer(std::string_view name, std::string_view label, int initial, int min, int max) {
     return {name, label, ParameterKind::Integer, initial, static_cast<float>(min), static_cast<float>(max), {}};
@@ -127,6 +134,7 @@ Parameter Parameter::choice(std::string_view name, std::string_view label, int i
 Parameters::Parameters(std::span<const Parameter> parameters) : first_(parameters.data()) {
     for (const Parameter& p : parameters) {
         values_.push_back(p.initial);
+        millimeters_.push_back(false);
     }
 }
 
@@ -156,16 +164,20 @@ void Parameters::set(std::size_t i, const Value& value) {
         throw std::invalid_argument(fmt::format("{} takes {}", p.name, takes(p)));
     }
     values_[i] = value;
+    millimeters_[i] = false;
 }
 
 void Parameters::read(std::string_view name, std::string_view text) {
     const std::size_t i = index(name);
     const Parameter& p = list()[i];
-    const std::optional<Value> value = parse_value(p, text);
+    const bool millimeters = p.is_length && text.ends_with("mm");
+    const bool unit = millimeters || (p.is_length && text.ends_with("px"));
+    const std::optional<Value> value = parse_value(p, unit ? text.substr(0, text.size() - 2) : text);
     if (!value || !valid(p, *value)) {
         throw std::invalid_argument(fmt::format("{} takes {}, not \"{}\"", name, takes(p), text));
     }
     values_[i] = *value;
+    millimeters_[i] = millimeters;
 }
 
 std::string text(const Parameter& parameter, const Value& value) {

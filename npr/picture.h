@@ -32,6 +32,7 @@ struct Picture {
     ColorScheme scheme;
     base::Camera camera;
     glm::ivec2 size{512, 512};    ///< Pixels.
+    double dots_per_inch = 0;     ///< Of the picture where it is printed; 0: not said.
     int samples = 4;              ///< Per pixel, as npr::sample_offsets takes them.
     int layers = kLayersOfStyle;  ///< The first so many, or one of the constants above.
     Sections sections;            ///< What is cut away.
@@ -43,6 +44,8 @@ struct Picture {
     std::vector<RevealedPart> reveal;     ///< Parts that are to be seen, whatever hides them.
     bool transparent_background = false;  ///< Leave alpha 0 where nothing is drawn.
 
+    /// 96 pixels an inch where nothing is said.
+    [[nodiscard]] double pixels_per_millimeter() const { return (dots_per_inch > 0 ? dots_per_inch : 96) / 25.4; }
     /// Another style, with its parameters' defaults.
     void draw_as(const StyleInfo& info);
     /// Another model of transparency, with its parameters' defaults.

@@ -118,8 +118,8 @@ class SettingsTable {
     /// In GLSL: what shaders find as "npr/settings.glsl".
     [[nodiscard]] std::string_view declarations() const { return declarations_; }
 
-    /// `values`: of these parameters.
-    [[nodiscard]] Settings settings(const Parameters& values) const {
+    /// `values`: of these parameters. Lengths become pixels.
+    [[nodiscard]] Settings settings(const Parameters& values, double pixels_per_millimeter = 1) const {
         if (values.list().data() != parameters_.data()) {
             throw std::logic_error("the parameters are another style's");
         }
@@ -127,7 +127,10 @@ class SettingsTable {
         std::size_t i = 0;
         for (const Line& line : lines_) {
             if (line.parameter) {
-                line.assign(result, values.at(i++));
+                const auto scale = static_cast<float>(pixels_per_millimeter);
+                line.assign(result,
+                            values.in_millimeters(i) ? Value(std::get<float>(values.at(i)) * scale) : values.at(i));
+                ++i;
             }
         }
         return result;
@@ -174,7 +177,7 @@ template <typename Settings>
 /// `void complete(const Picture&)` where the struct has one.
 template <typename Settings>
 [[nodiscard]] Settings settings_of(const Picture& picture) {
-    Settings settings = Settings::table().settings(picture.parameters);
+    Settings settings = Settings::table().settings(picture.parameters, picture.pixels_per_millimeter());
     if constexpr (requires { settings.complete(picture); }) {
         settings.complete(picture);
     }

@@ -5,7 +5,13 @@
 namespace npr {
 
 Parameter line_width(float initial) {
-    return Parameter::number("width", "Width of lines", initial, 0.25F, 4);
+    return Parameter::length("width", "Width of lines", initial, 0.25F, 4);
+}
+Parameter inner_line_width() {
+    return Parameter::number("inner-width", "Width of inner edges", 0.7F, 0, 1);
+}
+Parameter hidden_line_width() {
+    return Parameter::number("hidden-width", "Width of hidden lines", 0.5F, 0, 1);
 }
 Parameter crease_angle() {
     return Parameter::number("crease", "Angle of creases in meshes", EdgeSettings().crease_degrees, 0, 180);

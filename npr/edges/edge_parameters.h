@@ -5,8 +5,12 @@
 
 namespace npr {
 
-/// "width": of lines, in pixels.
+/// "width": of outlines, a length.
 [[nodiscard]] Parameter line_width(float initial);
+/// "inner-width" and "hidden-width": of inner edges and of hidden lines, times that of outlines. By default as ISO 128
+/// has lines of three widths, 2 : 1.4 : 1.
+[[nodiscard]] Parameter inner_line_width();
+[[nodiscard]] Parameter hidden_line_width();
 /// "crease": degrees between normals from which a bend is an edge.
 [[nodiscard]] Parameter crease_angle();
 /// "parts": whether boundaries of parts and of colors on smooth surfaces are edges.

@@ -2,18 +2,19 @@
 // of two counts. Valid in shaders and, within a struct with the same names, in C++.
 const uint kInnerEdge = 1u;
 const uint kProfileEdge = 2u;
+const float kThick = 4.0f;  // pixels; what is as thick as that is not thin
 
 struct EdgePoint {
     uint kind;
-    float strength;  // 0 to 1
+    float thickness;  // of what is drawn about, as a share of kThick; of continuations (overshoot.glsl) their strength
     float at;        // part of the way from the link's lower or left pixel
     vec2 across;     // unit vector across the edge, either way
 };
 
-EdgePoint edge_point(uint kind, float strength, float at, vec2 across) {
+EdgePoint edge_point(uint kind, float thickness, float at, vec2 across) {
     EdgePoint e;
     e.kind = kind;
-    e.strength = strength;
+    e.thickness = thickness;
     e.at = at;
     e.across = across;
     return e;
@@ -21,7 +22,7 @@ EdgePoint edge_point(uint kind, float strength, float at, vec2 across) {
 
 uint pack_edge(EdgePoint e) {
     float angle = atan(e.across.y, e.across.x) / 3.14159265f;
-    return e.kind << 30 | uint(e.strength * 1023.0f + 0.5f) << 20 |
+    return e.kind << 30 | uint(e.thickness * 1023.0f + 0.5f) << 20 |
            uint(clamp(e.at, 0.0f, 1.0f) * 1023.0f + 0.5f) << 10 | uint(fract(angle) * 1023.99f);
 }
 

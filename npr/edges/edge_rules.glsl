@@ -138,6 +138,19 @@ Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
     return o;
 }
 
+// How thick what ends there is across the line, as a share of kThick.
+float thickness_at(Surface s, ivec2 p, ivec2 offset, vec2 across) {
+    float most = kThick / max(abs(dot(across, vec2(offset))), 0.25f);
+    float count = 1.0f;
+    for (ivec2 q = p; count < most && in_picture(q - offset); q -= offset, count += 1.0f) {
+        Continuation c = continuation(s, q, -offset);
+        if (!c.found)
+            return count / most;
+        s = layer_surface(q - offset, c.layer, pixel_ray(q - offset));
+    }
+    return 1.0f;
+}
+
 struct FoundEdge {
     bool found;
     EdgePoint point;  // `at` from the pixel that was asked
@@ -164,6 +177,8 @@ FoundEdge edge_of(int layer, ivec2 p, ivec2 offset) {
         if (is_overhang(s, p, layer))
             e.found = false;
         e.point = edge_point(kProfileEdge, 1.0f, o.at, o.across);
+        if (e.found && follow_borders)
+            e.point.thickness = thickness_at(s, p, offset, o.across);
         e.other = o.beside < 3.0f ? o.partner : -1;
         return e;
     }

@@ -2,11 +2,11 @@
 float ink_of_layers[kLayersApart];
 bool lines_near = false;
 
-void find_ink(ivec2 pixel, float width, float hidden_width, float profile_strength, float inner_strength) {
-    lines_near = layers_near(vec2(pixel), width) != 0u;
+void find_ink(ivec2 pixel, Pens pens) {
+    lines_near = layers_near(vec2(pixel), pens.width) != 0u;
     if (!lines_near)
         return;
-    all_edges_at(vec2(pixel), Pens(width, hidden_width, profile_strength, inner_strength), ink_of_layers);
+    all_edges_at(vec2(pixel), pens, ink_of_layers);
 }
 
 bool line_near(int layer) {

@@ -34,6 +34,22 @@ float hard_piece(vec2 from_point, vec2 across, float width) {
     return beside && abs(dot(from_point, vec2(-across.y, across.x))) <= 0.75f ? 1.0f : 0.0f;
 }
 
+// The ink of outlines about what is so thin (EdgePoint::thickness) that lines of that width would fill it.
+float thin_ink(float thickness, float width) {
+    return thickness >= 1.0f ? 1.0f : clamp(0.25f + 0.75f * 4.0f * thickness / (2.2f * width), 0.0f, 1.0f);
+}
+
+// About as bright as the eye sees it, 0 to 1.
+float brightness(vec3 color) {
+    return dot(color, vec3(0.299f, 0.587f, 0.114f));
+}
+
+// The color of lines that stand out from a part: dark lines on a dark part become light there.
+vec3 line_color_on(vec3 line, vec3 part) {
+    float dark = clamp((0.32f - brightness(part)) / 0.08f, 0.0f, 1.0f) * clamp((0.4f - brightness(line)) / 0.1f, 0.0f, 1.0f);
+    return mix(line, vec3(0.62f), dark);
+}
+
 // A color with a line over it, of which there is so much ink (0 to 1). Straight alpha.
 vec4 with_line(vec4 c, vec3 line_color, float ink) {
     float alpha = mix(c.a, 1.0f, ink);

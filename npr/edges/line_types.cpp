@@ -11,7 +11,7 @@ constexpr std::array kKinds{LineKind::ColorBorder, LineKind::Crease, LineKind::I
                             LineKind::Silhouette};
 static_assert(kKinds.size() == LineTypes::kKinds);
 
-constexpr float kDash = 6, kDashGap = 3.5F, kDot = 1.5F, kDotGap = 3.5F;  // Pixels.
+constexpr float kDash = 6, kDashGap = 3.5F, kDot = 1.5F, kDotGap = 3.5F;  // Times the width of hidden lines.
 
 }  // namespace
 
@@ -19,23 +19,26 @@ LineTypes plain_types(const LinedSettings& settings) {
     LineTypes types;
     for (const LineKind kind : kKinds) {
         const float strength = kind == LineKind::Silhouette ? settings.profile_strength : settings.inner_strength;
-        types.of(kind, Visibility::Visible) = {1, strength};
+        const float width = kind == LineKind::Silhouette ? 1 : settings.inner_share;
+        types.of(kind, Visibility::Visible) = {width, strength};
         for (const Visibility hidden : {Visibility::Hidden, Visibility::DeeplyHidden}) {
-            types.of(kind, hidden) = {settings.hidden_width / settings.width, strength};
+            types.of(kind, hidden) = {settings.hidden_share, strength};
         }
     }
     return types;
 }
 
 void LinedSettings::complete_lines(const Picture& picture) {
+    inner_width = inner_share * width;
+    hidden_width = hidden_share * width;
     const LineTypes plain = plain_types(*this);
     types = plain;
     if (dashes) {
         for (const LineKind kind : kKinds) {
             LineType& hidden = types.of(kind, Visibility::Hidden);
             LineType& deep = types.of(kind, Visibility::DeeplyHidden);
-            std::tie(hidden.dash, hidden.gap) = std::pair(kDash, kDashGap);
-            std::tie(deep.dash, deep.gap) = std::pair(kDot, kDotGap);
+            std::tie(hidden.dash, hidden.gap) = std::pair(kDash * hidden_width, kDashGap * hidden_width);
+            std::tie(deep.dash, deep.gap) = std::pair(kDot * hidden_width, kDotGap * hidden_width);
         }
     }
     facts = types != plain;

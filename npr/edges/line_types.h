@@ -34,11 +34,14 @@ struct LineTypes {
     bool operator==(const LineTypes&) const = default;
 };
 
-/// What a style with lines knows of them. Lines of two widths, by whether a surface is before them, and of two
-/// strengths, by whether the surface ends there, are drawn from the edge map alone. Where the table of types tells more
-/// than that, the lines' facts are asked for, and each line is drawn as its type says.
+/// What a style with lines knows of them. Lines of three widths and two strengths, by whether a surface is before them
+/// and whether the surface ends there, are drawn from the edge map alone. Where the table of types tells more than
+/// that, the lines' facts are asked for, and each line is drawn as its type says.
 struct LinedSettings : EdgeSettings {
-    float width{};  ///< Pixels; that of the widest lines.
+    float width{};              ///< Pixels; that of outlines, the widest lines.
+    float inner_share = 0.7F;   ///< Of that width: inner edges.
+    float hidden_share = 0.5F;  ///< The same of hidden lines.
+    float inner_width{};        ///< Pixels, as the next.
     float hidden_width{};
     float profile_strength = 1, inner_strength = 1;
     bool hard = false;    ///< Without smoothing. Not with types.
@@ -50,7 +53,7 @@ struct LinedSettings : EdgeSettings {
     void complete_lines(const Picture& picture);
 };
 
-/// Types that tell no more than two widths and two strengths.
+/// Types that tell no more than three widths and two strengths.
 [[nodiscard]] LineTypes plain_types(const LinedSettings& settings);
 
 /// "dashes": see LinedSettings.

@@ -18,44 +18,45 @@ uint layers_near(vec2 at, float width) {
     return (marks | marks >> kLayersApart) & ((1u << kLayersApart) - 1u);
 }
 
-void add_piece(inout Edge edge, uint bits, vec2 at, ivec2 lower, vec2 along, float width, bool hard) {
-    EdgePoint e = unpack_edge(bits);
-    vec2 from_point = at - vec2(lower) - e.at * along;
-    float coverage = hard ? step(0.5, e.strength) * hard_piece(from_point, e.across, width)
-                          : e.strength * piece(from_point, e.across, width);
+// Ways to draw lines: whole, lighter about what is thin, or as OpenGL does.
+const int kWhole = 0, kLight = 1, kHard = 2;
+
+void add_piece(inout Edge edge, EdgePoint e, float ink, vec2 from_point, float width, bool hard) {
+    float coverage = ink * (hard ? hard_piece(from_point, e.across, width) : piece(from_point, e.across, width));
     if (e.kind == kProfileEdge)
         edge.profile = max(edge.profile, coverage);
     else
         edge.inner = max(edge.inner, coverage);
 }
 
-// Lines of one layer, `width` pixels wide, about its edges; smooth ones, or `hard` ones.
-Edge edge_at(vec2 at, int layer, float width, bool hard) {
+// Lines of one layer: outlines `width` pixels wide, inner edges `inner`, not above it.
+Edge edge_at(vec2 at, int layer, float width, float inner, int way) {
     ivec4 links = links_near(at, width);
-    uint right = edge_mark(layer, 0), up = edge_mark(layer, 1);
     Edge edge = no_edge();
     for (int y = links.y; y <= links.w; ++y)
         for (int x = links.x; x <= links.z; ++x) {
-            ivec2 p = ivec2(x, y);
-            uint marks = texelFetch(edge_marks, p, 0).x;
-            if ((marks & right) != 0u)
-                add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 0)), 0).x, at, p, vec2(1.0, 0.0),
-                          width, hard);
-            if ((marks & up) != 0u)
-                add_piece(edge, texelFetch(edge_points, ivec3(p, edge_slice(layer, 1)), 0).x, at, p, vec2(0.0, 1.0),
-                          width, hard);
+            uint marks = texelFetch(edge_marks, ivec2(x, y), 0).x;
+            for (int axis = 0; axis < 2; ++axis) {
+                if ((marks & edge_mark(layer, axis)) == 0u)
+                    continue;
+                EdgePoint e = unpack_edge(texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x);
+                float own = e.kind == kProfileEdge ? width : inner;
+                add_piece(edge, e, way == kLight ? thin_ink(e.thickness, own) : 1.0,
+                          at - vec2(x, y) - e.at * vec2(1 - axis, axis), own, way == kHard);
+            }
         }
     return edge;
 }
 
 Edge edge_at(vec2 at, int layer, float width) {
-    return edge_at(at, layer, width, false);
+    return edge_at(at, layer, width, width, kWhole);
 }
 
 // How wide lines are drawn, and with how strong an ink, where only layers and kinds of edges tell them apart.
 struct Pens {
-    float width;         // of the first layer; of all, as far as links are looked for
-    float hidden_width;  // of the others, not above `width`
+    float width;  // of outlines in the first layer; the widest
+    float inner_width;
+    float hidden_width;  // of all in the other layers
     float profile_strength;
     float inner_strength;
 };
@@ -89,7 +90,7 @@ Pen pen_of(EdgePoint e, ivec2 lower, int layer, int axis, Pens pens) {
 #else
 // By layer and kind of edge.
 Pen pen_of(EdgePoint e, ivec2 lower, int layer, int axis, Pens pens) {
-    return Pen(layer == 0 ? pens.width : pens.hidden_width,
+    return Pen(layer > 0 ? pens.hidden_width : e.kind == kProfileEdge ? pens.width : pens.inner_width,
                e.kind == kProfileEdge ? pens.profile_strength : pens.inner_strength);
 }
 #endif
@@ -109,7 +110,7 @@ void all_edges_at(vec2 at, Pens pens, out float ink[kLayersApart]) {
                 EdgePoint e = unpack_edge(texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x);
                 Pen pen = pen_of(e, ivec2(x, y), layer, axis, pens);
                 vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);
-                float coverage = e.strength * piece(from_point, e.across, pen.width);
+                float coverage = thin_ink(e.thickness, pen.width) * piece(from_point, e.across, pen.width);
                 ink[layer] = max(ink[layer], pen.strength * coverage);
             }
         }
@@ -134,8 +135,10 @@ Edge overshoot_at(vec2 at, float width) {
         for (int x = links.x; x <= links.z; ++x)
             for (int axis = 0; axis < 2; ++axis) {
                 uint bits = texelFetch(overshoot_points, ivec3(x, y, axis), 0).x;
-                if (bits != 0u)
-                    add_piece(edge, bits, at, ivec2(x, y), vec2(1 - axis, axis), width, false);
+                if (bits != 0u) {
+                    EdgePoint e = unpack_edge(bits);
+                    add_piece(edge, e, e.thickness, at - vec2(x, y) - e.at * vec2(1 - axis, axis), width, false);
+                }
             }
     return edge;
 }

@@ -45,7 +45,7 @@ void draw_on(EdgePoint e, vec2 from, vec2 direction, float reach) {
         if (any(lessThan(lower, ivec2(0))) || any(greaterThan(lower, last)))
             return;
         e.at = steep ? at.x - float(lower.x) : at.y - float(lower.y);
-        e.strength = 1.0f - 0.85f * way / reach;
+        e.thickness = 1.0f - 0.85f * way / reach;
         draw_beyond(lower, axis, e);
         at += stride;
     }

@@ -65,11 +65,11 @@ struct EdgeSearch : Frame {
             const FoundEdge e = edge_of(c.layer, from, onward);
             if (e.found) {
                 const float at = clamp(e.point.at, 0.0F, 1.0F);
-                keep(
-                    {p, vec2(p) + (c.upper ? 1.0F - at : at) * vec2(step), e.point.across,
-                     static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(edge_layer(e.layer)),
-                     e.point.kind == kProfileEdge, facts ? pack_facts(line_facts(c.layer, from, onward, e)) : uvec2(0)},
-                    edges, first);
+                keep({p, vec2(p) + (c.upper ? 1.0F - at : at) * vec2(step), e.point.across,
+                      static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(edge_layer(e.layer)),
+                      e.point.kind == kProfileEdge, e.point.thickness,
+                      facts ? pack_facts(line_facts(c.layer, from, onward, e)) : uvec2(0)},
+                     edges, first);
             }
         }
     }
@@ -80,11 +80,13 @@ struct EdgeSearch : Frame {
         bool upper;
     };
 
-    /// One edge a link and layer: profile edges win, and otherwise that farther along the link.
+    /// One edge a link and layer: profile edges win, then thicker ones, then that farther along the link.
     static void keep(const CpuEdge& edge, std::vector<CpuEdge>& edges, std::ptrdiff_t first) {
         const auto same =
             std::find_if(edges.begin() + first, edges.end(), [&](const CpuEdge& e) { return e.layer == edge.layer; });
-        const auto rank = [](const CpuEdge& e) { return std::tuple(e.profile, e.at.x + e.at.y); };
+        const auto rank = [](const CpuEdge& e) {
+            return std::tuple(e.profile, std::lround(e.thickness * 1023), e.at.x + e.at.y);
+        };
         if (same == edges.end()) {
             edges.push_back(edge);
         } else if (rank(edge) > rank(*same)) {

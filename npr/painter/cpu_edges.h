@@ -17,6 +17,7 @@ struct CpuEdge {
     std::uint8_t axis = 0;   ///< 0: the link goes to the right, 1: up.
     std::uint8_t layer = 0;  ///< The last of layers::kLayersApart is that of all deeper ones, too.
     bool profile = false;
+    float thickness = 1;  ///< See npr/edges/edge_point.glsl.
     glm::uvec2 facts{0};  ///< As npr/edges/line_facts.glsl packs them, where they were asked for.
 };
 

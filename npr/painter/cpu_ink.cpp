@@ -20,7 +20,10 @@ void TileInk::draw(int tile, shader::Frame& rules) {
 
 TileInk::Pen TileInk::pen_of(const CpuEdge& edge, shader::Frame& rules) const {
     if (!lines_.facts) {
-        return {edge.layer == 0 ? lines_.width : lines_.hidden_width,
+        const bool hidden = edge.layer > 0 && !lines_.visible_only;
+        return {hidden         ? lines_.hidden_width
+                : edge.profile ? lines_.width
+                               : lines_.inner_width,
                 edge.profile ? lines_.profile_strength : lines_.inner_strength};
     }
     const LineFacts facts = rules.unpack_facts(edge.facts);
@@ -40,7 +43,9 @@ void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {
         drawn_ |= 1U << edge.layer;
         std::fill_n(ink_.begin() + static_cast<std::ptrdiff_t>(at(edge.layer, {0, 0})), kPixels, 0.0F);
     }
-    const auto [width, strength] = pen_of(edge, rules);
+    const Pen pen = pen_of(edge, rules);
+    const float width = pen.width;
+    const float strength = pen.strength * (lines_.hard ? 1 : rules.thin_ink(edge.thickness, width));
     for (int y = lo.y; y < hi.y; ++y) {
         float* row = &ink_[at(edge.layer, {0, y - box_.lo.y})];
         for (int x = lo.x; x < hi.x; ++x) {

@@ -18,7 +18,6 @@ struct Settings : LinedSettings {
 
     void complete(const Picture& picture) {
         const glm::vec3 blue = glm::vec3(0x1b, 0x3f, 0x8b) / 255.0F, white = glm::vec3(0xf6, 0xf8, 0xfc) / 255.0F;
-        hidden_width = 0.8F * width;
         complete_lines(picture);
         ground_color = ground == 0 ? blue : white;
         line_color = ground == 0 ? white : blue;
@@ -29,7 +28,7 @@ struct Settings : LinedSettings {
 
 const SettingsTable<Settings>& Settings::table() {
     static const SettingsTable<Settings> all{
-        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::width>(line_width(1.8F)),
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 1, 0, 1)),
@@ -41,6 +40,9 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::grid>(Parameter::toggle("grid", "Grid on the paper", false)),
         setting<&Settings::grid_spacing>(Parameter::integer("grid-spacing", "Spacing of the grid", 16, 4, 128)),
         setting<&Settings::dashes>(line_dashes()),
+        setting<&Settings::inner_share>(inner_line_width()),
+        setting<&Settings::hidden_share>(hidden_line_width()),
+        setting<&Settings::inner_width>(),
         setting<&Settings::hidden_width>(),
         setting<&Settings::ground_color>(),
         setting<&Settings::line_color>(),

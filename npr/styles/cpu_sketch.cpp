@@ -54,7 +54,7 @@ struct SketchPixels : shader::Frame, SketchSettings {
                         const EdgePoint e = unpack_edge(bits);
                         const vec2 from_point = at - vec2(x, y) - e.at * vec2(1 - axis, axis);
                         float& kind = e.kind == kProfileEdge ? edge.profile : edge.inner;
-                        kind = max(kind, e.strength * piece(from_point, e.across, thick));
+                        kind = max(kind, e.thickness * piece(from_point, e.across, thick));
                     }
                 }
             }

@@ -12,7 +12,6 @@ struct Settings : LinedSettings {
 
     void complete(const Picture& picture) {
         visible_only = true;
-        hidden_width = width;
         hard = !smooth_lines;
         follow_borders = smooth_lines;
         complete_lines(picture);
@@ -22,7 +21,7 @@ struct Settings : LinedSettings {
 
 const SettingsTable<Settings>& Settings::table() {
     static const SettingsTable<Settings> all{
-        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::width>(line_width(1.8F)),
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.85F, 0, 1)),
@@ -30,6 +29,8 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::shade>(Parameter::number("shade", "Strength of surface colors", 1, 0, 1)),
         setting<&Settings::light_strength>(Parameter::number("light", "Strength of light on surfaces", 1, 0, 1)),
         setting<&Settings::smooth_lines>(Parameter::toggle("smooth", "Smooth lines", true)),
+        setting<&Settings::inner_share>(inner_line_width()),
+        setting<&Settings::inner_width>(),
     };
     return all;
 }

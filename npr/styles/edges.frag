@@ -14,7 +14,7 @@ bool line_near(int layer) {
 }
 
 float line_ink(int layer) {
-    Edge edge = edge_at(floor(gl_FragCoord.xy), layer, width, !smooth_lines);
+    Edge edge = edge_at(floor(gl_FragCoord.xy), layer, width, inner_width, smooth_lines ? kLight : kHard);
     return max(edge.profile, inner_strength * edge.inner);
 }
 

@@ -12,7 +12,8 @@ vec4 edges(ivec2 pixel) {
         if (s.hit)
             c = hatched(c, s.leaf, s.plane, pixel);
         if (line_near(seen.layer) && !(s.hit && c.a == 0.0f && !bounds_medium(s)))
-            c = with_line(c, edge_color, line_ink(seen.layer));
+            c = with_line(c, s.hit ? line_color_on(edge_color, mix(vec3(1.0f), vec3(seen_color(s)), shade)) : edge_color,
+                          line_ink(seen.layer));
         seen = behind(seen, s.hit, c);
     }
     return before_background(seen.color, seen.through, pixel);

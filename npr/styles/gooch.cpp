@@ -15,7 +15,6 @@ struct Settings : LinedSettings {
 
     void complete(const Picture& picture) {
         visible_only = true;
-        hidden_width = width;
         complete_lines(picture);
     }
     static const SettingsTable<Settings>& table();
@@ -31,6 +30,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::diffuse_cool>(Parameter::number("cool-color", "Surface color in the cool", 0.35F, 0, 1)),
         setting<&Settings::diffuse_warm>(Parameter::number("warm-color", "Surface color in the warm", 0.65F, 0, 1)),
         setting<&Settings::specular>(Parameter::number("specular", "Strength of the highlight", 0.6F, 0, 1)),
+        setting<&Settings::inner_width>(),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.9F, 0, 1)),
         setting<&Settings::inner_color>(Parameter::color("inner-color", "Color of inner edges", {1, 1, 1})),
         setting<&Settings::profile_color>(Parameter::color("profile-color", "Color of profile edges", {0, 0, 0})),

@@ -10,7 +10,6 @@ struct Settings : LinedSettings {
 
     void complete(const Picture& picture) {
         visible_only = true;
-        hidden_width = width;
         complete_lines(picture);
     }
     static const SettingsTable<Settings>& table();
@@ -18,9 +17,10 @@ struct Settings : LinedSettings {
 
 const SettingsTable<Settings>& Settings::table() {
     static const SettingsTable<Settings> all{
-        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::width>(line_width(1.8F)),
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
+        setting<&Settings::inner_width>(),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 1, 0, 1)),
         setting<&Settings::ink_color>(Parameter::color("ink", "Color of lines", {0, 0, 0})),
         setting<&Settings::paper_color>(Parameter::color("paper", "Color of the paper", {1, 1, 1})),

@@ -14,7 +14,6 @@ struct Settings : LinedSettings {
 
     void complete(const Picture& picture) {
         visible_only = true;
-        hidden_width = width;
         complete_lines(picture);
     }
     static const SettingsTable<Settings>& table();
@@ -22,9 +21,10 @@ struct Settings : LinedSettings {
 
 const SettingsTable<Settings>& Settings::table() {
     static const SettingsTable<Settings> all{
-        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::width>(line_width(1.8F)),
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
+        setting<&Settings::inner_width>(),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 1, 0, 1)),
         setting<&Settings::spacing>(Parameter::number("spacing", "Distance of dots", 3.5F, 2, 32)),
         setting<&Settings::darkest>(Parameter::number("tone", "Share of ink, at most", 0.65F, 0, 1)),

@@ -15,16 +15,13 @@ struct Settings : LinedSettings {
     glm::vec3 edge_color{};
     int most_layers{};  ///< 0: all.
 
-    void complete(const Picture& picture) {
-        hidden_width = 0.8F * width;
-        complete_lines(picture);
-    }
+    void complete(const Picture& picture) { complete_lines(picture); }
     static const SettingsTable<Settings>& table();
 };
 
 const SettingsTable<Settings>& Settings::table() {
     static const SettingsTable<Settings> all{
-        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::width>(line_width(1.8F)),
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
         setting<&Settings::opacity>(Parameter::number("opacity", "Opacity of a layer", 0.3F, 0, 1)),
@@ -39,6 +36,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::edge_color>(Parameter::color("edge-color", "Color of edges", {0.05F, 0.05F, 0.08F})),
         setting<&Settings::most_layers>(first_layers()),
         setting<&Settings::dashes>(line_dashes()),
+        setting<&Settings::inner_width>(),
         setting<&Settings::hidden_width>(),
     };
     return all;

@@ -12,7 +12,6 @@ struct Settings : LinedSettings {
 
     void complete(const Picture& picture) {
         visible_only = true;
-        hidden_width = width;
         complete_lines(picture);
     }
     static const SettingsTable<Settings>& table();
@@ -23,6 +22,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::width>(line_width(2)),
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
+        setting<&Settings::inner_width>(),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.8F, 0, 1)),
         setting<&Settings::steps>(Parameter::integer("steps", "Tones", 3, 2, 8)),
         setting<&Settings::shadow>(Parameter::number("shadow", "Lightness of the darkest tone", 0.5F, 0, 1)),

@@ -1,4 +1,5 @@
-// The lines of a pixel's layers for styles that look at few of them: `width` and `inner_strength` are settings.
+// The lines of a pixel's layers for styles that look at few of them: `width`, `inner_width` and
+// `inner_strength` are settings.
 uint layers_with_lines;  // so near that their lines may cover the pixel
 
 void find_visible_lines(ivec2 pixel) {
@@ -10,7 +11,7 @@ bool line_near(int layer) {
 }
 
 Edge line_edge(int layer) {
-    return edge_at(floor(gl_FragCoord.xy), layer, width);
+    return edge_at(floor(gl_FragCoord.xy), layer, width, inner_width, kLight);
 }
 
 float line_ink(int layer) {

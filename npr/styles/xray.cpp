@@ -12,16 +12,13 @@ struct Settings : LinedSettings {
     int colors{};       ///< 0: of the model, 1: by layer, 2: none.
     int most_layers{};  ///< 0: all.
 
-    void complete(const Picture& picture) {
-        hidden_width = width;
-        complete_lines(picture);
-    }
+    void complete(const Picture& picture) { complete_lines(picture); }
     static const SettingsTable<Settings>& table();
 };
 
 const SettingsTable<Settings>& Settings::table() {
     static const SettingsTable<Settings> all{
-        setting<&Settings::width>(line_width(1.25F)),
+        setting<&Settings::width>(line_width(1.8F)),
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
         setting<&Settings::opacity>(Parameter::number("opacity", "Opacity of a layer", 0.16F, 0, 1)),
@@ -33,6 +30,10 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::colors>(Parameter::choice("colors", "Colors of", 0, {"model", "layers", "none"})),
         setting<&Settings::most_layers>(first_layers()),
         setting<&Settings::dashes>(line_dashes()),
+        setting<&Settings::inner_share>(inner_line_width()),
+        setting<&Settings::hidden_share>(hidden_line_width()),
+        setting<&Settings::inner_width>(),
+        setting<&Settings::hidden_width>(),
     };
     return all;
 }

@@ -12,6 +12,6 @@ out vec4 result;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    find_ink(pixel, width, width, profile_strength, inner_strength);
+    find_ink(pixel, Pens(width, inner_width, hidden_width, profile_strength, inner_strength));
     result = xray(pixel);
 }

@@ -48,6 +48,37 @@ TEST(Camera, ViewAllHoldsTheSphereAboutTheBox) {
     EXPECT_NEAR(c.distance * std::sin(c.fov / 2 * M_PI / 180), std::sqrt(36 + 64 + 100) / 2, 1e-9);
 }
 
+TEST(Camera, ViewTightTouchesTheMargins) {
+    const glm::dvec3 lo(-1, -2, -3), hi(5, 6, 7);
+    for (const auto projection : {base::Projection::Orthographic, base::Projection::Perspective}) {
+        for (const glm::ivec2 size : {glm::ivec2(400, 300), glm::ivec2(200, 500)}) {
+            for (const bool center : {true, false}) {
+                Camera c;
+                c.projection = projection;
+                c.target = {9, 9, 9};
+                base::view_tight(c, lo, hi, static_cast<double>(size.x) / size.y, 0.05, center);
+                const View view(c, size, lo, hi);
+                glm::dvec2 least(1e9), most(-1e9);
+                for (int i = 0; i < 8; ++i) {
+                    const glm::dvec4 clip =
+                        view.clip_from_world() *
+                        glm::dvec4(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z, 1);
+                    least = glm::min(least, glm::dvec2(clip) / clip.w);
+                    most = glm::max(most, glm::dvec2(clip) / clip.w);
+                }
+                const glm::dvec2 reach = glm::max(-least, most);
+                EXPECT_NEAR(std::max(reach.x, reach.y), 0.9, 1e-9);
+                if (center) {
+                    EXPECT_NEAR(std::max(-least.x, -least.y), 0.9, 1e-9);
+                    EXPECT_NEAR(std::max(most.x, most.y), 0.9, 1e-9);
+                } else {
+                    expect_near(c.target, {9, 9, 9}, 0);
+                }
+            }
+        }
+    }
+}
+
 class ViewTest : public testing::TestWithParam<base::Projection> {};
 
 /// The depth of a plane, its point on the ray and the projection of that point must tell the same story.

@@ -41,6 +41,16 @@ TEST_F(ImageTest, PngGivesBackWhatWasWritten) {
     }
 }
 
+TEST_F(ImageTest, PngTellsTheResolutionWhereItIsSaid) {
+    const base::Image image{1, 1, {0, 0, 0, 255}};
+    EXPECT_EQ(base::encode_png(image).find("pHYs"), std::string::npos);
+    const std::string png = base::encode_png(image, {}, 300);
+    const std::size_t at = png.find("pHYs");
+    ASSERT_NE(at, std::string::npos);
+    // 300 / 25.4 mm are 11811 to the meter, in either direction; 1: the unit is the meter.
+    EXPECT_EQ(png.substr(at + 4, 9), std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));
+}
+
 TEST_F(ImageTest, PngGivesBackWhatIsShadedAndWhatIsDrawn) {
     // Rows that resemble each other are told by their differences, others as they are.
     for (const bool shaded : {true, false}) {

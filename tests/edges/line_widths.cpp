@@ -67,11 +67,13 @@ glm::dvec2 direction_of(const std::vector<glm::dvec2>& points, const glm::dvec2&
 
 }  // namespace
 
-std::vector<glm::vec4> painted(const layers::HostStack& stack, const base::View& view, const Drawing& drawing) {
+std::vector<glm::vec4> painted(const layers::HostStack& stack, const base::View& view, const Drawing& drawing,
+                               double dots_per_inch) {
     npr::Picture picture = npr::default_picture();
     picture.draw_as(*npr::find_style(drawing.style));
     picture.size = view.size();
     picture.samples = 1;
+    picture.dots_per_inch = dots_per_inch;
     picture.camera = view.camera();
     for (const auto& [name, value] : drawing.settings) {
         picture.parameters.read(name, value);
@@ -84,7 +86,12 @@ std::vector<glm::vec4> painted(const layers::HostStack& stack, const base::View&
 }
 
 Drawing black_on_paper(double width) {
-    return {"edges", {{"shade", "0"}, {"edge-color", "#000000"}, {"inner", "1"}, {"width", fmt::format("{}", width)}}};
+    return {"edges",
+            {{"shade", "0"},
+             {"edge-color", "#000000"},
+             {"inner", "1"},
+             {"inner-width", "1"},
+             {"width", fmt::format("{}", width)}}};
 }
 
 std::vector<Width> line_widths(const layers::HostStack& stack, const base::View& view, const std::vector<Point>& truth,

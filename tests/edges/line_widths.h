@@ -29,7 +29,7 @@ struct Drawing {
 
 /// The picture with one sample a pixel, rows from bottom to top: linear light.
 [[nodiscard]] std::vector<glm::vec4> painted(const layers::HostStack& stack, const base::View& view,
-                                             const Drawing& drawing);
+                                             const Drawing& drawing, double dots_per_inch = 0);
 
 /// Paints the picture with one sample a pixel, and measures lines at those true points, hidden or not, about which
 /// there is nothing but one line within some pixels, hardly bent.

@@ -108,7 +108,7 @@ Ink hidden_ink(const char* text, const base::Camera& from, const edges::Drawing&
 TEST(HiddenLines, HaveTheSameInkAllAlong) {
     const edges::Drawing drawing{
         "blueprint",
-        {{"tone", "0"}, {"ground", "white"}, {"width", "1.25"}, {"hidden", "1"}, {"falloff", "1"}},
+        {{"tone", "0"}, {"ground", "white"}, {"width", "1"}, {"hidden-width", "1"}, {"hidden", "1"}, {"falloff", "1"}},
         0xf6 / 255.0,
         0x1b / 255.0};
     base::Camera front;
@@ -164,6 +164,85 @@ TEST(HiddenLines, StandOutFromEitherGround) {
             EXPECT_GT(clear, 0.95 * points) << ground << ' ' << strength;
         }
     }
+}
+
+/// The darkness of a picture with four samples: blue, sRGB.
+std::vector<double> darkness(const char* text, base::Camera camera, glm::ivec2 size,
+                             const std::map<std::string, std::string>& settings, double dots_per_inch = 0) {
+    const auto model = model_of(text);
+    const csg::Box& box = model->geometry.box;
+    std::vector<double> sum(static_cast<std::size_t>(size.x * size.y), 0.0);
+    const auto samples = npr::sample_offsets(4);
+    for (const glm::dvec2& jitter : samples) {
+        const base::View view(camera, size, box.lo, box.hi, jitter);
+        const auto light = edges::painted(edges::layers_of(*model, view), view, {"edges", settings}, dots_per_inch);
+        std::transform(sum.begin(), sum.end(), light.begin(), sum.begin(), [&](double s, const glm::vec4& c) {
+            return s + (1 - static_cast<double>(c.x)) / static_cast<double>(samples.size());
+        });
+    }
+    return sum;
+}
+
+base::Camera flat_camera(double height) {
+    base::Camera camera;
+    camera.rotation = {0, 0, 0};
+    camera.projection = base::Projection::Orthographic;
+    camera.distance = height / 2 / std::tan(camera.fov * M_PI / 360);
+    return camera;
+}
+
+TEST(Wires, NeitherBreakUpNorTurnBlack) {
+    // As many units high as pixels. Surfaces are white, lines black.
+    const glm::ivec2 size(120, 60);
+    for (const double thickness : {0.3, 0.5, 1.0, 1.5, 2.0, 3.0}) {
+        const std::string text =
+            fmt::format("rotate([0, 90, 7]) cylinder(d = {}, h = 140, center = true, $fn = 16);", thickness);
+        const auto dark = darkness(text.c_str(), flat_camera(60), size, {{"shade", "0"}, {"edge-color", "#000000"}});
+        double least = 1e9, most = 0, sum = 0, darkest = 0;
+        for (int x = 10; x + 4 < size.x - 10; ++x) {
+            // What a wire is made of where it goes down a pixel is seen over some columns.
+            double ink = 0;
+            for (int i = 0; i < 4 * size.y; ++i) {
+                const double d = dark[static_cast<std::size_t>(i / 4 * size.x + x + i % 4)];
+                ink += d / 4;
+                darkest = std::max(darkest, d);
+            }
+            least = std::min(least, ink);
+            most = std::max(most, ink);
+            sum += ink;
+        }
+        EXPECT_GT(least, 0.7 * most) << thickness;
+        EXPECT_GT(least, 0.7) << thickness;
+        EXPECT_LT(darkest, thickness < 2.5 ? 0.95 : 1) << thickness;
+    }
+}
+
+TEST(Widths, InMillimetersGiveTheSameDrawingAtAnySize) {
+    const char* const text =
+        "$fn = 64; difference() { cylinder(r = 40, h = 8); cylinder(r = 25, h = 20, center = true); }";
+    const auto drawn = [&](int side) {
+        const auto dark = darkness(text, flat_camera(100), glm::ivec2(side),
+                                   {{"shade", "0"}, {"edge-color", "#000000"}, {"width", "2.4mm"}}, side * 25.4 / 100);
+        // Ink by 32nds of the picture.
+        std::vector<double> cells(32 * 32, 0.0);
+        const int cell = side / 32;
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                cells[static_cast<std::size_t>(y / cell * 32 + x / cell)] +=
+                    dark[static_cast<std::size_t>(y * side + x)] / (cell * cell);
+            }
+        }
+        return cells;
+    };
+    const auto small = drawn(256), large = drawn(1024);
+    double sum = 0, other = 0, apart = 0;
+    for (std::size_t i = 0; i < small.size(); ++i) {
+        sum += large[i];
+        other += small[i];
+        apart += std::abs(small[i] - large[i]);
+    }
+    EXPECT_NEAR(other / sum, 1, 0.06);
+    EXPECT_LT(apart / sum, 0.07);
 }
 
 INSTANTIATE_TEST_SUITE_P(, LineWidths, testing::ValuesIn(kCases),

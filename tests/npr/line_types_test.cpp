@@ -27,7 +27,7 @@ npr::Picture picture_of(const csg::Box& box, glm::ivec2 size) {
 LinedSettings settings_with(bool dashes) {
     LinedSettings settings;
     settings.width = 2;
-    settings.hidden_width = 1.5F;
+    settings.hidden_share = 0.75F;
     settings.inner_strength = 0.6F;
     settings.profile_strength = 0.9F;
     settings.dashes = dashes;
@@ -124,7 +124,8 @@ TEST(LineTypes, DashesLieOnTheModel) {
     scene::Easel easel(scene::box({7, -11, 3}, size));
     npr::Picture picture = picture_of(easel.box(), {320, 320});
     picture.draw_as(*npr::find_style("blueprint"));
-    for (const auto& [name, value] : {std::pair{"dashes", "on"}, {"tone", "0"}, {"hidden", "1"}}) {
+    for (const auto& [name, value] :
+         {std::pair{"dashes", "on"}, {"width", "2"}, {"hidden-width", "0.75"}, {"tone", "0"}, {"hidden", "1"}}) {
         picture.parameters.read(name, value);
     }
     const LinedSettings settings = [&] {

@@ -53,6 +53,27 @@ TEST(Parameters, DefaultsAndText) {
     }
 }
 
+TEST(Parameters, LengthsAreInPixelsOrMillimeters) {
+    const std::vector<Parameter> list{Parameter::length("width", "Width", 1.5F, 0.25F, 4)};
+    Parameters p(list);
+    EXPECT_FALSE(p.in_millimeters(0));
+    p.read("width", "0.35mm");
+    EXPECT_TRUE(p.in_millimeters(0));
+    EXPECT_EQ(std::get<float>(p.at(0)), 0.35F);
+    Parameters other(list);
+    other.read("width", "0.35px");
+    EXPECT_FALSE(other.in_millimeters(0));
+    EXPECT_NE(p, other);
+    p.read("width", "40");  // Beyond the range of its control.
+    EXPECT_FALSE(p.in_millimeters(0));
+    for (const char* text : {"-1", "mm", "1cm", "1 mm", "1001"}) {
+        EXPECT_EQ(
+            refusal(p, "width", text),
+            std::string("width takes a length up to 1000 in pixels, or in millimeters as 0.35mm, not \"") + text + '"');
+    }
+    EXPECT_EQ(std::get<float>(p.at(0)), 40);
+}
+
 TEST(Parameters, RefusedValuesChangeNothing) {
     const auto list = all_kinds();
     Parameters p(list);

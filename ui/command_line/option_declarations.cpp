@@ -87,6 +87,8 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     const char* const picture = "Picture";
     const std::string transparencies = transparency_help();
     text("--imgsize", raw.size, "Width and height in pixels, 1 to 16384 (512,512)", "W,H", picture);
+    text("--dpi", raw.dpi, "Pixels per inch, 1 to 100000: the PNG tells it, and lengths in mm go by it (96, untold)",
+         "N", picture);
     text("--style", o.picture_texts.style, styles.c_str(), "STYLE", picture);
     list("--style-of", o.picture_texts.part_styles,
          "Draw some parts in another style: 'part=NAME: STYLE,PARAMETER=VALUE,…', or color=COLOR or module=NAME for "
@@ -153,6 +155,9 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--camera", raw.camera, "x,y,z,rotx,roty,rotz,distance or eyex,y,z,centerx,y,z", "NUMBERS", camera);
     text("--projection", raw.projection, "o (orthographic) or p (perspective, default)", "o|p", camera);
     flag("--viewall", o.view_all, "Move the camera so that all is seen", camera);
+    text("--margin", raw.margin,
+         "The same as near as leaves so much of the picture at each side empty, 0 to 45 (OpenSCAD's distance)",
+         "PERCENT", camera);
     flag("--autocenter", o.autocenter, "Look at the center of the model", camera);
 
     const char* const engine = "Engine";
@@ -199,6 +204,7 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
                                    "--colorscheme",
                                    "--samples",
                                    "--thickness",
+                                   "--dpi",
                                    "--transparency",
                                    "--blend",
                                    "--medium",

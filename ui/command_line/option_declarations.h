@@ -14,7 +14,8 @@ struct RawOptions {
     std::vector<std::string> inputs, outputs, settings, media, export_options, sections, uncut;
     std::string export_format, camera, size, layers, samples, view, csg_limit, backend, render, preview, scheme;
     std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget,
-        minimal_fraction, precision, thickness, parts, at, format, hatching, transparency, blend, medium_light;
+        minimal_fraction, precision, thickness, parts, at, format, hatching, transparency, blend, medium_light, dpi,
+        margin;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::string animate, sharding, turntable;
     std::string debug;  ///< Taken and left alone.

@@ -65,6 +65,14 @@ void interpret_limits(Options& o, const RawOptions& raw) {
     }
 }
 
+double read_in_range(const std::string& option, const std::string& text, double least, double most) {
+    const double number = read_numbers(option, text, {1}, "a number")[0];
+    if (!(number >= least && number <= most)) {
+        throw UsageError(fmt::format("{} {}: a number from {} to {}", option, text, least, most));
+    }
+    return number;
+}
+
 void interpret_engine(Options& o, const RawOptions& raw) {
     o.engine.engine = read_name<const goldfeather::EngineInfo*>("--engine", raw.engine, engine_names());
     o.context = read_name<std::optional<gl::ContextKind>>("--context", raw.context,
@@ -275,6 +283,12 @@ void interpret(Options& o, const RawOptions& raw) {
     }
     if (!raw.at.empty()) {
         o.pick = read_pick(raw, o.picture.size);
+    }
+    if (!raw.dpi.empty()) {
+        o.picture.dots_per_inch = read_in_range("--dpi", raw.dpi, 1, 100'000);
+    }
+    if (!raw.margin.empty()) {
+        o.margin = read_in_range("--margin", raw.margin, 0, 45) / 100;
     }
     if (!raw.samples.empty()) {
         o.picture.samples = read_name<int>("--samples", raw.samples,

@@ -38,6 +38,7 @@ struct Options {
     std::string parameter_set;             ///< The one to take.
     std::optional<base::Camera> camera;    ///< Absent: the file's $vp… variables, or everything in view.
     bool view_all = false;
+    std::optional<double> margin;  ///< See CameraRequest.
     bool autocenter = false;
     base::Projection projection = base::Projection::Perspective;
     npr::Picture picture;  ///< But for its camera, and for what `style` says; see picture_of.

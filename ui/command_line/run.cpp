@@ -215,7 +215,10 @@ class Run {
         if (options_.hard_warnings && !(exported_->warnings.empty() && exported_->failures.empty())) {
             throw ModelError("stopped at a warning");
         }
-        const CameraRequest request{options_.camera, options_.projection, options_.view_all, options_.autocenter};
+        const CameraRequest request{
+            options_.camera,   options_.projection,
+            options_.view_all, options_.autocenter,
+            options_.margin,   static_cast<double>(options_.picture.size.x) / options_.picture.size.y};
         const bool framed =
             needs_box(request, language_.evaluation().view) || options_.summary || options_.summary_file;
         // As OpenSCAD: previews go by the boxes of products, results by what is left.
@@ -350,7 +353,7 @@ class Run {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }
         (void)watch.lap();
-        const std::string png = base::encode_png(image, limit_.token());
+        const std::string png = base::encode_png(image, limit_.token(), picture_.dots_per_inch);
         picture_json_ = to_json(renderer.statistics());
         picture_json_["ms"]["context"] = context_ms;
         picture_json_["ms"]["encode"] = watch.lap();
@@ -477,7 +480,9 @@ int open_window(const Options& options) {
     window.source.lazy_union = options.lazy_union;
     window.source.parts = options.parts;
     window.source.sections = options.picture.sections;
-    window.camera = {options.camera, options.projection, options.view_all, options.autocenter};
+    window.camera = {options.camera,   options.projection,
+                     options.view_all, options.autocenter,
+                     options.margin,   static_cast<double>(options.picture.size.x) / options.picture.size.y};
     window.picture = PictureRequest(picture_of(options.picture, options.picture_texts));  // Told before a window opens.
     window.picture.engine = options.engine.engine;
     window.engine = options.engine;

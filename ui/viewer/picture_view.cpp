@@ -86,7 +86,8 @@ void PictureView::save(std::shared_ptr<const Model> model, PictureRequest reques
     run([this, model = std::move(model), request = std::move(request), path = std::move(path)](Renderer& renderer) {
         SavedPicture done{path, request.size, {}};
         try {
-            base::write_file(path, base::encode_png(renderer.render(cut(model, request.sections, renderer), request)));
+            base::write_file(path, base::encode_png(renderer.render(cut(model, request.sections, renderer), request),
+                                                    {}, request.dots_per_inch));
         } catch (const std::exception& error) {
             done.error = error.what();
         }

@@ -193,7 +193,7 @@ TEST(PictureOptions, WhatDoesNotExistIsRefused) {
     };
     EXPECT_EQ(refusal({"bluprint", {}, "Cornfield"}), "no style \"bluprint\". Did you mean \"blueprint\"?");
     EXPECT_EQ(refusal({"blueprint", {{"width", "wide"}}, "Cornfield"}),
-              "style blueprint: width takes a number from 0.25 to 4, not \"wide\"");
+              "style blueprint: width takes a length up to 1000 in pixels, or in millimeters as 0.35mm, not \"wide\"");
     EXPECT_EQ(refusal({"shaded", {}, "Cornfeld"}), "no color scheme \"Cornfeld\". Did you mean \"Cornfield\"?");
     EXPECT_EQ(refusal({}), "");
 }

@@ -13,7 +13,7 @@ bool given(const csg::scad::ViewSettings& file) {
 }  // namespace
 
 bool needs_box(const CameraRequest& request, const csg::scad::ViewSettings& file) {
-    return request.view_all || request.autocenter || !(request.camera || given(file));
+    return request.view_all || request.margin || request.autocenter || !(request.camera || given(file));
 }
 
 base::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSettings& file, const csg::Box& box) {
@@ -39,7 +39,9 @@ base::Camera choose_camera(const CameraRequest& request, const csg::scad::ViewSe
         }
     }
     camera.projection = request.projection;
-    if (view_all) {
+    if (request.margin) {
+        base::view_tight(camera, box.lo, box.hi, request.aspect, *request.margin, autocenter);
+    } else if (view_all) {
         base::view_all(camera, box.lo, box.hi, autocenter);
     } else if (autocenter && !box.empty()) {
         camera.target = box.center();

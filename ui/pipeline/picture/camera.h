@@ -14,6 +14,9 @@ struct CameraRequest {
     base::Projection projection = base::Projection::Perspective;
     bool view_all = false;
     bool autocenter = false;
+    /// Shares of the picture at each side that stay empty: all is brought into view as near as that leaves.
+    std::optional<double> margin{};
+    double aspect = 1;  ///< Width of the picture by its height.
 };
 
 /// Whether the choice depends on the box.
