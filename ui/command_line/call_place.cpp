@@ -75,6 +75,7 @@ csg::SourceLocation call_at(const csg::Tree& tree, const std::vector<const csg::
     constexpr std::size_t kMostNamed = 3;
     of_file.resize(std::min(of_file.size(), kMostNamed));
     std::vector<std::string> near;
+    near.reserve(of_file.size());
     for (const csg::Statement* const call : of_file) {
         near.push_back(fmt::format("{}:{} ({})", call->where.line, call->where.column, call->name));
     }

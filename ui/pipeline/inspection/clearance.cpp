@@ -133,6 +133,7 @@ std::optional<PartDistance> distance_between(const SolidProbe& probe, const Expr
                                              double most, double least_piece, const std::stop_token& stop) {
     const std::vector<Piece> ours = triangles_of(probe, a), theirs = triangles_of(probe, b);
     std::vector<csg::Box> boxes;
+    boxes.reserve(theirs.size());
     for (const Piece& piece : theirs) {
         boxes.push_back(box_of(piece, probe.event()));
     }
