@@ -53,9 +53,8 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct BlueprintPixels : LinedFrame, Settings {
-    BlueprintPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct BlueprintPixels : LinedPixels<Settings> {
+    using LinedPixels::LinedPixels;
 #include "npr/styles/blueprint.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {

@@ -37,9 +37,8 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct EdgesPixels : LinedFrame, Settings {
-    EdgesPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct EdgesPixels : LinedPixels<Settings> {
+    using LinedPixels::LinedPixels;
 #include "npr/styles/edges.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {

@@ -4,7 +4,7 @@
 namespace npr {
 namespace {
 
-struct Settings : LinedSettings {
+struct Settings : VisibleLines {
     float spacing{};  ///< Pixels between two strokes, at least.
     float darkest{};
     float wash{};
@@ -12,10 +12,6 @@ struct Settings : LinedSettings {
     glm::vec3 ink_color{};
     glm::vec3 paper_color{};
 
-    void complete(const Picture& picture) {
-        visible_only = true;
-        complete_lines(picture);
-    }
     static const SettingsTable<Settings>& table();
 };
 
@@ -39,19 +35,15 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct HatchPixels : LinedFrame, Settings {
-    HatchPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct HatchPixels : ShadedPixels<Settings> {
+    using ShadedPixels::ShadedPixels;
 #include "npr/styles/surface_place.glsl"
 
 #include "npr/styles/hatch.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {
         at = p;
-        return hatch(p);
-    }
-    [[nodiscard]] bool as_left(glm::ivec2 p) const {
-        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
+        return ink_on_paper(p);
     }
 };
 

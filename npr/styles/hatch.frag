@@ -14,5 +14,5 @@ out vec4 result;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     find_visible_lines(pixel);
-    result = hatch(pixel);
+    result = ink_on_paper(pixel);
 }

@@ -9,6 +9,30 @@
 
 namespace npr {
 
+/// Of styles that draw no hidden lines.
+struct VisibleLines : LinedSettings {
+    void complete(const Picture& picture) {
+        visible_only = true;
+        complete_lines(picture);
+    }
+};
+
+/// What a lined style's .glsl file finds: the frame with its lines, and the settings.
+template <typename Settings, typename Lines = LinedFrame>
+struct LinedPixels : Lines, Settings {
+    LinedPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& settings)
+        : Lines(frame, edges, settings), Settings(settings) {}
+};
+
+/// The same where surfaces change from pixel to pixel: by light, fog or strokes.
+template <typename Settings, typename Lines = LinedFrame>
+struct ShadedPixels : LinedPixels<Settings, Lines> {
+    using LinedPixels<Settings, Lines>::LinedPixels;
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        return this->surface_ids(p, 0).x == Lines::kNoSurface && Lines::as_left(p);
+    }
+};
+
 /// `Settings` are LinedSettings and the style's own.
 template <typename Settings>
 class LinedStyle : public Style {

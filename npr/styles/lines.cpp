@@ -4,14 +4,10 @@
 namespace npr {
 namespace {
 
-struct Settings : LinedSettings {
+struct Settings : VisibleLines {
     glm::vec3 ink_color{};
     glm::vec3 paper_color{};
 
-    void complete(const Picture& picture) {
-        visible_only = true;
-        complete_lines(picture);
-    }
     static const SettingsTable<Settings>& table();
 };
 
@@ -30,9 +26,8 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct LinesPixels : LinedFrame, Settings {
-    LinesPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct LinesPixels : LinedPixels<Settings> {
+    using LinedPixels::LinedPixels;
 #include "npr/styles/lines.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {

@@ -4,7 +4,7 @@
 namespace npr {
 namespace {
 
-struct Settings : LinedSettings {
+struct Settings : VisibleLines {
     float spacing{};  ///< Pixels between two dots, about.
     float darkest{};
     float wash{};
@@ -12,10 +12,6 @@ struct Settings : LinedSettings {
     glm::vec3 ink_color{};
     glm::vec3 paper_color{};
 
-    void complete(const Picture& picture) {
-        visible_only = true;
-        complete_lines(picture);
-    }
     static const SettingsTable<Settings>& table();
 };
 
@@ -38,9 +34,8 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct StipplePixels : LinedFrame, Settings {
-    StipplePixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct StipplePixels : ShadedPixels<Settings> {
+    using ShadedPixels::ShadedPixels;
 #include "npr/styles/noise.glsl"
 #include "npr/styles/surface_place.glsl"
 
@@ -48,10 +43,7 @@ struct StipplePixels : LinedFrame, Settings {
 
     glm::vec4 pixel(glm::ivec2 p) {
         at = p;
-        return stipple(p);
-    }
-    [[nodiscard]] bool as_left(glm::ivec2 p) const {
-        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
+        return ink_on_paper(p);
     }
 };
 

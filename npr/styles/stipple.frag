@@ -15,5 +15,5 @@ out vec4 result;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     find_visible_lines(pixel);
-    result = stipple(pixel);
+    result = ink_on_paper(pixel);
 }

@@ -73,7 +73,7 @@ float lattices(vec2 at, vec2 right, vec2 above, float level, float tone, uint ow
 }
 
 // Coverage of a pixel where the surface is to have that tone.
-float stipple_ink(Surface s, ivec2 pixel, float tone) {
+float tonal_ink(Surface s, ivec2 pixel, float tone) {
     if (tone <= 0.0f)
         return 0.0f;
     Place p = place_on(s.plane, pixel);
@@ -93,25 +93,4 @@ float stipple_ink(Surface s, ivec2 pixel, float tone) {
     return 1.0f - bare;
 }
 
-vec4 stipple(ivec2 pixel) {
-    vec3 ray = pixel_ray(pixel);
-    Composite seen = nothing_seen();
-    while (goes_on(seen, layer_count, 0.0f)) {
-        Surface s = layer_surface(pixel, seen.layer, ray);
-        vec4 c = vec4(0.0f);
-        if (s.hit) {
-            c = seen_color(s);
-            c = vec4(mix(paper_color, vec3(c), wash), c.a);
-        }
-        if (c.a > 0.0f) {
-            float ink = stipple_ink(s, pixel, ink_tone(s, darkest));
-            if (is_section(s.leaf))
-                ink = section_lines(s.leaf, s.plane, pixel);
-            c = vec4(mix(vec3(c), ink_color, ink), c.a);
-        }
-        if (line_near(seen.layer) && !(s.hit && c.a == 0.0f))
-            c = with_line(c, ink_color, line_ink(seen.layer));
-        seen = behind(seen, s.hit, c);
-    }
-    return before_ground(seen.color, seen.through, paper_color);
-}
+#include "npr/styles/tonal_ink.glsl"

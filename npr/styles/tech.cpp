@@ -1,17 +1,13 @@
 // Technical illustration, seen through (Nienhaus 2005, 5.3).
+#include "npr/styles/gooch_light.h"
 #include "npr/styles/lined_style.h"
 
 namespace npr {
 namespace {
 
-struct Settings : LinedSettings {
+struct Settings : LinedSettings, GoochLight {
     float opacity{};  ///< Of a layer.
     float falloff{};
-    glm::vec3 cool_color{};
-    glm::vec3 warm_color{};
-    float diffuse_cool{};  ///< Share of the surface's color.
-    float diffuse_warm{};
-    float specular{};
     glm::vec3 edge_color{};
     int most_layers{};  ///< 0: all.
 
@@ -25,11 +21,11 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::crease_degrees>(crease_angle()),
         setting<&Settings::parts>(part_edges()),
         setting<&Settings::opacity>(Parameter::number("opacity", "Opacity of a layer", 0.3F, 0, 1)),
-        setting<&Settings::cool_color>(Parameter::color("cool", "Cool color, away from the light", {0, 0, 0.55F})),
-        setting<&Settings::warm_color>(Parameter::color("warm", "Warm color, toward the light", {0.3F, 0.3F, 0})),
-        setting<&Settings::diffuse_cool>(Parameter::number("cool-color", "Surface color in the cool", 0.35F, 0, 1)),
-        setting<&Settings::diffuse_warm>(Parameter::number("warm-color", "Surface color in the warm", 0.65F, 0, 1)),
-        setting<&Settings::specular>(Parameter::number("specular", "Strength of the highlight", 0.4F, 0, 1)),
+        setting<&Settings::cool_color>(gooch_cool()),
+        setting<&Settings::warm_color>(gooch_warm()),
+        setting<&Settings::diffuse_cool>(gooch_cool_share()),
+        setting<&Settings::diffuse_warm>(gooch_warm_share()),
+        setting<&Settings::specular>(gooch_specular(0.4F)),
         setting<&Settings::profile_strength>(Parameter::number("edges", "Strength of profile edges", 1, 0, 1)),
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.8F, 0, 1)),
         setting<&Settings::falloff>(Parameter::number("falloff", "Fading of edges from layer to layer", 0.85F, 0, 1)),
@@ -44,18 +40,13 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct TechPixels : LinedFrame, Settings {
-    TechPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct TechPixels : ShadedPixels<Settings> {
+    using ShadedPixels::ShadedPixels;
 #include "npr/styles/tech.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {
         at = p;
         return tech(p);
-    }
-    /// Highlights change from pixel to pixel wherever there is a surface.
-    [[nodiscard]] bool as_left(glm::ivec2 p) const {
-        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
     }
 };
 

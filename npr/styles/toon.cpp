@@ -4,16 +4,12 @@
 namespace npr {
 namespace {
 
-struct Settings : LinedSettings {
+struct Settings : VisibleLines {
     int steps{};
     float shadow{};     ///< The darkest tone, as a share of the surface's color.
     float highlight{};  ///< How much of white there is in it.
     glm::vec3 edge_color{};
 
-    void complete(const Picture& picture) {
-        visible_only = true;
-        complete_lines(picture);
-    }
     static const SettingsTable<Settings>& table();
 };
 
@@ -34,18 +30,13 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct ToonPixels : LinedFrame, Settings {
-    ToonPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct ToonPixels : ShadedPixels<Settings> {
+    using ShadedPixels::ShadedPixels;
 #include "npr/styles/toon.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {
         at = p;
         return toon(p);
-    }
-    /// Tones are blurred, and highlights move with the ray.
-    [[nodiscard]] bool as_left(glm::ivec2 p) const {
-        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
     }
 };
 

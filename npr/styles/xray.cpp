@@ -40,18 +40,13 @@ const SettingsTable<Settings>& Settings::table() {
 
 using namespace glm;  // As shader files do.
 
-struct XrayPixels : LinedFrame, Settings {
-    XrayPixels(const CpuFrame& frame, const CpuEdges& edges, const Settings& s)
-        : LinedFrame(frame, edges, s), Settings(s) {}
+struct XrayPixels : ShadedPixels<Settings> {
+    using ShadedPixels::ShadedPixels;
 #include "npr/styles/xray.glsl"
 
     glm::vec4 pixel(glm::ivec2 p) {
         at = p;
         return xray(p);
-    }
-    /// Light and fog change from pixel to pixel wherever there is a surface.
-    [[nodiscard]] bool as_left(glm::ivec2 p) const {
-        return surface_ids(p, 0).x == kNoSurface && LinedFrame::as_left(p);
     }
 };
 

@@ -9,14 +9,12 @@
 #include <csignal>
 #include <utility>
 
+#include "base/program_arguments.h"
+
 namespace ui {
 
 ChildProcess::ChildProcess(std::vector<std::string> command, int out, int at_end) : at_end_(at_end) {
-    std::vector<char*> arguments;
-    for (std::string& word : command) {
-        arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
+    const std::vector<char*> arguments = base::program_arguments(command);
     const pid_t parent = getpid();
     pid_ = fork();
     if (pid_ != 0) {

@@ -28,6 +28,7 @@ void Customizer::receive(std::vector<Parameter> parameters) {
     }
     chosen_ = std::move(fitting);
     read_sets();
+    error_ = problem_;
 }
 
 void Customizer::set(const std::string& name, Parameter::Value value) {
@@ -103,16 +104,21 @@ std::vector<std::string> Customizer::definitions() const {
 }
 
 void Customizer::read_sets() {
+    // Of each revision; while a slider is dragged there are many.
+    const csg::scad::DiskState now = csg::scad::disk_state(file_.string());
+    if (std::exchange(read_, now) == now) {
+        return;
+    }
     sets_.clear();
-    error_.clear();
-    const auto text = file_.empty() ? std::nullopt : base::read_regular_file(file_);
+    problem_.clear();
+    const auto text = base::read_regular_file(file_);
     if (!text) {
         return;
     }
     if (auto sets = read_parameter_sets(*text)) {
         sets_ = *std::move(sets);
     } else {
-        error_ = fmt::format("{} is no file of parameter sets", file_.filename().string());
+        problem_ = fmt::format("{} is no file of parameter sets", file_.filename().string());
     }
 }
 
@@ -126,7 +132,7 @@ void Customizer::write_sets(const Change& change) {
         error = fmt::format("{}: {}", file_.filename().string(), problem.what());
     }
     read_sets();
-    error_ = error.empty() ? error_ : error;
+    error_ = error.empty() ? problem_ : error;
 }
 
 }  // namespace ui

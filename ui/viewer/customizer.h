@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "csg/scad/customizer/customizer.h"
+#include "csg/scad/source/disk_state.h"
 #include "ui/pipeline/parameter_sets.h"
 
 namespace ui {
@@ -50,6 +52,7 @@ class Customizer {
     [[nodiscard]] const std::string& error() const { return error_; }
 
   private:
+    /// Where the file is another than was read last.
     void read_sets();
     template <typename Change>
     void write_sets(const Change& change);
@@ -58,6 +61,8 @@ class Customizer {
     std::vector<Parameter> parameters_;
     std::map<std::string, Parameter::Value> chosen_;  ///< By name, those that are not what the text says.
     std::vector<ParameterSet> sets_;
+    std::optional<csg::scad::DiskState> read_;  ///< The file, before sets_ were read from it; nothing before that.
+    std::string problem_;                       ///< Of the file as it was read.
     std::string used_, error_;
 };
 

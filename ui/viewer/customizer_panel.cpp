@@ -128,11 +128,7 @@ void CustomizerPanel::draw(const Rectangle& place, const Customizer& customizer,
         } else {
             sets(customizer, commands);
         }
-        if (!customizer.error().empty()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
-            ImGui::TextWrapped("%s", customizer.error().c_str());
-            ImGui::PopStyleColor();
-        }
+        error_text(customizer.error());
         for (const std::string& group : groups_of(customizer)) {
             if (!ImGui::CollapsingHeader(group.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) {
                 continue;

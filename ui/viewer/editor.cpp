@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "base/program_arguments.h"
+
 namespace ui {
 
 namespace {
@@ -99,12 +101,7 @@ std::string open_editor(const std::string& path, std::uint32_t line, std::uint32
     if (command.empty()) {
         return "No editor is set: $VISUAL names it";
     }
-    std::vector<char*> arguments;
-    arguments.reserve(command.size() + 1);
-    for (std::string& word : command) {
-        arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
+    const std::vector<char*> arguments = base::program_arguments(command);
     pid_t child = 0;
     const int error = posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ);
     if (error != 0) {

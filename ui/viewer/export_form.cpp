@@ -56,11 +56,7 @@ void ExportForm::draw(Commands& commands) {
         }
         ImGui::SameLine();
         take |= ImGui::Button(overwrites_.empty() ? "Export" : "Replace", {button, 0});
-        if (!error_.empty()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
-            ImGui::TextWrapped("%s", error_.c_str());
-            ImGui::PopStyleColor();
-        }
+        error_text(error_);
         if (take) {
             try_to_export(commands);
         }

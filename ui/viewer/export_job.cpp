@@ -13,6 +13,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/program_arguments.h"
+
 namespace ui {
 
 namespace {
@@ -54,12 +56,7 @@ int memory_file(const std::string& text) {
 
 /// Starts it with standard input and standard error as given; an error number, 0 where it runs.
 int start_program(std::vector<std::string> command, int input, int errors, pid_t& pid) {
-    std::vector<char*> arguments;
-    arguments.reserve(command.size() + 1);
-    for (std::string& word : command) {
-        arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
+    const std::vector<char*> arguments = base::program_arguments(command);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     if (input >= 0) {

@@ -105,11 +105,7 @@ void OpenForm::draw(std::span<const std::string> recent, const Fonts& fonts, Com
         if (take) {
             take_typed(commands);
         }
-        if (!error_.empty()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
-            ImGui::TextWrapped("%s", error_.c_str());
-            ImGui::PopStyleColor();
-        }
+        error_text(error_);
         if (!recent.empty()) {
             bold_text("Last time", fonts);
             recent_rows(recent, commands);

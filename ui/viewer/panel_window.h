@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <string>
+
 #include "ui/viewer/layout.h"
 #include "ui/viewer/theme.h"
 
@@ -37,6 +39,16 @@ inline void end_floating() {
     ImGui::End();
     ImGui::PopStyleColor(2);
     ImGui::PopStyleVar(2);
+}
+
+/// What went wrong, in lines as wide as there is room; nothing where that is empty.
+inline void error_text(const std::string& text) {
+    if (text.empty()) {
+        return;
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
 }
 
 inline void bold_text(const char* text, const Fonts& fonts) {

@@ -66,11 +66,7 @@ void SaveForm::fields(const PictureRequest& shown, bool& save) {
     }
     label("Background");
     ImGui::Checkbox("transparent", &transparent_);
-    if (!error_.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
-        ImGui::TextWrapped("%s", error_.c_str());
-        ImGui::PopStyleColor();
-    }
+    error_text(error_);
 }
 
 /// False where the form is to close.

@@ -58,8 +58,10 @@ void Session::evaluate() {
     began_ = std::chrono::steady_clock::now();
 }
 
-double Session::evaluating_for() const {
-    return evaluating() ? std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count() : 0;
+std::optional<int> Session::evaluating_for() const {
+    using std::chrono::duration_cast, std::chrono::seconds;
+    const auto passed = std::chrono::steady_clock::now() - began_;
+    return evaluating() ? std::optional(static_cast<int>(duration_cast<seconds>(passed).count())) : std::nullopt;
 }
 
 /// What lies over the picture, then what is selected, then what stands in the model's place, then what goes on behind.

@@ -44,8 +44,8 @@ class Session {
     [[nodiscard]] const Selection& selection() const { return selection_; }
     [[nodiscard]] const TextPlace& text() const { return text_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
-    /// Seconds, since the evaluation that runs was asked for; 0 where none runs.
-    [[nodiscard]] double evaluating_for() const;
+    /// Whole seconds since the evaluation that runs was asked for; nothing where none runs.
+    [[nodiscard]] std::optional<int> evaluating_for() const;
     /// The newest models differ from those before by a value of the customizer, which may go on changing.
     [[nodiscard]] bool customizing() const { return customizing_; }
     /// The most layers that were seen of the model, from wherever it was looked at; at least 1.

@@ -12,7 +12,7 @@ namespace ui {
 namespace {
 
 /// An evaluation that takes longer is worth being canceled.
-constexpr double kSoon = 1;
+constexpr int kSoon = 1;  // Seconds.
 
 struct Lamp {
     ImVec4 color;
@@ -20,9 +20,8 @@ struct Lamp {
 };
 
 Lamp lamp(const Session& session) {
-    if (session.evaluating()) {
-        const double seconds = session.evaluating_for();
-        return {theme::kAccent, seconds < kSoon ? "Evaluating…" : fmt::format("Evaluating… {:.0f} s", seconds)};
+    if (const auto seconds = session.evaluating_for()) {
+        return {theme::kAccent, *seconds < kSoon ? "Evaluating…" : fmt::format("Evaluating… {} s", *seconds)};
     }
     switch (session.document().state()) {
         case DocumentState::Failed:
@@ -63,7 +62,7 @@ void draw_status(const Rectangle& place, const Session& session, const PictureIn
         ImGui::Dummy({0.6F * size, size});
         ImGui::SameLine();
         ImGui::TextUnformatted(state.text.c_str());
-        if (session.evaluating_for() >= kSoon) {
+        if (session.evaluating_for().value_or(0) >= kSoon) {
             ImGui::SameLine();
             if (ImGui::SmallButton("Cancel")) {
                 commands.emplace_back(Action::Cancel);

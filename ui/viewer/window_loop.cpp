@@ -79,8 +79,11 @@ WindowEnd WindowLoop::run() {
             input_.add(std::move(input));
         }
         const bool exported = receive_export(), received = receive() || exported;
-        // The status line counts the seconds of an evaluation.
-        if (session_.update(seconds()) || !input_.empty() || received || session_.evaluating()) {
+        const bool updated = session_.update(seconds());
+        // The status line counts the seconds of an evaluation, and says when it has ended without a result.
+        const std::optional<int> counted = session_.evaluating_for();
+        const bool counts = std::exchange(counted_, counted) != counted;
+        if (updated || !input_.empty() || received || counts) {
             frames_to_draw_ = kFramesAfterInput;
         }
         if (frames_to_draw_ > 0 || (!picture_.busy() && plan_.next(seconds()))) {

@@ -80,6 +80,7 @@ class WindowLoop {
     double picture_ms_ = 0;                                 ///< Spent on steps since the frame before.
     std::string note_;
     float console_height_ = 0;
+    std::optional<int> counted_;  ///< Seconds of the evaluation that runs, as they were drawn last.
     int frames_to_draw_ = 0;
     int saving_ = 0;  ///< Pictures that are being saved.
     bool quit_ = false;

@@ -172,7 +172,10 @@ TEST_F(WindowFiles, AnEvaluationIsCanceled) {
     const Json good = wait_for_picture();
     folder_.write("model.scad", "function f(n) = n < 2 ? 1 : f(n - 1) + f(n - 2);\necho(f(70));\ncube(f(3));\n");
     wait_for(frames().size(), [](const Json& frame) { return frame.at("evaluating") == true; });
-    const std::size_t before = frames().size();
+    std::size_t before = frames().size();
+    std::this_thread::sleep_for(2s);
+    EXPECT_LT(frames().size() - before, 20U) << "the seconds are counted, and nothing else is drawn";
+    before = frames().size();
     robot("key Escape");
     const Json ended = wait_for(before, [](const Json& frame) { return frame.at("evaluating") == false; });
     EXPECT_EQ(ended.at("generation"), good.at("generation")) << "the model stays";
