@@ -258,7 +258,7 @@ bool language_is_enough(const Options& options) {
     return !options.outputs.empty() && std::all_of(options.outputs.begin(), options.outputs.end(), is_text) &&
            std::count_if(options.outputs.begin(), options.outputs.end(), to_standard_output) <= 1 &&
            !options.input.empty() && options.input != "-" && !options.statistics && !options.summary &&
-           !options.summary_file && !options.information && !options.pick && options.frames == 0 &&
+           !options.summary_file && !options.information && !options.pick && !options.measure && options.frames == 0 &&
            options.picture.layers == untouched.picture.layers && options.picture_texts == untouched.picture_texts;
 }
 

@@ -19,6 +19,42 @@ std::string transparency_help() {
                        names.front());
 }
 
+/// Takes out what is of outputs, and what does not change which surfaces there are.
+void remove_outputs(OptionTable& table) {
+    for (const char* const name : {"-o",
+                                   "--export-format",
+                                   "-O",
+                                   "--cache",
+                                   "-d",
+                                   "--stats",
+                                   "--summary-file",
+                                   "--summary",
+                                   "--precision",
+                                   "--style",
+                                   "--style-of",
+                                   "--reveal",
+                                   "--set",
+                                   "--animate",
+                                   "--animate_sharding",
+                                   "--turntable",
+                                   "--colorscheme",
+                                   "--samples",
+                                   "--thickness",
+                                   "--dpi",
+                                   "--transparency",
+                                   "--blend",
+                                   "--medium",
+                                   "--medium-light",
+                                   "--transparent-background",
+                                   "--minimal-fraction",
+                                   "--log-frames",
+                                   "--help-export",
+                                   "--version",
+                                   "--info"}) {
+        table.remove(name);
+    }
+}
+
 }  // namespace
 
 void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string& styles) {
@@ -185,38 +221,27 @@ void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const s
     table.add_last({"--at", "The pixel, counted from the upper left corner, from 0 on", "X,Y", pick}, raw.at, true);
     table.add_last({"--format", "text or json (text)", "FORMAT", pick}, raw.format);
     declare(table, options, raw, styles);
-    for (const char* const name : {"-o",
-                                   "--export-format",
-                                   "-O",
-                                   "--cache",
-                                   "-d",
-                                   "--stats",
-                                   "--summary-file",
-                                   "--summary",
-                                   "--precision",
-                                   "--style",
-                                   "--style-of",
-                                   "--reveal",
-                                   "--set",
-                                   "--animate",
-                                   "--animate_sharding",
-                                   "--turntable",
-                                   "--colorscheme",
-                                   "--samples",
-                                   "--thickness",
-                                   "--dpi",
-                                   "--transparency",
-                                   "--blend",
-                                   "--medium",
-                                   "--medium-light",
-                                   "--transparent-background",
-                                   "--minimal-fraction",
-                                   "--log-frames",
-                                   "--help-export",
-                                   "--version",
-                                   "--info"}) {
-        table.remove(name);
-    }
+    remove_outputs(table);
+}
+
+void declare_measure(OptionTable& table, Options& options, RawOptions& raw, const std::string& styles) {
+    const char* const measure = "What to measure";
+    const std::string values = fmt::format("Print that number alone: {}", base::alternatives(measure_values()));
+    table.add_each({"--of",
+                    "The measures of a thing: of the face at a pixel X,Y, of edge@X,Y or corner@X,Y, or of the shape "
+                    "that is called at LINE[:COLUMN] or its face +z@LINE (-z, +x, ...); #N behind it: the N-th; may be "
+                    "repeated",
+                    "THING", measure},
+                   raw.of);
+    table.add_each(
+        {"--between", "Distance and angle from such a thing, or from a point [x,y,z], ...", "THING", measure},
+        raw.between);
+    table.add_each({"--and", "... to another; may be repeated", "THING", measure}, raw.other);
+    table.add_last({"--value", values, "NAME", measure}, raw.value);
+    table.add_last({"--format", "text or json (text)", "FORMAT", measure}, raw.format);
+    declare(table, options, raw, styles);
+    remove_outputs(table);
+    table.remove("--layers");
 }
 
 }  // namespace ui

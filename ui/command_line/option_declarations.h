@@ -20,6 +20,8 @@ struct RawOptions {
     std::string animate, sharding, turntable;
     std::string debug;  ///< Taken and left alone.
     std::vector<std::string> summary, features;
+    std::vector<std::string> of, between, other;
+    std::string value;
     bool version = false, help_export = false, trust_python = false;
 };
 
@@ -29,5 +31,8 @@ void declare(OptionTable& table, Options& options, RawOptions& raw, const std::s
 
 /// Those of `csgscope pick`: of all the others those that have a meaning there.
 void declare_pick(OptionTable& table, Options& options, RawOptions& raw, const std::string& styles);
+
+/// Those of `csgscope measure`, as above.
+void declare_measure(OptionTable& table, Options& options, RawOptions& raw, const std::string& styles);
 
 }  // namespace ui

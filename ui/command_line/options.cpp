@@ -284,6 +284,9 @@ void interpret(Options& o, const RawOptions& raw) {
     if (!raw.at.empty()) {
         o.pick = read_pick(raw, o.picture.size);
     }
+    if (o.measure) {
+        o.measure = read_measure(raw.of, raw.between, raw.other, raw.value, raw.format, o.picture.size);
+    }
     if (!raw.dpi.empty()) {
         o.picture.dots_per_inch = read_in_range("--dpi", raw.dpi, 1, 100'000);
     }
@@ -337,6 +340,31 @@ bool read_paths(const std::vector<std::string>& arguments, RawOptions& raw) {
     return true;
 }
 
+/// The first argument, where it is one.
+struct Command {
+    std::string name;
+    const char* text;  ///< For the help.
+    void (*declare)(OptionTable&, Options&, RawOptions&, const std::string&);
+};
+
+const Command& command_of(const std::vector<std::string>& arguments) {
+    static const Command kCommands[]{
+        {"pick",
+         "csgscope pick tells which surfaces lie behind a pixel of the model's picture, and from where in the text "
+         "each comes.",
+         declare_pick},
+        {"measure",
+         "csgscope measure tells distances, angles, radii and diameters of faces, edges and points of a model.",
+         declare_measure},
+        {"",
+         "csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.\n"
+         "csgscope pick tells what lies behind a pixel, csgscope measure distances and radii, csgscope check looks "
+         "for faults, csgscope compare compares with a mesh: each has a --help of its own.",
+         declare}};
+    return *std::find_if(std::begin(kCommands), std::end(kCommands) - 1,
+                         [&](const Command& command) { return !arguments.empty() && arguments[0] == command.name; });
+}
+
 }  // namespace
 
 csg::PartRule read_parts(const std::string& text) {
@@ -378,22 +406,19 @@ bool needs_geometry(const Options& options) {
 CommandLine read_command_line(const std::vector<std::string>& arguments, const std::string& styles) {
     CommandLine line;
     RawOptions raw;
-    const bool pick = !arguments.empty() && arguments[0] == "pick";
-    if (!pick && read_paths(arguments, raw)) {
+    const Command& command = command_of(arguments);
+    if (command.name.empty() && read_paths(arguments, raw)) {
         interpret(line.options, raw);
         return line;
     }
-    OptionTable table(
-        pick ? "csgscope pick tells which surfaces lie behind a pixel of the model's picture, and from where in "
-               "the text each comes."
-             : "csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.\n"
-               "csgscope pick tells what lies behind a pixel, csgscope check looks for faults, csgscope compare "
-               "compares with a mesh: each has a --help of its own.",
-        pick ? "csgscope pick" : "csgscope");
+    OptionTable table(command.text, command.name.empty() ? "csgscope" : fmt::format("csgscope {}", command.name));
     table.lay_out_help("Other", 34);
-    pick ? declare_pick(table, line.options, raw, styles) : declare(table, line.options, raw, styles);
+    command.declare(table, line.options, raw, styles);
+    if (command.name == "measure") {
+        line.options.measure.emplace();
+    }
     try {
-        if (!table.read({arguments.begin() + (pick ? 1 : 0), arguments.end()})) {
+        if (!table.read({arguments.begin() + (command.name.empty() ? 0 : 1), arguments.end()})) {
             if (!styles.empty()) {
                 line.text = table.help();
             }

@@ -10,6 +10,7 @@
 #include "gl/context.h"
 #include "goldfeather/choice.h"
 #include "ui/command_line/export_options.h"
+#include "ui/command_line/measure_options.h"
 #include "ui/command_line/outputs.h"
 #include "ui/command_line/picture_options.h"
 #include "ui/command_line/summary_parts.h"
@@ -26,8 +27,9 @@ struct PickOptions {
 };
 
 struct Options {
-    std::optional<PickOptions> pick;  ///< Instead of outputs.
-    std::string input;                ///< "-": standard input; empty where none was given.
+    std::optional<PickOptions> pick;        ///< Instead of outputs.
+    std::optional<MeasureOptions> measure;  ///< The same.
+    std::string input;                      ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
     ExportOptions exports;
     std::string changes_from;      ///< An earlier version, of which changes are drawn; empty: none.
@@ -88,8 +90,8 @@ struct CommandLine {
     std::optional<std::string> text;
 };
 
-/// Reads the arguments (without the program's name); "pick" as the first of them sets Options::pick. Throws UsageError.
-/// `styles`: as the help lists them, see
+/// Reads the arguments (without the program's name); "pick" or "measure" as the first of them sets
+/// Options::pick or measure. Throws UsageError. `styles`: as the help lists them, see
 /// style_names; where it is empty, a command line that asks for the help gives neither options nor text.
 [[nodiscard]] CommandLine read_command_line(const std::vector<std::string>& arguments, const std::string& styles = "");
 

@@ -19,6 +19,7 @@
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
+#include "ui/command_line/measure.h"
 #include "ui/command_line/medium_options.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/part_style_options.h"
@@ -118,11 +119,14 @@ class Run {
         }
         explain();
         if (needs_geometry(options_) || wants_picture() || options_.statistics || options_.summary ||
-            options_.summary_file || options_.pick) {
+            options_.summary_file || options_.pick || options_.measure) {
             build();
         }
         if (options_.pick) {
             pick();
+        }
+        if (options_.measure) {
+            measure();
         }
         if (needs_geometry(options_)) {
             begin("Computing the geometry…", "computing the geometry");
@@ -265,17 +269,28 @@ class Run {
         return *renderer_;
     }
 
+    std::vector<PickedSurface> surfaces_at(glm::ivec2 pixel, int layers) {
+        const base::Camera camera = pixel_camera(picture_.camera, picture_.size, glm::dvec2(pixel) + 0.5);
+        return shown_->empty() ? std::vector<PickedSurface>() : renderer().pick(*shown_, camera, layers);
+    }
+
     void pick() {
         begin("Picking…", "picking");
         const glm::ivec2 at = options_.pick->at;
-        const base::Camera pixel = pixel_camera(picture_.camera, picture_.size, glm::dvec2(at) + 0.5);
         const int layers = picture_.layers == npr::kLayersOfStyle ? goldfeather::kAllLayers : picture_.layers;
-        PickReport report{*shown_, *language_.evaluation().sources, at, picture_.size, picture_.camera, {}};
-        if (!shown_->empty()) {
-            report.surfaces = renderer().pick(*shown_, pixel, layers);
-        }
+        const PickReport report{*shown_,         *language_.evaluation().sources, at, picture_.size,
+                                picture_.camera, surfaces_at(at, layers)};
         language_.progress().say("");
         write_output("-", options_.pick->json ? text_of(pick_json(report)) : printable(pick_text(report)));
+    }
+
+    void measure() {
+        begin("Measuring…", "measuring");
+        const std::string text =
+            measured_output(*options_.measure, *shown_, *language_.evaluation().sources,
+                            [this](glm::ivec2 pixel, int layers) { return surfaces_at(pixel, layers); });
+        language_.progress().say("");
+        write_output("-", text);
     }
 
     template <typename Value>
@@ -523,8 +538,8 @@ int run_or_throw(const std::vector<std::string>& arguments) {
         write_output("-", line.text ? *line.text : information(options.context.value_or(gl::ContextKind::Auto)));
         return 0;
     }
-    const bool window =
-        !options.pick && options.outputs.empty() && !options.statistics && !options.summary && !options.summary_file;
+    const bool window = !options.pick && !options.measure && options.outputs.empty() && !options.statistics &&
+                        !options.summary && !options.summary_file;
     if (options.input.empty() && !(window && has_display())) {
         throw UsageError("no input file; see csgscope --help");
     }

@@ -219,6 +219,12 @@ std::optional<PartRay::Hit> PartRay::leave(csg::PartId part, const glm::dvec3& o
                 [&](const PointValues& values) { return values.in_part(part) ? std::nullopt : std::optional(part); });
 }
 
+std::optional<PartRay::Hit> PartRay::enter(csg::PartId part, const glm::dvec3& origin, const glm::dvec3& direction,
+                                           const Covers& covers, double most) {
+    return walk(origin, direction, covers, most,
+                [&](const PointValues& values) { return values.in_part(part) ? std::optional(part) : std::nullopt; });
+}
+
 std::optional<PartRay::Hit> PartRay::enter(const glm::dvec3& origin, const glm::dvec3& direction, const Covers& covers,
                                            double most) {
     return walk(origin, direction, covers, most, [](const PointValues& values) {

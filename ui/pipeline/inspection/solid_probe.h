@@ -106,6 +106,9 @@ class PartRay {
     /// Where a ray from outside of all parts enters one.
     [[nodiscard]] std::optional<Hit> enter(const glm::dvec3& origin, const glm::dvec3& direction, const Covers& covers,
                                            double most);
+    /// Where a ray from a point that is not in `part` enters it.
+    [[nodiscard]] std::optional<Hit> enter(csg::PartId part, const glm::dvec3& origin, const glm::dvec3& direction,
+                                           const Covers& covers, double most);
     /// Goes to the point that these hold.
     const PointValues& at(const Covers& covers);
 
