@@ -66,6 +66,14 @@ glm::dvec3 point_on_target_plane(const base::Camera& camera, glm::ivec2 size, gl
     return camera.target + pixel_size(camera, size.y) * (right * from_middle.x - up * from_middle.y);
 }
 
+glm::dvec3 rotation_from(const glm::dvec3& side, const glm::dvec3& now) {
+    const glm::dvec3 to_eye = glm::normalize(side);
+    const double tilt = glm::degrees(std::acos(std::clamp(to_eye.z, -1.0, 1.0)));
+    const bool upright = to_eye.x != 0 || to_eye.y != 0;
+    const double turn = upright ? glm::degrees(std::atan2(to_eye.x, -to_eye.y)) : 90 * std::round(now.z / 90);
+    return {tilt, 0, wrapped(turn)};
+}
+
 void toggle_projection(base::Camera& camera) {
     camera.projection = camera.projection == base::Projection::Perspective ? base::Projection::Orthographic
                                                                            : base::Projection::Perspective;

@@ -24,6 +24,10 @@ void zoom(base::Camera& camera, double factor, const glm::dvec3& fixed);
 /// Where the line of sight through the cursor meets the plane through the target, parallel to the picture.
 [[nodiscard]] glm::dvec3 point_on_target_plane(const base::Camera& camera, glm::ivec2 size, glm::dvec2 cursor);
 
+/// base::Camera::rotation of a camera that looks from `side` (world coordinates, of any length), +z up. From straight
+/// above and below, that which is nearest to `now` of those in which an axis points up.
+[[nodiscard]] glm::dvec3 rotation_from(const glm::dvec3& side, const glm::dvec3& now);
+
 /// The other projection; things at the target keep their size, since both use the distance and the field of view.
 void toggle_projection(base::Camera& camera);
 

@@ -47,7 +47,11 @@ constexpr std::array kActions{
     ActionInfo{Action::MoreLayers, "Style", "One layer more", {{GLFW_KEY_L}}},
     ActionInfo{Action::FewerLayers, "Style", "One layer less", {{GLFW_KEY_L, kShift}}},
 
+    ActionInfo{Action::SelectTool, "Tool", "Select", {{GLFW_KEY_SPACE}}},
+    ActionInfo{Action::FlyTool, "Tool", "Fly", {{GLFW_KEY_F}}},
+
     ActionInfo{Action::ToggleAxes, "Window", "Axes", {{GLFW_KEY_A}, {GLFW_KEY_2, kCtrl}}},
+    ActionInfo{Action::ToggleCube, "Window", "View cube", {{GLFW_KEY_B}}},
     ActionInfo{Action::TogglePanel, "Window", "Drawing panel", {{GLFW_KEY_F8}}},
     ActionInfo{Action::ToggleText, "Window", "Text", {{GLFW_KEY_F6}, {GLFW_KEY_T}}},
     ActionInfo{Action::ToggleCustomizer, "Window", "Customizer", {{GLFW_KEY_F7}}},
@@ -61,6 +65,8 @@ constexpr std::array kActions{
 
 std::string key_name(int key) {
     switch (key) {
+        case GLFW_KEY_SPACE:
+            return "Space";
         case GLFW_KEY_HOME:
             return "Home";
         case GLFW_KEY_LEFT:

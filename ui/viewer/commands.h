@@ -47,7 +47,10 @@ enum class Action {
     PreviousStyle,
     MoreLayers,
     FewerLayers,
+    SelectTool,  ///< Takes the tool in hand; see tools().
+    FlyTool,
     ToggleAxes,
+    ToggleCube,
     TogglePanel,
     ToggleText,
     ToggleCustomizer,
@@ -85,6 +88,14 @@ struct SetSamples {
 };
 struct SetSections {
     npr::Sections sections;  ///< Sides and corners go by the camera of now.
+};
+/// The eye goes that way from where the camera looks: to a side, an edge or a corner of a cube.
+struct LookFrom {
+    glm::dvec3 side{0, 0, 1};  ///< World coordinates, of any length.
+};
+/// What is seen at a place of the picture, from its upper left corner.
+struct SelectAt {
+    glm::dvec2 at{0};
 };
 /// The place of a text in the text panel.
 struct ShowText {
@@ -135,10 +146,11 @@ struct ExportModel {
     std::filesystem::path path;
 };
 
-using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
-                             SetTransparencyParameter, SetLayers, SetSamples, SetSections, Explain, ShowText, EditText,
-                             StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
-                             DeleteParameterSet, SetEngine, WritePicture, ExportModel>;
+using Command =
+    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
+                 SetLayers, SetSamples, SetSections, LookFrom, SelectAt, Explain, ShowText, EditText, StepSelection,
+                 OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet, DeleteParameterSet,
+                 SetEngine, WritePicture, ExportModel>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

@@ -33,6 +33,7 @@ std::string to_json(const FrameRecord& record) {
                        {"evaluating", record.evaluating},
                        {"selected", record.selected},
                        {"text_line", record.text_line},
+                       {"tool", record.tool},
                        {"camera", camera}};
     return json.dump();
 }

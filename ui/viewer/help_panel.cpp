@@ -78,7 +78,7 @@ void draw_help(const Fonts& fonts, Commands& commands) {
             menu(name, fonts);
         }
         ImGui::NextColumn();
-        for (const char* name : {"View", "Window", "Help"}) {
+        for (const char* name : {"View", "Tool", "Window", "Help"}) {
             menu(name, fonts);
         }
         ImGui::Columns();

@@ -23,6 +23,7 @@ struct Shown {
     bool customizer = false, text = false;  ///< One of them at most.
     bool console = true;
     bool axes = true;
+    bool cube = true;
     bool help = false;
     bool save_form = false;
     bool open_form = false;

@@ -40,10 +40,12 @@ void engines_menu(const Session& session, const PictureInfo& picture, Commands& 
     ImGui::PopTextWrapPos();
 }
 
-bool checked(const Session& session, Action action) {
+bool checked(const Session& session, Action tool, Action action) {
     switch (action) {
         case Action::ToggleAxes:
             return session.shown().axes;
+        case Action::ToggleCube:
+            return session.shown().cube;
         case Action::TogglePanel:
             return session.shown().panel;
         case Action::ToggleText:
@@ -53,11 +55,11 @@ bool checked(const Session& session, Action action) {
         case Action::ToggleConsole:
             return session.shown().console;
         default:
-            return false;
+            return action == tool;
     }
 }
 
-void menu(const char* name, const Session& session, Commands& commands) {
+void menu(const char* name, const Session& session, Action tool, Commands& commands) {
     if (std::strcmp(name, "Style") == 0) {
         styles_menu(session, commands);
     }
@@ -70,15 +72,49 @@ void menu(const char* name, const Session& session, Commands& commands) {
         if (ends_group) {
             ImGui::Separator();
         }
-        if (ImGui::MenuItem(each.label, text(each.keys[0]).c_str(), checked(session, each.action))) {
+        if (ImGui::MenuItem(each.label, text(each.keys[0]).c_str(), checked(session, tool, each.action))) {
             commands.emplace_back(each.action);
         }
     }
 }
 
+/// At the right end of the bar, where there is room: the tools, that in hand in color and underlined.
+void tool_buttons(Action tool, Commands& commands) {
+    float width = 0;
+    for (const ActionInfo& each : actions()) {
+        width += std::strcmp(each.menu, "Tool") == 0
+                     ? ImGui::CalcTextSize(each.label).x + ImGui::GetStyle().ItemSpacing.x * 2
+                     : 0;
+    }
+    const float from = ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x;
+    if (from < ImGui::GetCursorPosX() + ImGui::GetFontSize()) {
+        return;
+    }
+    ImGui::SetCursorPosX(from);
+    for (const ActionInfo& each : actions()) {
+        if (std::strcmp(each.menu, "Tool") != 0) {
+            continue;
+        }
+        const bool in_hand = each.action == tool;
+        ImGui::PushStyleColor(ImGuiCol_Text, in_hand ? theme::kAccent : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+        if (ImGui::MenuItem(each.label)) {
+            commands.emplace_back(each.action);
+        }
+        if (in_hand) {
+            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+            ImGui::GetWindowDrawList()->AddLine({low.x, high.y - 1}, {high.x, high.y - 1},
+                                                ImGui::GetColorU32(theme::kAccent), 2);
+        }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", text(each.keys[0]).c_str());
+        }
+        ImGui::PopStyleColor();
+    }
+}
+
 }  // namespace
 
-float draw_menu_bar(const Session& session, const PictureInfo& picture, Commands& commands) {
+float draw_menu_bar(const Session& session, const PictureInfo& picture, Action tool, Commands& commands) {
     if (!ImGui::BeginMainMenuBar()) {
         return 0;
     }
@@ -89,7 +125,7 @@ float draw_menu_bar(const Session& session, const PictureInfo& picture, Commands
         }
         last = each.menu;
         if (ImGui::BeginMenu(last)) {
-            menu(last, session, commands);
+            menu(last, session, tool, commands);
             ImGui::EndMenu();
         }
         if (std::strcmp(last, "Style") == 0 && ImGui::BeginMenu("Engine")) {
@@ -97,6 +133,7 @@ float draw_menu_bar(const Session& session, const PictureInfo& picture, Commands
             ImGui::EndMenu();
         }
     }
+    tool_buttons(tool, commands);
     const float height = ImGui::GetWindowSize().y;
     ImGui::EndMainMenuBar();
     return height;

@@ -21,8 +21,8 @@ struct PictureInfo {
     std::string error;  ///< Why it could not be drawn; empty where it was.
 };
 
-/// Gives its height.
-float draw_menu_bar(const Session& session, const PictureInfo& picture, Commands& commands);
+/// Gives its height. `tool`: the action of that in hand.
+float draw_menu_bar(const Session& session, const PictureInfo& picture, Action tool, Commands& commands);
 
 /// Style, parameters, colors, layers, samples, camera, figures of the model and of the picture.
 void draw_panel(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,

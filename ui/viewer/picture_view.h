@@ -35,7 +35,7 @@ struct SavedPicture {
 };
 
 /// What a point is asked for.
-enum class PickFor { Center, Navigation };
+enum class PickFor { Center, Navigation, Tool };
 
 struct PickedPoint {
     std::optional<PickedSurface> surface;  ///< The nearest; none where there is nothing.

@@ -46,6 +46,8 @@ bool Session::perform(const Command& command) {
         view_.picture.samples = static_cast<int>(npr::sample_offsets(samples->samples).size());
     } else if (const auto* sections = std::get_if<SetSections>(&command)) {
         cut(sections->sections);
+    } else if (const auto* look = std::get_if<LookFrom>(&command)) {
+        view_.picture.camera.rotation = rotation_from(look->side, view_.picture.camera.rotation);
     } else if (const auto* explain = std::get_if<Explain>(&command)) {
         document_.explain(explain->call);
         selection_.clear();
@@ -149,6 +151,9 @@ bool Session::act(Action action) {
         case Action::ToggleAxes:
             shown_.axes = !shown_.axes;
             break;
+        case Action::ToggleCube:
+            shown_.cube = !shown_.cube;
+            break;
         case Action::TogglePanel:
             shown_.panel = !shown_.panel;
             break;
@@ -175,6 +180,8 @@ bool Session::act(Action action) {
         case Action::Close:
             close();
             break;
+        case Action::SelectTool:
+        case Action::FlyTool:
         case Action::Quit:
         case Action::CopyConsole:
         case Action::CopyCamera:

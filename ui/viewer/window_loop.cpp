@@ -18,6 +18,8 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr double kPollSeconds = 0.2;
+/// Between frames while something goes on by itself.
+constexpr double kAdvanceSeconds = 1.0 / 60;
 /// How long the end waits for the picture that is being drawn and was stopped.
 constexpr double kLastPictureSeconds = 1;
 /// ImGui needs a second frame until its panels have followed what happened, and a third until a form that has grown by
@@ -70,7 +72,7 @@ WindowEnd WindowLoop::run() {
     while (!quit_ && !window_.close_requested()) {
         double rest = kPollSeconds;
         if (frames_to_draw_ > 0) {
-            rest = 0;
+            rest = advances_ ? kAdvanceSeconds : 0;
         } else if (!picture_.busy()) {
             rest = std::min(plan_.wait(seconds()).value_or(kPollSeconds), kPollSeconds);
         }
@@ -94,7 +96,7 @@ WindowEnd WindowLoop::run() {
     return finish();
 }
 
-/// A pointer that moves over the picture, with nothing held and nothing over it, changes nothing.
+/// A pointer that moves over the picture, with nothing held and nothing over it, changes nothing but what tools show.
 bool WindowLoop::only_hovers(const Input& input) {
     const bool covered = session_.shown().covered() || ImGui::GetIO().WantCaptureMouse;
     const bool moves = !input.pointer.empty() && input.keys.empty() && !input.other &&
@@ -102,7 +104,13 @@ bool WindowLoop::only_hovers(const Input& input) {
                            return event.kind == PointerKind::Move && picture_place_.contains(event.position);
                        });
     // The first of them ends what was under the pointer before.
-    return std::exchange(hovers_, moves) && moves && !covered && input_.empty() && !input_.any_held();
+    if (!std::exchange(hovers_, moves) || !moves || covered || !input_.empty() || input_.any_held()) {
+        return false;
+    }
+    bool changed = false;
+    Commands none;
+    use_tools([&](ToolContext& context) { changed = toolbox_.hover(context, input.pointer.back().position); }, none);
+    return !changed && none.empty();
 }
 
 WindowEnd WindowLoop::finish() {
@@ -131,13 +139,14 @@ void WindowLoop::frame(const Input& input) {
     Commands commands;
     const Layout layout = draw_interface(commands);
     picture_place_ = layout.picture;
-    navigate(input, layout.picture);
-    for (const KeyEvent& event : input.keys) {
-        const auto action = action_of(event.chord);
-        if (action && (!ImGui::GetIO().WantTextInput || *action == Action::Close)) {
-            commands.emplace_back(*action);
-        }
-    }
+    navigate(input, commands);
+    press_keys(input, commands);
+    advance(commands);
+    use_tools(
+        [&](const ToolContext& context) {
+            toolbox_.draw(context, {*ImGui::GetBackgroundDrawList(), interface_.fonts(), interface_.scale()});
+        },
+        commands);
     if (!input.dropped.empty()) {
         commands.emplace_back(OpenFile{input.dropped.front()});
     }
@@ -165,7 +174,7 @@ glm::ivec2 WindowLoop::pixel_size(const Rectangle& place) const {
 }
 
 Layout WindowLoop::draw_interface(Commands& commands) {
-    const float menu_height = draw_menu_bar(session_, info_, commands);
+    const float menu_height = draw_menu_bar(session_, info_, toolbox_.used(), commands);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Fonts& fonts = interface_.fonts();
     const Layout layout =
@@ -195,31 +204,6 @@ Layout WindowLoop::draw_interface(Commands& commands) {
         save_form_.draw(session_.view().request(pixel_size(layout.picture)), commands);
     }
     return layout;
-}
-
-void WindowLoop::navigate(const Input& input, const Rectangle& picture) {
-    const bool free = !ImGui::GetIO().WantCaptureMouse;
-    for (const PointerEvent& event : input.pointer) {
-        navigator_.handle(event, picture, free, session_.camera());
-    }
-    const auto centered = navigator_.take_double_click(), selected = navigator_.take_click(),
-               question = navigator_.take_question();
-    const auto& model = session_.document().model();
-    if (!model || model->empty()) {
-        return;
-    }
-    const auto narrow = [&](const glm::dvec2& at) {
-        return pixel_camera(session_.camera(), glm::ivec2(picture.size), at);
-    };
-    const npr::Sections& sections = session_.view().picture.sections;
-    if (question) {
-        picture_.pick(model, sections, narrow(*question), PickFor::Navigation);
-    }
-    if (centered) {
-        picture_.pick(model, sections, narrow(*centered));
-    } else if (selected && session_.document().model_sources()) {
-        picture_.select(model, session_.document().model_sources(), sections, narrow(*selected), *selected);
-    }
 }
 
 void WindowLoop::open(const OpenFile& file) {
@@ -262,29 +246,43 @@ bool WindowLoop::receive_export() {
 }
 
 void WindowLoop::perform(const Command& command) {
+    const auto* action = std::get_if<Action>(&command);
     if (const auto* file = std::get_if<OpenFile>(&command)) {
         open(*file);
         return;
     }
-    if (session_.perform(command)) {
+    if (action != nullptr && perform_by_tools(*action)) {
         return;
     }
-    if (const auto* exported = std::get_if<ExportModel>(&command)) {
+    const bool flies = std::holds_alternative<LookFrom>(command) || (action != nullptr && looks_from(*action));
+    flight_.finish(session_.camera());
+    const glm::dvec3 before = session_.camera().rotation;
+    if (session_.perform(command)) {
+        if (flies) {
+            flight_.start(session_.camera(), before, seconds());
+        }
+    } else if (const auto* selected = std::get_if<SelectAt>(&command)) {
+        select(selected->at);
+    } else if (const auto* exported = std::get_if<ExportModel>(&command)) {
         export_model(*exported);
     } else if (const auto* edit = std::get_if<EditText>(&command)) {
         note_ = open_editor(edit->path, edit->line, edit->column);
     } else if (const auto* write = std::get_if<WritePicture>(&command)) {
         save_picture(*write);
-    } else if (const auto* action = std::get_if<Action>(&command)) {
+    } else if (action != nullptr) {
         quit_ = quit_ || *action == Action::Quit;
-        if (*action == Action::CopyConsole) {
-            window_.set_clipboard(session_.document().messages().text());
-            note_ = "The console is copied";
-        } else if (*action == Action::CopyCamera) {
-            const std::string option = camera_option(session_.view().picture.camera);
-            window_.set_clipboard(option);
-            note_ = "Copied: " + option;
-        }
+        copy(*action);
+    }
+}
+
+void WindowLoop::copy(Action action) {
+    if (action == Action::CopyConsole) {
+        window_.set_clipboard(session_.document().messages().text());
+        note_ = "The console is copied";
+    } else if (action == Action::CopyCamera) {
+        const std::string option = camera_option(session_.view().picture.camera);
+        window_.set_clipboard(option);
+        note_ = "Copied: " + option;
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ui/pipeline/stopwatch.h"
+#include "ui/viewer/camera_flight.h"
 #include "ui/viewer/customizer_panel.h"
 #include "ui/viewer/export_form.h"
 #include "ui/viewer/export_job.h"
@@ -17,6 +18,7 @@
 #include "ui/viewer/recent_files.h"
 #include "ui/viewer/session.h"
 #include "ui/viewer/text_panel.h"
+#include "ui/viewer/toolbox.h"
 #include "ui/viewer/window.h"
 
 namespace ui {
@@ -37,8 +39,18 @@ class WindowLoop {
     [[nodiscard]] glm::ivec2 pixel_corner(const Rectangle& place) const;
     [[nodiscard]] glm::ivec2 pixel_size(const Rectangle& place) const;
     [[nodiscard]] Layout draw_interface(Commands& commands);
-    void navigate(const Input& input, const Rectangle& picture);
+    void navigate(const Input& input, Commands& commands);
+    void press_keys(const Input& input, Commands& commands);
+    /// What goes on without input: flights.
+    void advance(Commands& commands);
+    void use_tools(const std::function<void(ToolContext&)>& use, Commands& commands);
+    /// The camera's picture of the one pixel at a place of the picture.
+    [[nodiscard]] base::Camera narrowed(const glm::dvec2& at);
     void perform(const Command& command);
+    /// False where it is nothing that a tool is concerned with.
+    bool perform_by_tools(Action action);
+    void select(const glm::dvec2& at);
+    void copy(Action action);
     void open(const OpenFile& file);
     void export_model(const ExportModel& what);
     /// True where an export has ended.
@@ -64,6 +76,12 @@ class WindowLoop {
     PictureView picture_;
     Session session_;
     Navigator navigator_;
+    Toolbox toolbox_;
+    std::optional<glm::dvec2> question_;  ///< Of a tool, from the window's corner, not asked yet.
+    bool asked_ = false;                  ///< One is, and its answer is to come.
+    CameraFlight flight_;
+    double advanced_ = 0;    ///< When advance() was called last.
+    bool advances_ = false;  ///< Something goes on without input.
     CustomizerPanel customizer_panel_;
     TextPanel text_panel_;
     RecentFiles recent_;

@@ -58,10 +58,24 @@ void WindowLoop::receive(const SavedPicture& saved) {
 }
 
 void WindowLoop::receive(const PickedPoint& picked) {
-    if (picked.purpose == PickFor::Navigation) {
-        navigator_.answer(picked.surface ? std::optional(picked.surface->point) : std::nullopt);
-    } else if (picked.surface) {
-        session_.look_at(picked.surface->point);
+    switch (picked.purpose) {
+        case PickFor::Navigation:
+            navigator_.answer(picked.surface ? std::optional(picked.surface->point) : std::nullopt);
+            break;
+        case PickFor::Tool: {
+            asked_ = false;
+            Commands commands;
+            use_tools([&](ToolContext& context) { toolbox_.answer(context, picked.surface); }, commands);
+            for (const Command& command : commands) {
+                perform(command);
+            }
+            break;
+        }
+        case PickFor::Center:
+            if (picked.surface) {
+                session_.look_at(picked.surface->point);
+            }
+            break;
     }
 }
 
@@ -159,6 +173,7 @@ void WindowLoop::log(double frame_ms) {
     if (session_.shown().text && session_.text().text) {
         record.text_line = static_cast<int>(session_.text().range.line);
     }
+    record.tool = toolbox_.info().name;
     record.camera = session_.view().picture.camera;
     log_.write(record);
 }

@@ -130,5 +130,19 @@ TEST(CameraOption, IsWhatTheCommandLineTakes) {
     EXPECT_EQ(camera_option(camera), "--camera 1,-2.5,0,55,0,25,140 --projection o");
 }
 
+TEST(CameraControl, SidesAreLookedAtUpright) {
+    const auto from = [](const glm::dvec3& side) { return rotation_from(side, {55, 0, 100}); };
+    EXPECT_EQ(from({0, -1, 0}), glm::dvec3(90, 0, 0)) << "front";
+    EXPECT_EQ(from({1, 0, 0}), glm::dvec3(90, 0, 90)) << "right";
+    EXPECT_EQ(from({0, 1, 0}), glm::dvec3(90, 0, 180)) << "back";
+    EXPECT_EQ(from({-1, 0, 0}), glm::dvec3(90, 0, 270)) << "left";
+    EXPECT_EQ(from({0, 0, 1}), glm::dvec3(0, 0, 90)) << "top, turned as it was about";
+    EXPECT_EQ(from({0, 0, -1}), glm::dvec3(180, 0, 90)) << "bottom";
+    base::Camera camera;
+    camera.rotation = from({1, -1, 1});
+    const glm::dvec3 to_eye = glm::normalize(camera.eye() - camera.target);
+    EXPECT_LT(glm::distance(to_eye, glm::normalize(glm::dvec3(1, -1, 1))), 1e-12);
+}
+
 }  // namespace
 }  // namespace ui

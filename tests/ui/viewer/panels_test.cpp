@@ -227,7 +227,7 @@ TEST_F(Form, IsClosed) {
 class OtherParts : public Panels {
   protected:
     void draw(Commands& commands) override {
-        (void)draw_menu_bar(*session_, info_, commands);
+        (void)draw_menu_bar(*session_, info_, Action::SelectTool, commands);
         draw_overlay({{0, 30}, {900, 600}}, *session_, info_, fonts_, 1);
         draw_status({{0, 1370}, {1280, 30}}, *session_, info_, "note", commands_);
         draw_help(fonts_, commands);
@@ -236,7 +236,7 @@ class OtherParts : public Panels {
 
 class MenuBar : public Panels {
   protected:
-    void draw(Commands& commands) override { (void)draw_menu_bar(*session_, info_, commands); }
+    void draw(Commands& commands) override { (void)draw_menu_bar(*session_, info_, Action::SelectTool, commands); }
     /// Opens the menu and clicks an item.
     void choose(const char* menu, const char* item) {
         frame({-100, -100}, false);

@@ -1,0 +1,24 @@
+#include "ui/viewer/tools.h"
+
+#include <array>
+
+#include "ui/viewer/tools/fly_tool.h"
+#include "ui/viewer/tools/section_tool.h"
+#include "ui/viewer/tools/select_tool.h"
+#include "ui/viewer/tools/view_cube.h"
+
+namespace ui {
+
+std::span<const ToolInfo> tools() {
+    static constexpr std::array kTools{
+        ToolInfo{"cube", {}, "", make_view_cube},
+        ToolInfo{"section", {}, "", make_section_tool},
+        ToolInfo{"select", Action::SelectTool, "", make_select_tool},
+        ToolInfo{"fly", Action::FlyTool,
+                 "Fly: W A S D forward and sideways, E Q up and down, Shift quicker, drag to look around, Esc ends it",
+                 make_fly_tool},
+    };
+    return kTools;
+}
+
+}  // namespace ui
