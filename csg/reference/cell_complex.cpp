@@ -59,15 +59,31 @@ class Builder {
         complex_.regions = region.count();
     }
 
+    /// Where no ray from one of a piece's cells tells, others are asked.
     void find_pieces(DisjointSets& pieces) {
-        std::vector<char> begun(complex_.cells.size(), 0);  // By what stands for the piece.
+        constexpr int kMostCells = 16;
+        std::vector<signed char> left(complex_.cells.size(), kMostCells);  // By what stands for the piece; 0: known.
         for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
             paced_();
-            if (std::exchange(begun[pieces.find(c)], char{1}) == 0) {
-                complex_.pieces.emplace_back(complex_.cells[c].above, space_.windings_above(complex_.cells[c]));
+            signed char& tries = left[pieces.find(c)];
+            if (tries == 0) {
+                continue;
+            }
+            if (auto windings = space_.windings_above(complex_.cells[c])) {
+                complex_.pieces.emplace_back(complex_.cells[c].above, std::move(*windings));
+                tries = 0;
+            } else if (--tries == 0) {
+                throw_untold();
+            }
+        }
+        for (std::uint32_t c = 0; c < complex_.cells.size(); ++c) {
+            if (left[pieces.find(c)] != 0) {
+                throw_untold();
             }
         }
     }
+
+    [[noreturn]] static void throw_untold() { throw Undecided("no ray from a face tells what is in front of it"); }
 
     const ComplexSpace& space_;
     base::PacedStop paced_;

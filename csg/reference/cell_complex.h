@@ -1,6 +1,7 @@
 // Space cut up by all faces of a scene: the cells of its planes, and the regions between them.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <utility>
@@ -40,8 +41,8 @@ class ComplexSpace {
     virtual ~ComplexSpace() = default;
     /// Sorts the sides at one edge counter-clockwise seen against lo → hi, beginning with any.
     virtual void sort_around(std::span<ComplexSide> sides, std::span<const ComplexCell> cells) const = 0;
-    /// The winding numbers of all leaves just above the cell.
-    [[nodiscard]] virtual Covers windings_above(const ComplexCell& cell) const = 0;
+    /// The winding numbers of all leaves just above the cell; nothing where no ray from it tells.
+    [[nodiscard]] virtual std::optional<Covers> windings_above(const ComplexCell& cell) const = 0;
 };
 
 /// `cells[i]` are those of plane i. Around every edge the cells are sorted by angle, which tells the regions between

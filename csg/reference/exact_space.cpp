@@ -144,7 +144,7 @@ void ExactSpace::sort_around(std::span<ComplexSide> sides, std::span<const Compl
     }
 }
 
-Covers ExactSpace::windings_above(const ComplexCell& cell) const {
+std::optional<Covers> ExactSpace::windings_above(const ComplexCell& cell) const {
     const auto area = [&](const glm::uvec3& t) {
         const glm::dvec3& a = points_.near(t.x);
         return glm::length(glm::cross(points_.near(t.y) - a, points_.near(t.z) - a));
@@ -184,7 +184,7 @@ Covers ExactSpace::windings_above(const ComplexCell& cell) const {
             return summed(std::move(hits));
         }
     }
-    throw Undecided("no ray from a face tells what is in front of it");
+    return {};
 }
 
 }  // namespace csg::reference

@@ -16,7 +16,7 @@ class ExactSpace final : public ComplexSpace {
     ExactSpace(const ExactFaces& faces, const ExactPoints& points);
 
     void sort_around(std::span<ComplexSide> sides, std::span<const ComplexCell> cells) const override;
-    [[nodiscard]] Covers windings_above(const ComplexCell& cell) const override;
+    [[nodiscard]] std::optional<Covers> windings_above(const ComplexCell& cell) const override;
 
   private:
     /// A half-plane at an edge: of this plane, on this side of the edge.

@@ -15,7 +15,7 @@ class PlaneSpace final : public ComplexSpace {
         : content_(content), points_(content.points), probe_(group, content.points.tolerance()) {}
 
     void sort_around(std::span<ComplexSide> sides, std::span<const ComplexCell> cells) const override;
-    [[nodiscard]] Covers windings_above(const ComplexCell& cell) const override;
+    [[nodiscard]] std::optional<Covers> windings_above(const ComplexCell& cell) const override;
 
   private:
     const Content& content_;

@@ -23,9 +23,10 @@ std::vector<Box> boxes_of(const LeafGroup& group) {
     return boxes;
 }
 
-/// 1: from behind the triangle, -1: from in front of it, 0: not at all. Nothing where it cannot be told.
-std::optional<int> crosses(const solid::PlacedLeaf& leaf, const glm::uvec3& t, const glm::dvec3& o,
-                           const glm::dvec3& d) {
+/// 1: from behind the triangle, -1: from in front of it, 0: not at all. Nothing where it cannot be told: beside an
+/// edge, or where the origin is as near to the triangle as points may be off, so on either side of it.
+std::optional<int> crosses(const solid::PlacedLeaf& leaf, const glm::uvec3& t, const glm::dvec3& o, const glm::dvec3& d,
+                           double tolerance) {
     const glm::dvec3 a = leaf.points[t.x] - o, b = leaf.points[t.y] - o, c = leaf.points[t.z] - o;
     const glm::dvec3 bc = glm::cross(b, c), ca = glm::cross(c, a), ab = glm::cross(a, b);
     const double u = glm::dot(d, bc), v = glm::dot(d, ca), w = glm::dot(d, ab);
@@ -41,6 +42,9 @@ std::optional<int> crosses(const solid::PlacedLeaf& leaf, const glm::uvec3& t, c
         if (volume * (u + v + w) < 0 && std::abs(volume) > scale * 1e-3) {
             return 0;
         }
+        return {};
+    }
+    if (std::abs(volume) <= tolerance * glm::length(bc + ca + ab)) {
         return {};
     }
     const bool outwards = u + v + w > 0;
@@ -85,7 +89,7 @@ std::optional<Covers> RayProbe::windings(const glm::dvec3& origin, const glm::dv
             if (leaf.planes[t].index == without) {
                 return true;
             }
-            const std::optional<int> hit = crosses(leaf, leaf.triangles[t], origin, direction);
+            const std::optional<int> hit = crosses(leaf, leaf.triangles[t], origin, direction, tolerance_);
             count += hit.value_or(0);
             return hit.has_value();
         };

@@ -11,8 +11,8 @@
 
 namespace csg::reference {
 
-/// In double precision: rays that pass an edge closely are refused. Trees over the boxes of the leaves, and of the
-/// triangles of leaves that a ray came near to, leave most out. Not for several threads at a time.
+/// In double precision: rays that pass an edge closely, or begin at a face, are refused. Trees over the boxes of the
+/// leaves, and of the triangles of leaves that a ray came near to, leave most out. Not for several threads at a time.
 class RayProbe {
   public:
     /// Keeps the reference. `tolerance`: what points may be off (world units).
@@ -22,8 +22,8 @@ class RayProbe {
     RayProbe& operator=(const RayProbe&) = delete;
 
     /// How often the leaves wind around the points just beyond `origin` in `direction`, faces on plane `without` (of
-    /// the group) not counted (the origin is on it). Sorted by leaf; nothing where the ray is too near to an edge to
-    /// tell.
+    /// the group) not counted (the origin is on it). Sorted by leaf; nothing where the ray is too near to an edge, or
+    /// its origin to another face, to tell.
     [[nodiscard]] std::optional<Covers> windings(const glm::dvec3& origin, const glm::dvec3& direction,
                                                  std::uint32_t without) const;
 

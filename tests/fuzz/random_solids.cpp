@@ -169,8 +169,10 @@ class Maker {
                 return tube();
             case 7:
                 return double_cone();
-            default:
-                return builder_.leaf(csg::Cube{glm::dvec3(1 + bytes_.below(kSide), 1 + bytes_.below(kSide), 2)}, {});
+            default: {
+                const int width = 1 + bytes_.below(kSide), depth = 1 + bytes_.below(kSide);
+                return builder_.leaf(csg::Cube{glm::dvec3(width, depth, 2)}, {});
+            }
         }
     }
     NodeId shells(int count) {

@@ -294,6 +294,7 @@ TEST_P(Files, HaveAMesh) {
 }
 
 const File kFiles[] = {{"two_shells.scad", 850},
+                       {"sheet_beside_wall.scad", 12},
                        {"noisy_wall_2_rings.scad", 7535.8313165602},
                        {"noisy_wall_11_rings.scad", 154476.346727},
                        {"noisy_vase.csg", 55241.081421059},
