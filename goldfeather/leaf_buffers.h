@@ -28,7 +28,8 @@ class LeafBuffers {
     LeafBuffers(const gl::Functions& gl, const csg::solid::Geometry& geometry);
 
     /// Brings the buffers up to date with the geometry after a change that is none of structure: uploads the leaves
-    /// that have changed, unless one has more triangles than it ever had. Throws as above.
+    /// that have changed, unless one has more triangles than it ever had. Throws
+    /// EngineObstacle where there is an obstacle.
     void update(const csg::solid::SceneChange& change);
 
     struct Range {

@@ -27,7 +27,7 @@ struct HostStack {
     bool complete = false;         ///< True where no pixel has a further layer.
     std::deque<HostLayer> planes;  ///< A deque, so that those there stay where they are while it grows.
     std::vector<int> held;         ///< By tile: layers in which it holds a surface.
-    std::vector<int> counts;       ///< By pixel: the same.
+    std::vector<int> counts;       ///< By pixel: its surfaces.
     std::shared_ptr<const SurfaceTable> table;
 
     /// Of that size, and empty; the memory of the planes is kept where it fits.

@@ -42,7 +42,7 @@ struct Geometry {
     std::optional<glm::dvec3> center;   ///< Of what becomes floats; none: that of the box.
     double flat = 1;                    ///< Thickness of outlines.
     std::vector<std::string> warnings;  ///< With file:line where known.
-    std::vector<std::string> failures;  ///< Objects that are left out, or less than was asked for; as above.
+    std::vector<std::string> failures;  ///< Objects that are left out or not whole; with file:line too.
 };
 
 struct NodeGeometry;

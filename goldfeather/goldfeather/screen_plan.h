@@ -53,7 +53,8 @@ struct Tile {
 
 /// A leaf's parity needs a bit in every pixel, but leaves that are apart on the screen can share one (a slot), as long
 /// as no product takes one of them for the other: five hundred holes of a plate need a few slots, not five hundred.
-/// Leaves with winding numbers share whole words likewise.
+/// A leaf with winding numbers needs a whole word in every pixel instead of a bit; leaves share words as they share
+/// bits.
 struct ScreenPlan {
     std::vector<PlannedLeaf> leaves;  ///< In order of leaf id.
     std::vector<PlannedProduct> products;

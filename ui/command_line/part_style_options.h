@@ -13,7 +13,8 @@ namespace ui {
 /// is none, or there is no such style, parameter or value; names the nearest one.
 [[nodiscard]] npr::PartStyle read_part_style(const std::string& text);
 
-/// 'NAME', 'part=NAME', 'color=COLOR' or 'module=NAME', and maybe ',SHARE' above 0, at most 1. Throws as above.
+/// 'NAME', 'part=NAME', 'color=COLOR' or 'module=NAME', and maybe ',SHARE' above 0, at most 1. Throws
+/// std::runtime_error where it is none of these.
 [[nodiscard]] npr::RevealedPart read_revealed_part(const std::string& text);
 
 /// Throws UsageError where one of them is of no part of the scene.

@@ -45,7 +45,7 @@ struct Model {
     csg::Box box;                       ///< Encloses the solid; empty where nothing is to be seen.
     bool flat = false;                  ///< An outline in the plane, and nothing else (Showing::Result only).
     std::vector<std::string> warnings;  ///< With file:line where known.
-    std::vector<std::string> failures;  ///< Objects that are left out, or less than was asked for; as above.
+    std::vector<std::string> failures;  ///< Objects that are left out or not whole; with file:line too.
     ModelStatistics statistics;
     std::uint64_t generation = 0;  ///< Counts the models of the process: which one a renderer holds.
 

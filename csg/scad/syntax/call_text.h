@@ -36,7 +36,8 @@ struct CallText {
 /// does not lie in one file. Calls in bodies that have not been built are not found: no node is of them.
 [[nodiscard]] std::optional<CallText> call_at(const Program& program, const SourceLocation& place);
 
-/// The literal that the byte belongs to, or that ends before it; nothing where there is none. `file` as above.
+/// The literal that the byte belongs to, or that ends before it; nothing where there is none. `file`:
+/// an index into Program::sources.
 [[nodiscard]] std::optional<LiteralText> literal_at(const Program& program, std::uint32_t file, std::size_t offset);
 
 }  // namespace csg::scad
