@@ -289,7 +289,7 @@ class MeasuresElsewhere final : public csg::scad::Measures {
 
 std::optional<int> run_or_throw(const std::vector<std::string>& arguments,
                                 const std::function<void(std::size_t said)>& hand_over) {
-    if (arguments.empty() || arguments[0] == "compare" || arguments[0] == "check") {
+    if (arguments.empty() || arguments[0] == "compare" || arguments[0] == "check" || arguments[0] == "motion") {
         return std::nullopt;
     }
     const CommandLine line = read_command_line(arguments);

@@ -30,6 +30,9 @@ void Messages::add(const csg::scad::Message& message, const csg::scad::SourceSet
     const std::string base =
         sources.size() == 0 ? std::string() : std::filesystem::path(sources[0].name()).parent_path().string();
     std::string line = csg::scad::render_openscad(message, sources, base) + '\n';
+    if (each_once_ && !printed_.insert(line).second) {
+        return;
+    }
     echo_ += line;
     ++count_;
     warnings_ += message.severity == Severity::Warning || message.severity == Severity::Deprecated ? 1 : 0;

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <new>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,8 @@ class Messages {
 
     /// Prints OpenSCAD's line; for errors also the place as file:line:column, the source line and a caret.
     void add(const csg::scad::Message& message, const csg::scad::SourceSet& sources);
+    /// From now on each is printed once, and counted once, however often it is added.
+    void each_once() { each_once_ = true; }
     /// A warning of ours, outside the language.
     void warn(const std::string& text);
 
@@ -34,7 +37,9 @@ class Messages {
     void print(const std::string& line);
 
     bool quiet_;
-    std::size_t said_ = 0;  ///< By another program.
+    bool each_once_ = false;
+    std::set<std::string> printed_;  ///< Where each is to be printed once.
+    std::size_t said_ = 0;           ///< By another program.
     std::size_t count_ = 0;
     std::size_t warnings_ = 0;
     std::string echo_;

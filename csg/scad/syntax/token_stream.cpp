@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "csg/scad/syntax/definitions.h"
+
 namespace csg::scad {
 
 namespace {
@@ -162,7 +164,9 @@ bool TokenStream::read_piece(Token& token) {
 
 void TokenStream::open(std::uint32_t file) {
     Program& program = files_->program();
-    if (auto piece = files_->piece(file)) {
+    // Definitions are taken apart by assignments, which a piece has put together already.
+    const bool definition = program.sources[file].name() == kCommandLine;
+    if (auto piece = definition ? nullptr : files_->piece(file)) {
         cursors_.push_back({std::move(piece), file, lexers_.size()});
     } else {
         lexers_.emplace_back(program.sources[file].text(), file, program.symbols, files_->sink());

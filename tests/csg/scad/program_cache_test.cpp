@@ -233,6 +233,15 @@ TEST_F(Kept, LimitsAreThoseOfEachRun) {
     EXPECT_EQ(parsed(), 1U);
 }
 
+/// A definition with its semicolon is a file that could be parsed by itself; it is taken apart all the same.
+TEST_F(Kept, DefinitionsMayEndWithSemicolons) {
+    const std::string text = "a = 1; b = 2; echo(a, b);";
+    for (const char* const definition : {"a=3;", "a=4; ", "a=5;b=6;", "a=7;b=8", ";", "a=9;;"}) {
+        (void)define(text, {definition});
+    }
+    EXPECT_NE(define(text, {"a=3;"}).console.find("3, 2"), std::string::npos);
+}
+
 TEST_F(Kept, StopsAndGoesOn) {
     const std::string text = "function f(n) = n <= 1 ? 1 : f(n - 1) + f(n - 2);\necho(f(n));\nn = 5;";
     (void)define(text, {});

@@ -1,0 +1,73 @@
+// csgscope motion as its users run it: text, JSON and errors. The motions themselves: tests/ui/pipeline/motion_test.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program_test.h"
+
+namespace {
+
+class MotionProgram : public test_support::ProgramTest {
+  protected:
+    MotionProgram() : ProgramTest(60) {
+        folder_.write("door.scad",
+                      "module door() cube([10, 1, 20]);\n"
+                      "rotate(90 * $t) door();\n"
+                      "translate([-1, 0, 0]) cube([1, 5, 20]);\n"
+                      "if ($t > 0.5) translate([0, 0, 30]) sphere(2);\n");
+    }
+};
+
+TEST_F(MotionProgram, TellsWhatMoves) {
+    const Result result = run("motion door.scad");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("2 of 3 leaves move, as 2 bodies"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("door (door.scad:2:1)\n   turns by 90° about [0, 0, 1] through [0, 0, 0]\n"),
+              std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("sphere (door.scad:4:1)\n   stays where it is\n   appears at $t = 0.5"),
+              std::string::npos)
+        << result.out;
+    EXPECT_NE(run("motion door.scad --interval 0,0.4").out.find("as 1 body\n"), std::string::npos);
+    EXPECT_NE(run("motion door.scad -D '$t=0.3;'").out.find("Nothing moves."), std::string::npos);
+}
+
+TEST_F(MotionProgram, WritesJson) {
+    EXPECT_EQ(run("motion door.scad --format json -o motion.json --error 0.01").status, 0);
+    const auto json = nlohmann::json::parse(folder_.read("motion.json"));
+    EXPECT_EQ(json.at("leaves"), 3);
+    EXPECT_EQ(json.at("still"), 1);
+    const auto& door = json.at("bodies").at(0);
+    EXPECT_EQ(door.at("name"), "door");
+    EXPECT_EQ(door.at("line"), 2);
+    EXPECT_EQ(door.at("motion").at("kind"), "turns");
+    EXPECT_NEAR(door.at("motion").at("turned_net").get<double>(), 90, 1e-9);
+    EXPECT_EQ(door.at("poses").size(), json.at("samples").get<std::size_t>());
+    EXPECT_NEAR(door.at("poses").back().at("matrix").at(1).at(0).get<double>(), 1, 1e-12);
+    const auto& sphere = json.at("bodies").at(1);
+    EXPECT_EQ(sphere.at("events").at(0).at("kind"), "appears");
+    EXPECT_TRUE(sphere.at("poses").at(0).at("matrix").is_null());
+}
+
+TEST_F(MotionProgram, RefusesWhatItCannotDo) {
+    for (const char* const bad :
+         {"motion", "motion none.scad", "motion door.scad --interval 1,0", "motion door.scad --interval 1",
+          "motion door.scad --error 0", "motion door.scad --eror 1", "motion door.scad -D 'a=['"}) {
+        const Result result = run(bad);
+        EXPECT_EQ(result.status, 1) << bad;
+        EXPECT_NE(result.err, "") << bad;
+    }
+    EXPECT_NE(run("motion door.scad --eror 1").err.find("--error"), std::string::npos);
+    folder_.write("slow.scad", "function f(n) = n < 2 ? 1 : f(n - 1) + f(n - 2); cube(f(40) + $t);");
+    const Result slow = run("motion slow.scad --time-limit 0.5");
+    EXPECT_EQ(slow.status, 1);
+    EXPECT_NE(slow.err.find("time"), std::string::npos) << slow.err;
+    // What every run has to say is said once.
+    folder_.write("warns.scad", "echo(x); translate([$t, 0, 0]) cube(1);");
+    const Result warns = run("motion warns.scad");
+    EXPECT_EQ(warns.status, 0);
+    EXPECT_NE(warns.err.find("unknown variable"), std::string::npos) << warns.err;
+    EXPECT_EQ(warns.err.find("unknown variable"), warns.err.rfind("unknown variable")) << warns.err;
+}
+
+}  // namespace
