@@ -27,4 +27,16 @@ Tree less(const Tree& first, const Tree& second) {
     return joiner.finish({joiner.combine(Operation::Difference, {a, b})});
 }
 
+JoinedTrees joined(const Tree& first, const Tree& second) {
+    TreeJoiner joiner;
+    JoinedTrees result;
+    result.first = joiner.add(first);
+    result.second = joiner.add(second);
+    const auto root = [](const Tree& tree, const std::vector<NodeId>& nodes) {
+        return tree.root() == kNoNode ? kNoNode : nodes[tree.root()];
+    };
+    result.tree = joiner.finish({root(first, result.first), root(second, result.second)});
+    return result;
+}
+
 }  // namespace csg

@@ -1,6 +1,8 @@
 // Two versions of a model as one.
 #pragma once
 
+#include <vector>
+
 #include "csg/tree/tree.h"
 
 namespace csg {
@@ -12,5 +14,12 @@ namespace csg {
 
 /// The solid of one less that of the other.
 [[nodiscard]] Tree less(const Tree& first, const Tree& second);
+
+/// Both as children of one root, and what their nodes have become in it, by their ids; kNoNode of `%` subtrees.
+struct JoinedTrees {
+    Tree tree;
+    std::vector<NodeId> first, second;
+};
+[[nodiscard]] JoinedTrees joined(const Tree& first, const Tree& second);
 
 }  // namespace csg

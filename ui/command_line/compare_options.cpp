@@ -8,12 +8,13 @@
 #include "ui/command_line/files.h"
 #include "ui/command_line/option_table.h"
 #include "ui/command_line/option_values.h"
+#include "ui/command_line/options.h"
 
 namespace ui {
 
 CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     CompareOptions o;
-    std::string camera, size, projection = "p", engine(o.engine->name);
+    std::string parts, camera, size, projection = "p", engine(o.engine->name);
     OptionTable table(
         "csgscope compare draws a model and compares all layers of the picture with a mesh; of two files, "
         "versions of one model, it tells what has changed.",
@@ -39,6 +40,7 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     table.add({"--camera", "One view instead: the numbers of csgscope --camera"}, camera);
     table.add({"--projection", "Of --camera: o (orthographic) or p (perspective, default)"}, projection, {"o", "p"});
     table.add({"--imgsize", "Width and height in pixels (256,256); of one number both"}, size);
+    table.add({"--parts", "Of versions: what is a part, as in csgscope --help (top)"}, parts);
     table.add_flag({"--json", "Print JSON instead of a table"}, o.json);
     table.add({"--report", "Folder for report.html, report.json and pictures of the differences"}, o.report);
     table.add({"--tolerance", "Largest share of wrong pixels outside the band (0)"}, o.tolerance, 0.0, 1.0);
@@ -58,6 +60,12 @@ CompareOptions read_compare_options(const std::vector<std::string>& arguments) {
     o.engine = engines.at(engine);
     if (o.against.ends_with(".png")) {
         o.reference = o.against;
+    }
+    if (!parts.empty()) {
+        if (o.later.empty()) {
+            throw UsageError("compare: --parts divides versions, OLD.scad NEW.scad");
+        }
+        o.parts = read_parts(parts);
     }
     if (!size.empty()) {
         constexpr int kLeast = 16, kMost = 4096;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/camera.h"
+#include "csg/tree/part_rule.h"
 #include "goldfeather/choice.h"
 #include "ui/pipeline/program_runner.h"
 
@@ -24,10 +25,11 @@ struct CompareOptions {
     double tolerance = 0, reference_threshold = 0.01;
     int views = 1;
     glm::ivec2 size{256};
-    bool json = false;                      ///< Printed, instead of a text for people.
-    double time_limit = 0;                  ///< Seconds; 0: none.
-    std::stop_token stop{};                 ///< Where it is asked for, base::Stopped is thrown.
-    std::shared_ptr<ProgramRunner> runner;  ///< Of the input.
+    csg::PartRule parts{csg::PartRule::Kind::Depth, 1, {}};  ///< Of versions.
+    bool json = false;                                       ///< Printed, instead of a text for people.
+    double time_limit = 0;                                   ///< Seconds; 0: none.
+    std::stop_token stop{};                                  ///< Where it is asked for, base::Stopped is thrown.
+    std::shared_ptr<ProgramRunner> runner;                   ///< Of the input.
 };
 
 /// Throws UsageError.

@@ -46,26 +46,6 @@ std::string figure(std::string_view name, const Json& value) {
     return name.ends_with("_error") ? share(value) : short_number(value);
 }
 
-/// Lines of cells: the first column to the left, the others to the right.
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widest;
-    for (const auto& row : rows) {
-        widest.resize(std::max(widest.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widest[i] = std::max(widest[i], character_count(row[i]));
-        }
-    }
-    std::string text;
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(widest[i] - character_count(row[i]), ' ');
-            text += i == 0 ? row[i] + (row.size() > 1 ? blanks : "") : "  " + blanks + row[i];
-        }
-        text += '\n';
-    }
-    return text;
-}
-
 std::string volume_text(const Json& found) {
     const Json& volume = at(found, {"volume"});
     std::string text = fmt::format("volume of the mesh {:.6g}", at(found, {"mesh", "volume"}).fraction());
@@ -96,6 +76,25 @@ std::string verdict(const Json& found, const char* within, const char* limit) {
 }
 
 }  // namespace
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widest;
+    for (const auto& row : rows) {
+        widest.resize(std::max(widest.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widest[i] = std::max(widest[i], character_count(row[i]));
+        }
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string blanks(widest[i] - character_count(row[i]), ' ');
+            text += i == 0 ? row[i] + (row.size() > 1 ? blanks : "") : "  " + blanks + row[i];
+        }
+        text += '\n';
+    }
+    return text;
+}
 
 std::string short_number(const Json& value) {
     return value.is_fraction() ? fmt::format("{:.3g}", value.fraction()) : value.dump();

@@ -8,7 +8,6 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
-#include "base/image.h"
 #include "tests/support/program_test.h"
 
 namespace {
@@ -347,51 +346,6 @@ TEST_F(Export, ATableTellsPeopleTheSame) {
         EXPECT_NE(run(std::string("compare m.scad --imgsize ") + size).err.find("--imgsize"), std::string::npos)
             << size;
     }
-}
-
-TEST_F(Export, VersionsAreToldApart) {
-    folder_.write("old.scad", "difference() { cube(10); %cube(20); translate([2, 2, -1]) cube([2, 2, 20]); }");
-    folder_.write("new.scad", "difference() { cube([10, 10, 12]); translate([2, 2, -1]) cube([3, 2, 20]); }");
-    const Result differ = run("compare old.scad new.scad --json");
-    EXPECT_EQ(differ.status, 1) << differ.err;
-    const Json json = Json::parse(differ.out);
-    EXPECT_EQ(json.at("same"), false);
-    EXPECT_NEAR(json.at("added").at("volume").get<double>(), 2 * (100 - 6), 1e-9);
-    EXPECT_NEAR(json.at("removed").at("volume").get<double>(), 1 * 2 * 10, 1e-9);
-    EXPECT_EQ(json.at("removed").at("box"), Json({{4.0, 2.0, 0.0}, {5.0, 4.0, 10.0}}));
-    EXPECT_NE(run("compare old.scad new.scad").out.find("added    188, within [0, 0, 10]"), std::string::npos);
-
-    // Another way to write the same solid.
-    folder_.write("same.scad",
-                  "union() { difference() { cube([5, 10, 10]); translate([2, 2, -1]) cube([2, 2, 20]); }"
-                  " translate([5, 0, 0]) cube([5, 10, 10]); }");
-    const Result same = run("compare old.scad same.scad");
-    EXPECT_EQ(same.status, 0) << same.out << same.err;
-    EXPECT_NE(same.out.find("are the same solid"), std::string::npos);
-    EXPECT_EQ(run("compare old.scad missing.scad").status, 1);
-}
-
-TEST_F(Export, ChangesAreDrawn) {
-    folder_.write("old.scad", "cube(10); translate([30, 0, 0]) color(\"blue\") cube(10);");
-    folder_.write("new.scad", "cube(10); translate([15, 0, 0]) color(\"blue\") cube(10);");
-    ASSERT_EQ(
-        run("new.scad --changes-from old.scad -o c.png --imgsize 200,100 --samples 1 --viewall --autocenter").status,
-        0);
-    const base::Image image = base::read_png(folder_.path("c.png"));
-    int green = 0, red = 0, blue = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-        const int r = image.rgba[i], g = image.rgba[i + 1], b = image.rgba[i + 2];
-        green += g > 2 * r ? 1 : 0;
-        red += r > 2 * g ? 1 : 0;
-        blue += b > 2 * r && b > 2 * g ? 1 : 0;
-    }
-    EXPECT_GT(green, 300) << "what is new";
-    EXPECT_GT(red, 300) << "what is gone";
-    EXPECT_EQ(blue, 0) << "whatever color it has";
-    EXPECT_EQ(run("new.scad --changes-from missing.scad -o c.png").status, 1);
-    folder_.write("broken.scad", "cube(");
-    EXPECT_NE(run("new.scad --changes-from broken.scad -o c.png").err.find("broken.scad:1:6"), std::string::npos);
-    EXPECT_NE(run("new.scad --changes-from old.scad -o c.stl").err.find("csgscope compare"), std::string::npos);
 }
 
 TEST_F(Export, EveryEngineIsCompared) {
