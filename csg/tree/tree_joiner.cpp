@@ -20,7 +20,7 @@ std::vector<NodeId> TreeJoiner::add(const Tree& tree) {
     }
     std::vector<NodeId> added(tree.size(), kNoNode);  // Children stand before their parents.
     for (NodeId id = 0; id < tree.size(); ++id) {
-        if (!tree.node(id).modifiers.background) {
+        if (modified_ == Modified::AsIs || !tree.node(id).modifiers.background) {
             std::vector<NodeId> children;
             for (const NodeId child : tree.children(id)) {
                 children.push_back(added[child]);
@@ -48,6 +48,10 @@ NodeId TreeJoiner::colored(const Rgba& color, NodeId node) {
     return node == kNoNode ? kNoNode : builder_.color(color, {&node, 1}, {});
 }
 
+NodeId TreeJoiner::transformed(const glm::dmat4& matrix, NodeId node) {
+    return node == kNoNode ? kNoNode : builder_.transform(matrix, {&node, 1}, {});
+}
+
 Tree TreeJoiner::finish(const std::vector<NodeId>& united) {
     std::ranges::sort(statements_, {}, &Statement::where);  // Several trees may have called the same library.
     const auto same = std::unique(statements_.begin(), statements_.end(),
@@ -65,20 +69,21 @@ SourceLocation TreeJoiner::moved(const Tree& tree, SourceLocation where) {
 
 NodeId TreeJoiner::copy(const Tree& tree, NodeId id, const std::vector<NodeId>& children) {
     const SourceLocation where = moved(tree, tree.node(id).where);
+    const Modifiers modifiers = modified_ == Modified::AsIs ? tree.node(id).modifiers : Modifiers{};
     switch (const Operation operation = tree.node(id).operation) {
         case Operation::Group:
         case Operation::Union:
         case Operation::Difference:
         case Operation::Intersection:
-            return builder_.combine(operation, children, where);
+            return builder_.combine(operation, children, where, modifiers);
         case Operation::Transform:
-            return builder_.transform(tree.matrix(id), children, where);
+            return builder_.transform(tree.matrix(id), children, where, modifiers);
         case Operation::Color:
-            return builder_.color(tree.color(id), children, where);
+            return builder_.color(tree.color(id), children, where, modifiers);
         case Operation::Leaf:
-            return builder_.leaf(tree.shape(id), where);
+            return builder_.leaf(tree.shape(id), where, modifiers);
         case Operation::Mesh:
-            return builder_.mesh(tree.mesh(id), children, where);
+            return builder_.mesh(tree.mesh(id), children, where, modifiers);
     }
     return kNoNode;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/stop.h"
 #include "csg/scad/syntax/appended_text.h"
 #include "csg/scad/text/ast_text.h"
 #include "csg/scad/text/csg_text.h"
@@ -201,6 +202,19 @@ bool LanguageRun::evaluate() {
     }
     write_outputs(options_, Format::Echo, messages_.echo_text());
     return run_.good();
+}
+
+std::shared_ptr<const csg::Tree> LanguageRun::evaluate_at(double time) {
+    csg::scad::Request request = request_;
+    request.time = time;
+    const ProgramRun run = runner_.run(std::move(request), false, [this](const auto& message, const auto& sources) {
+        if (message.severity == csg::scad::Severity::Error) {
+            messages_.add(message, sources);
+        }
+        return messages_.warnings();
+    });
+    base::end_if_asked(limit_.token());
+    return run.good() ? run.evaluation.tree : nullptr;
 }
 
 std::shared_ptr<const csg::Tree> LanguageRun::evaluate_other(const std::string& path) {

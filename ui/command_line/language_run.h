@@ -46,6 +46,9 @@ class LanguageRun {
     /// Makes the outputs that are texts, evaluating only where one of all outputs needs it. False where an error in the
     /// file, or the time, ended the run; the messages have said why.
     [[nodiscard]] bool operator()();
+    /// The tree at another $t, once there has been a run; null where there is none, and an error has been told. Makes
+    /// no outputs.
+    [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_at(double time);
     /// The tree of another file, evaluated in the same way, once the source has been; null where an error ended that.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_other(const std::string& path);
     void write_dependencies() const;

@@ -102,6 +102,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--turntable", raw.turntable,
          "Write each picture N times, the camera turned about the z axis in steps of 360/N degrees", "N", in);
     text("--animate_sharding", raw.sharding, "Of these, write the I-th of M shares only", "I/M", in);
+    text("--time", raw.time, "$t, where no frames are written (0)", "T", in);
     flag("-q,--quiet", o.quiet, "Print errors only", in);
     flag("--hardwarnings", o.hard_warnings, "Stop at the first warning", in);
 
@@ -156,6 +157,11 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "Draw what has changed since that version of the file: what is new green, what is gone red, the rest seen "
          "through",
          "FILE", picture);
+    list(
+        "--depict", raw.depictions,
+        "Draw what moves while $t runs into the picture: path, motion, still, ghost, rotation or auto, as 'path {PART} "
+        "[0,1] (width=2)'; may be repeated",
+        "EXPRESSION", picture);
     text("--explain", o.explain,
          "Draw what the difference or intersection at that place did: what it removed red, what it kept green",
          "[FILE:]LINE[:COLUMN]", picture);

@@ -17,7 +17,8 @@ struct RawOptions {
         minimal_fraction, precision, thickness, parts, at, format, hatching, transparency, blend, medium_light, dpi,
         margin;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
-    std::string animate, sharding, turntable;
+    std::string animate, sharding, turntable, time;
+    std::vector<std::string> depictions;
     std::string debug;  ///< Taken and left alone.
     std::vector<std::string> summary, features;
     std::vector<std::string> of, between, other;

@@ -146,6 +146,22 @@ void interpret_animation(Options& o, const RawOptions& raw) {
     }
 }
 
+void interpret_motion(Options& o, const RawOptions& raw) {
+    if (!raw.time.empty()) {
+        if (!raw.animate.empty()) {
+            throw UsageError("--time: the frames of --animate have their own times");
+        }
+        o.time = read_numbers("--time", raw.time, {1}, "a number")[0];
+    }
+    for (const std::string& text : raw.depictions) {
+        try {
+            o.depictions.push_back(read_depiction(text));
+        } catch (const std::runtime_error& problem) {
+            throw UsageError(fmt::format("--depict: {}", problem.what()));
+        }
+    }
+}
+
 /// OpenSCAD's view options.
 void interpret_view(Options& o, const RawOptions& raw) {
     for (std::size_t begin = 0; begin < raw.view.size();) {
@@ -303,6 +319,7 @@ void interpret(Options& o, const RawOptions& raw) {
     interpret_transparency(o.picture, raw, !named.empty());
     interpret_engine(o, raw);
     interpret_animation(o, raw);
+    interpret_motion(o, raw);
     interpret_view(o, raw);
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);

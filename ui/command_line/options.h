@@ -15,6 +15,7 @@
 #include "ui/command_line/picture_options.h"
 #include "ui/command_line/summary_parts.h"
 #include "ui/command_line/usage_error.h"
+#include "ui/pipeline/motion/depiction.h"
 #include "ui/pipeline/picture/thickness_request.h"
 #include "ui/pipeline/picture/view_marks.h"
 
@@ -32,7 +33,9 @@ struct Options {
     std::string input;                      ///< "-": standard input; empty where none was given.
     std::vector<Output> outputs;
     ExportOptions exports;
-    std::string changes_from;      ///< An earlier version, of which changes are drawn; empty: none.
+    std::string changes_from;  ///< An earlier version, of which changes are drawn; empty: none.
+    std::vector<Depiction> depictions;
+    double time = 0;               ///< $t, where no frames are made.
     std::string explain, without;  ///< Places of calls, as call_at takes them; empty: none.
     std::optional<ThicknessRequest> thickness;
     std::vector<std::string> definitions;  ///< Statements that come after the file's text.

@@ -75,6 +75,9 @@ class Run {
     bool run() {
         check();
         language_.read();
+        if (options_.time != 0) {
+            set_time(options_.time);
+        }
         if (options_.frames == 0) {
             return make_outputs();
         }
@@ -91,7 +94,7 @@ class Run {
             if (options_.turntable) {
                 turned_by_ = 360 * part;
             } else {
-                language_.set_time(part);
+                set_time(part);
             }
             if (!make_outputs()) {
                 return false;
@@ -101,6 +104,11 @@ class Run {
             write_output(*options_.statistics, text_of(statistics()));
         }
         return true;
+    }
+
+    void set_time(double time) {
+        language_.set_time(time);
+        time_ = time;
     }
 
     bool make_outputs() {
@@ -119,6 +127,7 @@ class Run {
             tree_ = std::make_shared<const csg::Tree>(csg::changes(*before, *tree_));
         }
         explain();
+        depict();
         if (needs_geometry(options_) || wants_picture() || options_.statistics || options_.summary ||
             options_.summary_file || options_.pick || options_.measure) {
             build();
@@ -155,6 +164,29 @@ class Run {
         }
     }
 
+    /// Puts the glyphs of what moves beside the model.
+    void depict() {
+        if (options_.depictions.empty()) {
+            return;
+        }
+        if (!motion_) {
+            MotionRequest request;
+            request.derivatives = false;
+            for (const Depiction& d : options_.depictions) {
+                request.from = std::min(request.from, d.times ? d.times->first : 0);
+                request.to = std::max(request.to, d.times ? d.times->second : 1);
+            }
+            begin("Looking for what moves…", "looking for what moves");
+            motion_ = find_motion([this](double time) { return language_.evaluate_at(time); }, request, limit_.token());
+            language_.progress().say("");
+        }
+        try {
+            tree_ = std::make_shared<const csg::Tree>(ui::depict(*tree_, *motion_, options_.depictions, time_));
+        } catch (const std::runtime_error& problem) {
+            throw UsageError(fmt::format("--depict: {}", problem.what()));
+        }
+    }
+
     [[nodiscard]] bool wants_picture() const { return wants(options_, Format::Png) || wants(options_, Format::Exr); }
 
     void check() {
@@ -180,6 +212,9 @@ class Run {
         }
         if (!(options_.explain.empty() && options_.without.empty()) && needs_geometry(options_)) {
             throw UsageError("--explain and --without are of pictures; a mesh is what the file says");
+        }
+        if (!options_.depictions.empty() && needs_geometry(options_)) {
+            throw UsageError("--depict is of pictures; a mesh is what the file says");
         }
         const int instead = (options_.explain.empty() ? 0 : 1) + (options_.without.empty() ? 0 : 1) +
                             (options_.changes_from.empty() ? 0 : 1);
@@ -454,6 +489,8 @@ class Run {
     TimeLimit limit_;
     LanguageRun language_;
     std::shared_ptr<const csg::Tree> tree_;  ///< That is drawn, or written.
+    double time_ = 0;                        ///< $t
+    std::optional<Motion> motion_;           ///< Once something of it was to be drawn.
     ModelBuilder builder_;
     std::unique_ptr<gl::Context> context_;
     std::optional<Renderer> renderer_;               ///< Once it was needed.
@@ -476,6 +513,9 @@ bool has_display() {
 }
 
 int open_window(const Options& options) {
+    if (!options.depictions.empty()) {
+        throw UsageError("--depict is of pictures; give one with -o");
+    }
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
     }

@@ -49,6 +49,26 @@ TEST_F(MotionProgram, WritesJson) {
     EXPECT_TRUE(sphere.at("poses").at(0).at("matrix").is_null());
 }
 
+/// The pictures: tests/gallery.
+TEST_F(MotionProgram, IsDepicted) {
+    const std::string size = " --imgsize 60,60 ";
+    EXPECT_EQ(run("door.scad -o plain.png" + size).status, 0);
+    EXPECT_EQ(run("door.scad -o turned.png --time 1" + size).status, 0);
+    EXPECT_EQ(run("door.scad -o arrow.png --depict 'rotation {door}'" + size).status, 0);
+    EXPECT_NE(folder_.read("plain.png"), folder_.read("turned.png"));
+    EXPECT_NE(folder_.read("plain.png"), folder_.read("arrow.png"));
+    EXPECT_EQ(run("door.scad -o film.png --animate 2 --depict auto" + size).status, 0);
+    EXPECT_NE(folder_.read("film00000.png"), folder_.read("film00001.png"));
+    for (const auto& [bad, part] : {std::pair("door.scad -o x.png --depict 'paht {door}'", "Did you mean \"path\"?"),
+                                    std::pair("door.scad -o x.png --depict 'path {dor}'", "Did you mean \"door\"?"),
+                                    std::pair("door.scad -o x.stl --depict auto", "pictures"),
+                                    std::pair("door.scad -o x.png --animate 2 --time 1", "--animate")}) {
+        const Result result = run(bad + size);
+        EXPECT_EQ(result.status, 1) << bad;
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    }
+}
+
 TEST_F(MotionProgram, RefusesWhatItCannotDo) {
     for (const char* const bad :
          {"motion", "motion none.scad", "motion door.scad --interval 1,0", "motion door.scad --interval 1",

@@ -43,11 +43,11 @@ bool alike(const Course& a, const Course& b, double size) {
 
 class Grouping {
   public:
-    Grouping(const Tracks& tracks, std::span<const TrackSample> samples, std::span<const csg::Box> boxes)
-        : tracks_(tracks), samples_(samples), boxes_(boxes) {
+    Grouping(const Tracks& tracks, std::span<const TrackSample> samples, std::span<const TrackShape> shapes)
+        : tracks_(tracks), samples_(samples), shapes_(shapes) {
         csg::Box all;
-        for (const csg::Box& box : boxes) {
-            all = csg::enclose(all, box);
+        for (const TrackShape& shape : shapes) {
+            all = csg::enclose(all, shape.box);
         }
         size_ = std::max({1e-300, glm::length(all.size()), glm::length(all.empty() ? glm::dvec3(0.0) : all.lo)});
     }
@@ -106,7 +106,7 @@ class Grouping {
             below[o] = course_of[track];
             if (tracks_.all()[track].first_run == run) {
                 track_at[o] = track;
-                box[o] = csg::enclose(box[o], boxes_[track]);
+                box[o] = csg::enclose(box[o], shapes_[track].box);
             }
         }
         for (std::size_t o = scene.occurrences.size(); o-- > 1;) {
@@ -133,6 +133,7 @@ class Grouping {
         body.box = box;
         body.changes_shape = course.changes_shape;
         name(run, top, body);
+        describe(run, top, track, body);
         const glm::dvec3 center = box.empty() ? glm::dvec3(0.0) : 0.5 * (box.lo + box.hi);
         for (const auto& motion : course.motions) {
             auto& pose = body.poses.emplace_back();
@@ -142,6 +143,45 @@ class Grouping {
         }
         result.bodies.push_back(std::move(body));
         result.tracks.push_back(track);
+    }
+
+    void describe(std::size_t run, csg::OccurrenceId top, std::uint32_t track, MovingBody& body) const {
+        const auto& [tree, scene, track_of] = tracks_.runs()[run];
+        body.tree = tree;
+        body.top = scene.occurrences[top].node;
+        for (csg::OccurrenceId o = scene.occurrences[top].parent; o != csg::kNoOccurrence;
+             o = scene.occurrences[o].parent) {
+            if (tree->node(scene.occurrences[o].node).operation == csg::Operation::Transform) {
+                body.to_world = tree->matrix(scene.occurrences[o].node) * body.to_world;
+            }
+        }
+        body.color = scene.leaves[tracks_.all()[track].leaf].color;
+        const std::vector<glm::dvec3>& directions = extreme_directions();
+        std::vector<double> reach(directions.size(), -INFINITY);
+        body.extremes.resize(directions.size());
+        for (csg::LeafId leaf = 0; leaf < scene.leaves.size(); ++leaf) {
+            const std::vector<glm::dvec3>& extremes = shapes_[track_of[leaf]].extremes;
+            if (extremes.empty() || tracks_.all()[track_of[leaf]].first_run != run || !is_below(scene, leaf, top)) {
+                continue;
+            }
+            for (std::size_t i = 0; i < directions.size(); ++i) {
+                if (const double far = glm::dot(extremes[i], directions[i]); far > reach[i]) {
+                    reach[i] = far;
+                    body.extremes[i] = extremes[i];
+                }
+            }
+        }
+        if (reach.front() == -INFINITY) {
+            body.extremes.clear();
+        }
+    }
+
+    static bool is_below(const csg::Scene& scene, csg::LeafId leaf, csg::OccurrenceId top) {
+        csg::OccurrenceId o = scene.leaves[leaf].occurrence;
+        while (o != csg::kNoOccurrence && o > top) {  // Parents stand before their children.
+            o = scene.occurrences[o].parent;
+        }
+        return o == top;
     }
 
     /// After the first module of the user's on the way down to where it branches; else after the last call there.
@@ -164,7 +204,7 @@ class Grouping {
 
     const Tracks& tracks_;
     std::span<const TrackSample> samples_;
-    std::span<const csg::Box> boxes_;
+    std::span<const TrackShape> shapes_;
     double size_;
     std::vector<Course> courses_;
     std::map<std::string, int> names_;
@@ -196,8 +236,21 @@ std::optional<glm::dmat4> TrackMotion::in(const TrackSample& sample) const {
     return tracks_.placement(placement) * inverse_;
 }
 
-Bodies bodies_of(const Tracks& tracks, std::span<const TrackSample> samples, std::span<const csg::Box> boxes) {
-    return Grouping(tracks, samples, boxes).run();
+const std::vector<glm::dvec3>& extreme_directions() {
+    static const std::vector<glm::dvec3> directions = [] {
+        std::vector<glm::dvec3> all;
+        constexpr int kCount = 64;  // On a spiral over the sphere, evenly.
+        for (int i = 0; i < kCount; ++i) {
+            const double z = 1 - (2 * i + 1.0) / kCount, r = std::sqrt(1 - z * z), angle = i * 2.399963229728653;
+            all.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+        }
+        return all;
+    }();
+    return directions;
+}
+
+Bodies bodies_of(const Tracks& tracks, std::span<const TrackSample> samples, std::span<const TrackShape> shapes) {
+    return Grouping(tracks, samples, shapes).run();
 }
 
 }  // namespace ui

@@ -33,8 +33,15 @@ struct Bodies {
     std::size_t still = 0;              ///< Tracks that never move or change.
 };
 
-/// Of each subtree whose leaves all move alike, and that is in none such, a body. `samples` by time; `boxes` by track.
+/// What is known of a track's shape, in the world, when it was first there.
+struct TrackShape {
+    csg::Box box;
+    std::vector<glm::dvec3> extremes;  ///< Its points that reach farthest along each of extreme_directions().
+};
+[[nodiscard]] const std::vector<glm::dvec3>& extreme_directions();
+
+/// Of each subtree whose leaves all move alike, and that is in none such, a body. `samples` by time; `shapes` by track.
 [[nodiscard]] Bodies bodies_of(const Tracks& tracks, std::span<const TrackSample> samples,
-                               std::span<const csg::Box> boxes);
+                               std::span<const TrackShape> shapes);
 
 }  // namespace ui

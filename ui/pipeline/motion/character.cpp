@@ -127,6 +127,8 @@ class Characterization {
 
             slips = slips || (turns && std::abs(s.screw.along) > kParallel * size_);
             net += sense * s.screw.angle;
+            result_.turned_least = std::min(result_.turned_least, net);
+            result_.turned_most = std::max(result_.turned_most, net);
             along += sense * s.screw.along;
         }
         if (!fixed) {

@@ -53,14 +53,14 @@ class Sampler {
     }
 
     Tracks tracks;
-    std::vector<csg::Box> boxes;  ///< By track: in the world, when it was first there.
+    std::vector<TrackShape> shapes;  ///< By track.
 
   private:
     void place(const Tracks::Run& run) {
         const csg::solid::Geometry geometry = csg::solid::place(*run.tree, run.scene, solids_, 1, stop_);
-        for (std::size_t t = boxes.size(); t < tracks.all().size(); ++t) {
+        for (std::size_t t = shapes.size(); t < tracks.all().size(); ++t) {
             const csg::LeafId leaf = tracks.all()[t].leaf;
-            boxes.push_back(geometry.leaves[leaf].box);
+            shapes.push_back({geometry.leaves[leaf].box, extremes_of(geometry.leaves[leaf].points)});
             csg::Box local;
             if (geometry.leaves[leaf].solid != nullptr) {
                 for (const glm::dvec3& p : geometry.leaves[leaf].solid->points) {
@@ -69,6 +69,19 @@ class Sampler {
             }
             local_boxes_.push_back(local);
         }
+    }
+
+    static std::vector<glm::dvec3> extremes_of(const std::vector<glm::dvec3>& points) {
+        std::vector<glm::dvec3> result;
+        for (const glm::dvec3& d : extreme_directions()) {
+            const auto far = std::max_element(
+                points.begin(), points.end(),
+                [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a, d) < glm::dot(b, d); });
+            if (far != points.end()) {
+                result.push_back(*far);
+            }
+        }
+        return result;
     }
 
     const TreeAtTime& tree_at_;
@@ -98,7 +111,7 @@ class Search {
         refine();
         std::sort(samples_.begin(), samples_.end(),
                   [](const TrackSample& a, const TrackSample& b) { return a.time < b.time; });
-        Bodies found = bodies_of(sampler_.tracks, samples_, sampler_.boxes);
+        Bodies found = bodies_of(sampler_.tracks, samples_, sampler_.shapes);
         Motion motion{sampler_.tracks.runs().front().tree, {}, std::move(found.bodies), {}, {}, error_, complete_};
         motion.leaves = sampler_.tracks.all().size();
         motion.still = found.still;
@@ -119,8 +132,8 @@ class Search {
 
     [[nodiscard]] double diagonal() const {
         csg::Box all;
-        for (const csg::Box& box : sampler_.boxes) {
-            all = box.empty() ? all : csg::enclose(csg::enclose(all, box.lo), box.hi);
+        for (const TrackShape& shape : sampler_.shapes) {
+            all = csg::enclose(all, shape.box);
         }
         return all.empty() ? 0 : all.diagonal();
     }

@@ -46,9 +46,15 @@ struct MotionEvent {
 
 /// A subtree that moves as one.
 struct MovingBody {
-    std::string name;                        ///< Of the module it is made by, or of its shape; no two have the same.
-    csg::SourceLocation where;               ///< Of the call that it is moved as a whole by; `file` is of Motion::tree.
-    csg::Box box;                            ///< World units; when it was first there.
+    std::string name;           ///< Of the module it is made by, or of its shape; no two have the same.
+    csg::SourceLocation where;  ///< Of the call that it is moved as a whole by; `file` is of Motion::tree.
+    csg::Box box;               ///< World units; when it was first there.
+    /// The tree in which it was first there, its topmost node, and what led that node's coordinates to the world.
+    std::shared_ptr<const csg::Tree> tree;
+    csg::NodeId top = csg::kNoNode;
+    glm::dmat4 to_world{1.0};
+    csg::Rgba color;                   ///< Of its first leaf.
+    std::vector<glm::dvec3> extremes;  ///< Its points that reach farthest along many directions; world units, then.
     std::vector<std::optional<Pose>> poses;  ///< By sample; none where it is not there.
     std::vector<MotionEvent> events;         ///< By time.
     bool changes_shape = false;              ///< Besides, or instead of, moving.

@@ -1,0 +1,212 @@
+// Glyphs of what moves: where they are, and what is said of expressions that are none.
+#include "ui/pipeline/motion/depiction.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "csg/solid/placed.h"
+#include "csg/solid/winding_number.h"
+#include "tests/csg/scad/evaluate_text.h"
+#include "ui/pipeline/model.h"
+#include "ui/pipeline/motion/tube.h"
+
+namespace ui {
+namespace {
+
+constexpr const char* kModel =
+    "module ball() sphere(2, $fn = 32);\n"
+    "translate([20 * cos(180 * $t), 20 * sin(180 * $t), 0]) ball();\n"
+    "translate([0, 0, 30]) rotate([0, 0, 90 * $t]) translate([5, 0, 0]) cube([5, 2, 2]);\n"
+    "translate([0, 0, -9]) cube([4, 4, 1]);\n"
+    "%translate([0, 0, -20]) cube(1);\n";
+
+std::shared_ptr<const csg::Tree> tree_at(double time) {
+    csg::scad::Request at;
+    at.time = time;
+    return test::run(kModel, {}, at).evaluation.tree;
+}
+
+const Motion& motion() {
+    static const Motion found = [] {
+        MotionRequest request;
+        request.derivatives = false;
+        return find_motion(tree_at, request);
+    }();
+    return found;
+}
+
+/// The model with glyphs, built.
+std::shared_ptr<const Model> depicted(const std::vector<std::string>& texts, double now) {
+    std::vector<Depiction> depictions;
+    for (const std::string& text : texts) {
+        depictions.push_back(read_depiction(text));
+    }
+    ModelBuilder builder;
+    return builder.build(std::make_shared<const csg::Tree>(depict(*tree_at(now), motion(), depictions, now)));
+}
+
+/// Is the point in a leaf that is none of the model's own?
+bool in_glyph(const Model& model, const glm::dvec3& point) {
+    for (csg::LeafId leaf = 0; leaf < model.scene.leaves.size(); ++leaf) {
+        const csg::solid::PlacedLeaf& placed = model.geometry.leaves[leaf];
+        if (!model.scene.leaves[leaf].where.known() && !placed.triangles.empty() &&
+            csg::solid::winding_number(placed.points, placed.triangles, point) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::size_t parts_of(const Model& model, csg::PartKind kind) {
+    return static_cast<std::size_t>(std::count_if(model.scene.parts.begin(), model.scene.parts.end(),
+                                                  [&](const csg::Part& part) { return part.kind == kind; }));
+}
+
+TEST(Depiction, PathsFollowTheMiddle) {
+    const auto model = depicted({"path {ball} [0, 1] (width = 0.5)"}, 0.5);
+    const auto at = [](double t) {
+        return 20.0 * glm::dvec3(std::cos(std::numbers::pi * t), std::sin(std::numbers::pi * t), 0);
+    };
+    for (double t = 0.01; t < 0.5; t += 0.01) {
+        EXPECT_TRUE(in_glyph(*model, at(t))) << t;
+        EXPECT_FALSE(in_glyph(*model, 1.02 * at(t))) << t;
+    }
+    // The future is dashed: 8 radii of 13.
+    int drawn = 0, all = 0;
+    for (double t = 0.5; t < 0.95; t += 0.001, ++all) {
+        drawn += in_glyph(*model, at(t)) ? 1 : 0;
+    }
+    EXPECT_NEAR(static_cast<double>(drawn) / all, 8.0 / 13, 0.05);
+    EXPECT_EQ(parts_of(*model, csg::PartKind::Background), 1u) << "what is not of the solid stays";
+}
+
+TEST(Depiction, GhostsStandWhereItWasAndWillBe) {
+    const auto model = depicted({"ghost {ball} [0, 1] (n = 3)"}, 0.5);
+    // One of the three is where the ball itself is.
+    EXPECT_EQ(parts_of(*model, csg::PartKind::Translucent), 2u);
+    for (const double x : {20.0, -20.0}) {
+        bool found = false;
+        for (const auto& leaf : model->geometry.leaves) {
+            found = found ||
+                    (std::abs(0.5 * (leaf.box.lo.x + leaf.box.hi.x) - x) < 1e-9 && leaf.box.hi.x - leaf.box.lo.x < 5);
+        }
+        EXPECT_TRUE(found) << x;
+    }
+    const auto still = depicted({"still {ball} [0.25]"}, 0);
+    EXPECT_EQ(parts_of(*still, csg::PartKind::Translucent), 0u);
+    // Stretched along its way, across it thinner: the volume stays.
+    const auto squashed = depicted({"still {ball} [0] (squash = 1)"}, 0.5);
+    const csg::Box& box = squashed->geometry.leaves.back().box;
+    bool found = false;
+    for (const auto& leaf : squashed->geometry.leaves) {
+        const glm::dvec3 size = leaf.box.size();
+        found = found || (std::abs(size.y / size.z - 2 * std::sqrt(2.0)) < 0.3 && size.y > 7);
+    }
+    EXPECT_TRUE(found) << box.size().x;
+}
+
+TEST(Depiction, TurnsHaveArrowsAboutTheirAxis) {
+    const auto model = depicted({"rotation {cube} (width = 0.5)"}, 0);
+    // Beyond the corner that is farthest from the axis, [10, 2], in the middle of its height.
+    const double r = 1.08 * std::hypot(10, 2) + 3 * 0.25, first = std::atan2(2, 10);
+    for (double turn = 0.05; turn < 1.45; turn += 0.1) {
+        const double a = first + turn;
+        EXPECT_TRUE(in_glyph(*model, {r * std::cos(a), r * std::sin(a), 31})) << turn;
+    }
+    EXPECT_FALSE(in_glyph(*model, {r * std::cos(first - 0.1), r * std::sin(first - 0.1), 31}));
+    EXPECT_FALSE(in_glyph(*model, {r * std::cos(first + 1.7), r * std::sin(first + 1.7), 31}));
+}
+
+TEST(Depiction, LinesTrailBehind) {
+    const auto model = depicted({"motion {ball} [0.3, 0.5] (n = 6)"}, 0.5);
+    EXPECT_EQ(model->scene.leaves.size(), 4u + 6u);
+    for (csg::LeafId leaf = 0; leaf < model->scene.leaves.size(); ++leaf) {
+        if (!model->scene.leaves[leaf].where.known()) {
+            EXPECT_GT(model->geometry.leaves[leaf].box.hi.x, 9);  // At t = 0.3 it was at 11.8, 16.2.
+        }
+    }
+}
+
+TEST(Depiction, AutoGoesByTheMotion) {
+    const auto model = depicted({"auto"}, 0);
+    EXPECT_GT(model->scene.leaves.size(), 10u);
+    EXPECT_EQ(parts_of(*model, csg::PartKind::Translucent), 4u);  // Of the ball; the cube turns.
+}
+
+TEST(Depiction, TubesAreClosedAndTurnedOutwards) {
+    const std::vector<glm::dvec3> curve{{0, 0, 0}, {10, 0, 0}, {10, 8, 0}, {10, 8, 9}};
+    for (const csg::Polyhedron& mesh : {arrow(curve, 0.5), arrow(std::span(curve).first(2), 3),
+                                        tube(std::vector<TubePoint>{{curve[0], 0}, {curve[1], 1}})}) {
+        double volume = 0;
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+        for (const auto& face : mesh.faces) {
+            for (std::size_t i = 0; i < face.size(); ++i) {
+                ++edges[{face[i], face[(i + 1) % face.size()]}];
+                if (i > 0 && i + 1 < face.size()) {
+                    volume -=
+                        glm::dot(mesh.points[face[0]], glm::cross(mesh.points[face[i]], mesh.points[face[i + 1]])) / 6;
+                }
+            }
+        }
+        EXPECT_GT(volume, 0);
+        for (const auto& [edge, count] : edges) {
+            EXPECT_EQ(count, 1);
+            EXPECT_TRUE(edges.contains({edge.second, edge.first}));
+        }
+    }
+    EXPECT_TRUE(arrow(std::vector<glm::dvec3>(3, glm::dvec3(1.0)), 1).faces.empty());
+}
+
+TEST(Depiction, ExpressionsAreRead) {
+    const Depiction d = read_depiction("ghost { wheel 2 } [0.25,1](n=7, squash=0.5, width=2, color=#ff8000)");
+    EXPECT_EQ(d.technique, Depiction::Technique::Ghost);
+    EXPECT_EQ(d.part, "wheel 2");
+    EXPECT_EQ(d.times, (std::pair(0.25, 1.0)));
+    EXPECT_EQ(d.count, 7);
+    EXPECT_EQ(d.squash, 0.5);
+    EXPECT_EQ(*d.width, 2);
+    EXPECT_FLOAT_EQ(d.color->g, 128 / 255.0F);
+    EXPECT_EQ(read_depiction("auto").part, "*");
+    EXPECT_EQ(read_depiction("still {a} [3]").times, (std::pair(3.0, 3.0)));
+}
+
+TEST(Depiction, ErrorsSayWhereAndWhatWasExpected) {
+    const std::pair<const char*, const char*> wrong[] = {
+        {"", "a technique"},
+        {"pat {ball}", "Did you mean \"path\"?"},
+        {"path {ball", "expected '}'\n  path {ball\n            ^"},
+        {"path {}", "the name of a part"},
+        {"path {ball} [0.5", "expected ']'"},
+        {"path {ball} [1,0]", "not before the first"},
+        {"path {ball} [x]", "expected a number\n  path {ball} [x]\n               ^"},
+        {"path {ball} (n)", "'='"},
+        {"path {ball} (n=0)", "a whole number"},
+        {"path {ball} (size=3)", "n=, squash=, width= or color="},
+        {"path {ball} (color=red)", "#rrggbb"},
+        {"path {ball} 7", "or the end"},
+    };
+    for (const auto& [text, part] : wrong) {
+        try {
+            (void)read_depiction(text);
+            ADD_FAILURE() << text;
+        } catch (const std::runtime_error& error) {
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << text << "\n" << error.what();
+        }
+    }
+    for (const auto& [text, part] : {std::pair("path {bal}", "Did you mean \"ball\"?"),
+                                     std::pair("rotation {ball}", "does not turn about one axis")}) {
+        try {
+            (void)depicted({text}, 0);
+            ADD_FAILURE() << text;
+        } catch (const std::runtime_error& error) {
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ui
