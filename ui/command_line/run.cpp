@@ -514,7 +514,7 @@ bool has_display() {
 
 int open_window(const Options& options) {
     if (!options.depictions.empty()) {
-        throw UsageError("--depict is of pictures; give one with -o");
+        throw UsageError("--depict is of pictures: write one with -o");
     }
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
