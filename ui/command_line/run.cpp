@@ -513,14 +513,11 @@ bool has_display() {
 }
 
 int open_window(const Options& options) {
-    if (!options.depictions.empty()) {
-        throw UsageError("--depict is of pictures: write one with -o");
-    }
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
     }
-    if (!(options.explain.empty() && options.without.empty()) || options.thickness) {
-        throw UsageError("--explain, --without and --thickness are of pictures: write one with -o");
+    if (!(options.explain.empty() && options.without.empty() && options.depictions.empty()) || options.thickness) {
+        throw UsageError("--explain, --without, --thickness and --depict are of pictures: write one with -o");
     }
     WindowOptions window;
     window.source.path = options.input;
