@@ -1,7 +1,7 @@
 #include "goldfeather/blist.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace goldfeather {
 
@@ -163,10 +163,8 @@ class Blist::Builder {
     std::vector<std::uint32_t> outside_ = std::vector<std::uint32_t>(part_.leaf_count, kUnreached);
 };
 
-Blist::Blist(const csg::Scene& scene) : leaves_(scene.leaves.size()), parts_(scene.parts.size()) {
-    std::iota(parts_.begin(), parts_.end(), csg::PartId{0});
-    std::stable_partition(parts_.begin(), parts_.end(),
-                          [&](csg::PartId id) { return scene.parts[id].kind == csg::PartKind::Highlight; });
+Blist::Blist(const csg::Scene& scene, std::vector<csg::PartId> order)
+    : leaves_(scene.leaves.size()), parts_(std::move(order)) {
     for (std::uint32_t rank = 0; rank < parts_.size(); ++rank) {
         const csg::Part& part = scene.parts[parts_[rank]];
         for (csg::LeafId leaf = part.first_leaf; leaf < part.first_leaf + part.leaf_count; ++leaf) {

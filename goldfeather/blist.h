@@ -34,7 +34,7 @@ class Blist {
         std::uint32_t chain_end = kFalse;  ///< The result where no leaf of the chain holds the point.
         std::uint32_t group = kNone;       ///< The innermost AND that the leaf is in.
         std::uint32_t complement = 0;      ///< 1: the leaf must not hold the point.
-        std::uint32_t rank = 0;            ///< Of its part: highlighted parts first, then by id.
+        std::uint32_t rank = 0;            ///< Of its part, in the order of parts.
         std::uint32_t flags = 0;           ///< Not used here: blist_buffer.h.
     };
 
@@ -49,7 +49,8 @@ class Blist {
         std::uint32_t unused = 0;
     };
 
-    explicit Blist(const csg::Scene& scene);
+    /// `order`: of parts (part_order.h).
+    Blist(const csg::Scene& scene, std::vector<csg::PartId> order);
 
     [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }  ///< By LeafId.
     [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }

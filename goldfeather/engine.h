@@ -51,9 +51,9 @@ class PreparedScene {
     PreparedScene& operator=(const PreparedScene&) = delete;
 
     /// The first `max_layers` surfaces of the whole scene (kAllLayers: all), without a table. Where surfaces of two
-    /// parts coincide, a highlighted part comes first, and otherwise the part with the smaller id. What it cost is
-    /// added to `stats`. Throws EngineObstacle, gl::Error where OpenGL fails, and base::Stopped where `stop` asked for
-    /// it. The memory of a stack that nobody holds any more is used again.
+    /// parts coincide they come in the order of parts (part_order.h). What it cost is added to `stats`. Throws
+    /// EngineObstacle, gl::Error where OpenGL fails, and base::Stopped where `stop` asked for it. The memory of a stack
+    /// that nobody holds any more is used again.
     [[nodiscard]] virtual layers::Stack draw(const base::View& view, int max_layers, WalkStats& stats,
                                              const std::stop_token& stop = {}) = 0;
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/stop.h"
+#include "csg/solid/part_order.h"
 
 namespace goldfeather {
 
@@ -37,25 +38,16 @@ bool PartsScene::update(const csg::solid::SceneChange& change) {
 
 layers::TextureStack PartsScene::draw(const DrawPart& draw_part, peel::Merge& merge, int max_layers,
                                       const std::stop_token& stop) {
-    // Highlighted parts come before all others, and each kind in order of the parts' ids.
-    std::optional<layers::TextureStack> plain, highlighted;
-    for (std::size_t i = 0; i < input_.products.size(); ++i) {
-        if (input_.scene.parts[i].hidden) {
+    std::optional<layers::TextureStack> merged;
+    for (const csg::PartId i : csg::solid::part_order(input_.scene, &input_.geometry)) {
+        if (i >= input_.products.size() || input_.scene.parts[i].hidden) {
             continue;
         }
-        std::optional<layers::TextureStack>& kind =
-            input_.scene.parts[i].kind == csg::PartKind::Highlight ? highlighted : plain;
         base::end_if_asked(stop);
         layers::TextureStack next = draw_part(leaves_, part(input_.products[i]));
-        kind = kind ? merge(*kind, next, max_layers) : std::move(next);
+        merged = merged ? merge(*merged, next, max_layers) : std::move(next);
     }
-    if (plain && highlighted) {
-        return merge(*highlighted, *plain, max_layers);
-    }
-    if (!plain && !highlighted) {
-        return draw_part(leaves_, part({}));
-    }
-    return std::move(plain ? *plain : *highlighted);
+    return merged ? std::move(*merged) : draw_part(leaves_, part({}));
 }
 
 }  // namespace goldfeather

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/solid/part_order.h"
 #include "goldfeather/local_frame.h"
 #include "goldfeather/part_extents.h"
 #include "goldfeather/smooth_groups.h"
@@ -55,6 +56,13 @@ std::uint32_t packed_axis(const glm::dmat4& to_world) {
     return bits.x << 2U | bits.y << 17U;
 }
 
+void rank_parts(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry) {
+    const std::vector<csg::PartId> order = csg::solid::part_order(scene, &geometry);
+    for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
+        table.parts[order[rank]].rank = rank;
+    }
+}
+
 void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid::Geometry& geometry) {
     const LocalFrame frame = local_frame(geometry);
     table.local_center = frame.center;
@@ -66,6 +74,7 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
         table.parts.back().center = extent.radius > 0 ? extent.center - frame.center : glm::dvec3(0);
         table.parts.back().radius = static_cast<float>(extent.radius);
     }
+    rank_parts(table, scene, geometry);
     table.leaves.clear();
     table.leaves.reserve(scene.leaves.size());
     for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
@@ -110,6 +119,7 @@ void update(layers::SurfaceTable& table, const csg::Scene& scene, const csg::sol
     }
     if (!change.leaves.empty()) {
         table.groups = smooth_groups(geometry);
+        rank_parts(table, scene, geometry);
     }
 }
 

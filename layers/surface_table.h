@@ -30,6 +30,7 @@ struct PartLook {
     glm::vec4 color{-1, -1, -1, 1};  ///< Of its material: straight alpha; red < 0: not given.
     glm::vec3 center{0};             ///< Of the box of its leaves, from local_center.
     float radius = 0;                ///< To the corner of a leaf's mesh that is farthest from the center.
+    std::uint32_t rank = 0;          ///< Of parts whose faces coincide the lowest one's is seen.
 };
 
 struct SurfaceTable {

@@ -55,6 +55,7 @@ layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& pictu
     const base::View view = sample_view(picture, sample, subject.lo, subject.hi);
     layers::TextureStack layers = subject.peel(view);
     Frame frame{picture, view, layers, sample_target_, stop};
+    frame.mesh = subject.mesh;
     if (picture.transparency == Transparency::ViewDependent) {
         if (!shine_) {
             shine_.emplace(gl_);

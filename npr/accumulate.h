@@ -21,6 +21,7 @@ struct Subject {
     glm::dvec3 lo{0}, hi{0};  ///< The box that encloses it, as base::View takes it.
     /// Its layers as seen from a view; called once per sample.
     std::function<layers::TextureStack(const base::View& view)> peel;
+    const ColoredMesh* mesh = nullptr;  ///< Of the parts, for pictures that need it.
 };
 
 /// Draws pictures sample by sample and keeps their sum. One per context, reused; `gl` must outlive it.

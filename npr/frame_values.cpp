@@ -5,6 +5,7 @@
 #include "npr/samples.h"
 #include "npr/screen_door_settings.h"
 #include "npr/shine/view_dependent_settings.h"
+#include "npr/sorted/sorted_settings.h"
 
 namespace npr {
 namespace {
@@ -48,6 +49,7 @@ const SettingsTable<FrameValues>& FrameValues::table() {
         setting<&FrameValues::door_size>(),
         setting<&FrameValues::door_tilt>(),
         setting<&FrameValues::gooch_shading>(),
+        setting<&FrameValues::back_faces>(),
     };
     return all;
 }
@@ -74,6 +76,8 @@ FrameValues frame_values(const Picture& picture, const base::View& view, const g
     v.door_tilt = door.silhouettes;
     v.gooch_shading = picture.transparency == Transparency::ViewDependent &&
                       transparency_settings<ViewDependentSettings>(picture).gooch;
+    v.back_faces =
+        picture.transparency == Transparency::Sorted && transparency_settings<SortedSettings>(picture).back_faces;
     return v;
 }
 

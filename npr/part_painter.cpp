@@ -2,38 +2,64 @@
 
 #include <algorithm>
 
-#include "npr/layer_filter.h"
 #include "npr/painter/cpu_paint.h"
-#include "npr/part_style.h"
-#include "npr/style.h"
 
 namespace npr {
 namespace {
 
-/// Puts notes and ground together, pixel by pixel.
+/// Puts notes, media and ground together, pixel by pixel.
 struct Together : PixelFrame {
-    using PixelFrame::PixelFrame;
+    explicit Together(const CpuFrame& frame)
+        : PixelFrame(frame),
+          highlights_(static_cast<std::uint32_t>(
+              std::count_if(frame.layers.table->parts.begin(), frame.layers.table->parts.end(),
+                            [](const layers::PartLook& part) { return part.kind == layers::PartKind::Highlight; }))) {}
 
-    glm::vec4 put(std::span<std::span<const Note>> notes, const glm::vec4* ground) {
+    glm::vec4 put(std::vector<std::span<const Note>>& notes, glm::ivec2 pixel, const glm::vec4* ground) {
         Composite seen = nothing_seen();
-        while (seen.through > 0) {
-            std::span<const Note>* nearest = nullptr;
-            for (std::span<const Note>& each : notes) {
-                if (!each.empty() && (nearest == nullptr || before(each.front(), nearest->front()))) {
-                    nearest = &each;
-                }
+        Media media = media_at_eye(pixel);
+        const glm::vec3 ray = pixel_ray(pixel);
+        int layer = 0;
+        Note surface;
+        while (seen.through > least_seen()) {
+            const Note* note = PartNotes::take(notes);
+            if (transparency == kVolume) {
+                pass_media(seen, media, layer, pixel, ray, note != nullptr ? note->depth : 0);
             }
-            if (nearest == nullptr) {
+            if (note == nullptr) {
                 break;
             }
-            seen = Frame::behind(seen, true, nearest->front().color);
-            *nearest = nearest->subspan(1);
+            if (!seen_once(*note, surface)) {
+                continue;
+            }
+            surface = note->rank > 0 ? *note : surface;
+            seen = Frame::behind(seen, true, note->color);
         }
         const bool bare = ground != nullptr && seen.through > 0;
         return before_ground(seen.color, seen.through, bare ? srgb_of(*ground) : glm::vec3(0));
     }
 
   private:
+    /// The media up to that depth: those that the layers of all parts bound.
+    void pass_media(Composite& seen, Media& media, int& layer, glm::ivec2 pixel, glm::vec3 ray, float depth) {
+        for (; layer_depth(pixel, layer) > 0 && layer_depth(pixel, layer) >= depth; ++layer) {
+            const Surface s = layer_surface(pixel, layer, ray);
+            seen = reached(seen, media, s, ray);
+            media = beyond(media, s);
+        }
+        if (depth > 0 && media.at < view_distance(depth)) {
+            Surface there = no_surface();
+            there.hit = true;
+            there.depth = depth;
+            seen = reached(seen, media, there, ray);
+            media.at = view_distance(depth);
+        }
+    }
+    /// Of the faces that parts have in one place one is seen (npr/transparency.glsl); highlights are in any case.
+    [[nodiscard]] bool seen_once(const Note& note, const Note& surface) const {
+        return note.rank <= highlights_ || surface.rank <= highlights_ || note.depth != surface.depth ||
+               note.rank == surface.rank;
+    }
     /// Much of the ground has one color.
     glm::vec3 srgb_of(const glm::vec4& ground) {
         if (ground != last_ground_) {
@@ -42,10 +68,8 @@ struct Together : PixelFrame {
         }
         return last_srgb_;
     }
-    static bool before(const Note& a, const Note& b) {
-        return a.depth > b.depth || (a.depth == b.depth && a.part < b.part);
-    }
 
+    std::uint32_t highlights_;  ///< Ranks of parts that are none are at least this.
     glm::vec4 last_ground_{0};
     glm::vec3 last_srgb_{0};
 };
@@ -53,80 +77,20 @@ struct Together : PixelFrame {
 }  // namespace
 
 void PartPainter::operator()(const CpuFrame& frame) {
-    const std::vector<std::size_t> group_of_part = styles_of_parts(frame.picture, frame.layers.table->parts);
-    drawn_.clear();
-    for (std::size_t group = 0; group <= frame.picture.part_styles.size(); ++group) {
-        if (std::find(group_of_part.begin(), group_of_part.end(), group) != group_of_part.end()) {
-            paint_group(frame, group, group_of_part);
-        }
-    }
-    if (!frame.picture.transparent_background) {
-        paint_ground(frame);
-    }
-    put_together(frame);
-}
-
-void PartPainter::paint_group(const CpuFrame& frame, std::size_t group, std::span<const std::size_t> group_of_part) {
-    Picture picture = frame.picture;
-    picture.part_styles.clear();
-    picture.transparent_background = true;
-    if (group > 0) {
-        picture.style = frame.picture.part_styles[group - 1].style;
-        picture.parameters = frame.picture.part_styles[group - 1].parameters;
-    }
-    Group& mine = groups_[{group, picture.style}];
-    if (!mine.paint) {
-        mine.paint = picture.style->make_paint();
-    }
-    filter_layers(
-        frame.layers,
-        [&] {
-            return [&](const layers::Surface& s) {
-                return group_of_part[frame.layers.table->leaves[s.leaf].part.x] == group;
-            };
-        },
-        mine.stack, frame.stop);
-    mine.notes.resize(static_cast<std::size_t>(Tiles(mine.stack).count()));
-    for (TileNotes& tile : mine.notes) {
-        tile.clear();
-    }
-    mine.paint({picture, frame.view, mine.stack, {}, frame.stop, {}, &mine.notes});
-    drawn_.push_back(&mine);
-}
-
-void PartPainter::paint_ground(const CpuFrame& frame) {
-    Picture picture = frame.picture;
-    picture.part_styles.clear();
-    empty_.resize(frame.layers.size);
-    empty_.reserve(1);
-    empty_.layers = 1;
-    empty_.complete = true;
-    empty_.table = frame.layers.table;
-    ground_.assign(frame.sum.size(), glm::vec4(0));
-    Group& mine = groups_[{0, picture.style}];
-    if (!mine.paint) {
-        mine.paint = picture.style->make_paint();
-    }
-    mine.paint({picture, frame.view, empty_, ground_, frame.stop});
-}
-
-void PartPainter::put_together(const CpuFrame& frame) {
+    notes_.paint(frame);
+    const std::vector<glm::vec4>& ground = notes_.ground();
     const Tiles tiles(frame.layers);
     base::for_each_index(
         tiles.count(),
         [&] {
-            return [&, together = Together(frame),
-                    notes = std::vector<std::span<const Note>>(drawn_.size())](int tile) mutable {
+            return [&, together = Together(frame), notes = std::vector<std::span<const Note>>()](int tile) mutable {
                 const TileBounds box = tiles.bounds(tile);
                 std::size_t in_tile = 0;
                 for (int y = box.lo.y; y < box.hi.y; ++y) {
                     for (int x = box.lo.x; x < box.hi.x; ++x, ++in_tile) {
-                        for (std::size_t i = 0; i < drawn_.size(); ++i) {
-                            notes[i] = drawn_[i]->notes[static_cast<std::size_t>(tile)].of(in_tile);
-                        }
+                        notes_.read(tile, in_tile, notes);
                         const std::size_t pixel = together.index({x, y});
-                        frame.sum[pixel] +=
-                            together.put(notes, frame.picture.transparent_background ? nullptr : &ground_[pixel]);
+                        frame.sum[pixel] += together.put(notes, {x, y}, ground.empty() ? nullptr : &ground[pixel]);
                     }
                 }
             };

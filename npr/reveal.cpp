@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "npr/layer_filter.h"
+#include "npr/medium_rows.h"
 
 namespace npr {
 namespace {
@@ -20,10 +21,19 @@ std::vector<char> revealed_parts(std::span<const RevealedPart> wishes, std::span
     return result;
 }
 
+/// By part: whether only what is within it is seen, in `volume`.
+std::vector<char> media_parts(const Picture& picture, const layers::SurfaceTable& table) {
+    std::vector<char> result;
+    for (const MediumRow& row : media_of(picture, table.parts, table.diagonal).rows) {
+        result.push_back(row.is_medium.x != 0 ? 1 : 0);
+    }
+    return result;
+}
+
 /// By number of layers: pixels in which so many of other parts are before the first surface of these parts, the last of
 /// them opaque.
 std::vector<std::size_t> pixels_by_cover(const layers::HostStack& stack, std::span<const char> wanted,
-                                         std::span<const char> revealed) {
+                                         std::span<const char> revealed, std::span<const char> media) {
     std::vector<std::size_t> pixels(static_cast<std::size_t>(stack.layers) + 1, 0);
     for (int y = 0; y < stack.size.y; ++y) {
         for (int x = 0; x < stack.size.x; ++x) {
@@ -40,7 +50,8 @@ std::vector<std::size_t> pixels_by_cover(const layers::HostStack& stack, std::sp
                 }
                 if (revealed[part] == 0) {
                     ++others;
-                    hiding = stack.table->parts[part].kind == layers::PartKind::Solid ? others : hiding;
+                    const bool opaque = stack.table->parts[part].kind == layers::PartKind::Solid && media[part] == 0;
+                    hiding = opaque ? others : hiding;
                 }
             }
         }
@@ -52,10 +63,11 @@ std::vector<std::size_t> pixels_by_cover(const layers::HostStack& stack, std::sp
 
 Revealed layers_to_peel_away(const Picture& picture, const layers::HostStack& stack) {
     const std::vector<char> all = revealed_parts(picture.reveal, stack.table->parts);
+    const std::vector<char> media = media_parts(picture, *stack.table);
     Revealed result;
     std::vector<std::vector<std::size_t>> covers;
     for (const RevealedPart& wish : picture.reveal) {
-        covers.push_back(pixels_by_cover(stack, revealed_parts(std::span(&wish, 1), stack.table->parts), all));
+        covers.push_back(pixels_by_cover(stack, revealed_parts(std::span(&wish, 1), stack.table->parts), all, media));
         std::size_t sum = 0;
         for (const std::size_t pixels : covers.back()) {
             sum += pixels;
@@ -82,11 +94,29 @@ Revealed layers_to_peel_away(const Picture& picture, const layers::HostStack& st
 
 void peel_away(const Picture& picture, const layers::HostStack& stack, int count, layers::HostStack& kept) {
     const std::vector<char> revealed = revealed_parts(picture.reveal, stack.table->parts);
+    const std::vector<char> media = media_parts(picture, *stack.table);
     filter_layers(
         stack,
         [&] {
-            return [&, left = count](const layers::Surface& s) mutable {
-                return revealed[stack.table->leaves[s.leaf].part.x] != 0 || left-- <= 0;
+            return [&, left = count, within = std::vector<std::uint32_t>()](const layers::Surface& s) mutable {
+                const std::uint32_t part = stack.table->leaves[s.leaf].part.x;
+                if (revealed[part] != 0) {
+                    return true;
+                }
+                // Of a medium that was entered the way up to where it is left goes, too.
+                const auto entered = s.leaving ? std::find(within.begin(), within.end(), part) : within.end();
+                if (entered != within.end()) {
+                    within.erase(entered);
+                    --left;
+                    return false;
+                }
+                if (left-- <= 0) {
+                    return true;
+                }
+                if (media[part] != 0 && !s.leaving) {
+                    within.push_back(part);
+                }
+                return false;
             };
         },
         kept);

@@ -20,7 +20,8 @@ struct Revealed {
 /// through hide nothing.
 [[nodiscard]] Revealed layers_to_peel_away(const Picture& picture, const layers::HostStack& stack);
 
-/// The stack without the first `count` surfaces of parts that are not revealed, at each pixel.
+/// The stack without the first `count` surfaces of parts that are not revealed, at each pixel. A medium of which the
+/// nearer surface goes is not there up to the farther one.
 void peel_away(const Picture& picture, const layers::HostStack& stack, int count, layers::HostStack& kept);
 
 }  // namespace npr

@@ -7,6 +7,7 @@ Frame::Frame(const CpuFrame& frame)
                                frame.layers.table->diagonal, frame.layers.layers)),
       view(base::view_values(frame.view, frame.layers.table->local_center, frame.layers.table->diagonal)),
       leaf_rows(frame.layers.table->leaves.data()),
+      part_looks(frame.layers.table->parts.data()),
       plane_rows(frame.layers.table->planes.data()),
       group_words(frame.layers.table->groups.data()),
       size(frame.layers.size),

@@ -22,6 +22,7 @@ struct Frame : FrameValues, LineCode {
 
     base::ViewValues view;
     const layers::LeafRow* leaf_rows;
+    const layers::PartLook* part_looks;
     const vec4* plane_rows;
     const uint* group_words;
     ivec2 size;
@@ -56,7 +57,7 @@ struct Frame : FrameValues, LineCode {
                                    : surface_of(ids, depths[static_cast<std::size_t>(layer)][index(p)], ray);
     }
     [[nodiscard]] ShineRow shine_row(ivec2 p) const {
-        return shine.empty() ? ShineRow{-1, 1 << 30, 1, 0, 0} : shine[index(p)];
+        return shine.empty() ? ShineRow{-1, 1 << 30, 1 << 30, 1, 0, 0} : shine[index(p)];
     }
     [[nodiscard]] vec4 premultiplied(vec3 color, float alpha) const {
         return {srgb->linear(color.r) * alpha, srgb->linear(color.g) * alpha, srgb->linear(color.b) * alpha, alpha};

@@ -24,6 +24,7 @@ struct Frame {
     const gl::Framebuffer& target;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the target is undefined then.
     const gl::Buffer* shine = nullptr;  ///< Of ShineRow (npr/shine/shine.h), in pictures that need them.
+    const ColoredMesh* mesh = nullptr;  ///< Of the parts, in pictures that need it.
 };
 
 /// A way to draw layers. Made once per context, which must be current in every call and outlive the style.

@@ -20,10 +20,10 @@ vec4 base_color(Surface s) {
                 s.color.b >= 0.0f ? s.color.b : otherwise.b, s.color.a >= 0.0f ? s.color.a : otherwise.a);
 }
 
-// The same; of translucent parts only the faces toward the eye are seen.
+// The same; of translucent parts only the faces toward the eye are seen, unless others are asked for.
 vec4 seen_color(Surface s) {
     vec4 color = base_color(s);
-    return s.covered || (color.a < 1.0f && s.leaving) ? vec4(0.0f) : color;
+    return s.covered || (color.a < 1.0f && s.leaving && !back_faces) ? vec4(0.0f) : color;
 }
 
 // Cool where the light does not fall, warm where it does (Gooch, Gooch, Shirley and Cohen 1998).

@@ -7,6 +7,7 @@
 #include "npr/screen_door_settings.h"
 #include "npr/shine/view_dependent_settings.h"
 #include "npr/sorted/sorted_settings.h"
+#include "npr/style.h"
 
 namespace npr {
 
@@ -27,6 +28,11 @@ const TransparencyInfo* find_transparency(std::string_view name) {
     const auto all = transparencies();
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
     return found == all.end() ? nullptr : &*found;
+}
+
+bool follows_transparency(const StyleInfo& style) {
+    static constexpr std::array<std::string_view, 5> kNames{"shaded", "edges", "gooch", "toon", "ntone"};
+    return std::find(kNames.begin(), kNames.end(), style.name) != kNames.end();
 }
 
 void Picture::see_through_as(const TransparencyInfo& info) {

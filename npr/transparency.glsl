@@ -17,6 +17,7 @@ const int kExact = 0;
 const int kVolume = 1;
 const int kViewDependent = 2;
 const int kScreenDoor = 3;
+const int kSorted = 4;
 
 // Less light than this is as good as none.
 float least_seen() {
@@ -72,9 +73,8 @@ Surface shone_through(Surface s, ivec2 pixel, int layer) {
         s.ink = row.front_ink;
         return s;
     }
-    bool solid = s.hit && s.part_kind == kPartSolid;
-    bool hidden = row.front >= 0 && layer > row.front && (!s.hit || layer > row.last || (layer == row.last && !solid));
-    if (layer == row.last && solid)
+    bool hidden = layer >= row.hidden || (row.front >= 0 && !s.hit);
+    if (layer == row.last && s.hit && s.part_kind == kPartSolid)
         s.ink = row.solid_ink;
     s.hit = s.hit || hidden;
     s.covered = s.covered || hidden || s.part_kind == kPartTranslucent;
@@ -98,7 +98,7 @@ Surface with_door(Surface s, ivec2 pixel, vec3 ray) {
 // A layer of what is seen.
 Surface seen_surface(ivec2 pixel, int layer, vec3 ray) {
     Surface s = layer_surface(pixel, layer, ray);
-    if (s.hit)
+    if (s.hit && transparency != kSorted)
         s.covered = is_medium(s.part) || shared_with_another(s, pixel, layer, ray);
     if (transparency == kViewDependent)
         s = shone_through(s, pixel, layer);

@@ -11,6 +11,8 @@
 
 namespace npr {
 
+struct StyleInfo;
+
 /// In shaders `transparency`.
 enum class Transparency : int {
     Exact = 0,   ///< Faces: all layers blended front to back, Porter and Duff's "over".
@@ -34,6 +36,10 @@ struct TransparencyInfo {
 
 /// All models; the first is the default.
 [[nodiscard]] std::span<const TransparencyInfo> transparencies();
+
+/// Does a style draw what is seen through as the picture's model has it? The others have their own way to look inside,
+/// or none.
+[[nodiscard]] bool follows_transparency(const StyleInfo& style);
 
 /// Null where there is no model of that name.
 [[nodiscard]] const TransparencyInfo* find_transparency(std::string_view name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "csg/solid/part_order.h"
 #include "goldfeather/lists_cpu/pixel_walk.h"
 
 namespace goldfeather {
@@ -85,7 +86,8 @@ class Lists {
                             (wound[leaf] != 0 ? BlistBuffer::kWound : 0U));
             triangles.push_back({{}, {}, 7 * leaf % kLeaves, leaf});
         }
-        PixelWalk walk(tree, scene, behind, wound, kLayers);
+        const std::vector<std::uint32_t> ranks = csg::solid::ranks_of(csg::solid::part_order(scene, nullptr));
+        PixelWalk walk(tree, scene, ranks, behind, wound, kLayers);
         for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
             add_pixel(pixel, walk, random);
         }
@@ -147,7 +149,7 @@ std::string self_test(const gl::Functions& gl, ListResolver& resolver, bool wind
     gl::Buffer triangles(gl);
     triangles.upload<TriangleRow>(lists.triangles);
     triangles.bind(GL_SHADER_STORAGE_BUFFER, 8);
-    BlistBuffer blist(gl, Blist(lists.scene));
+    BlistBuffer blist(gl, Blist(lists.scene, csg::solid::part_order(lists.scene, nullptr)));
     blist.set_flags(lists.flags);
     for (const std::uint32_t pause_after : {0U, 1U}) {  // In as few goes as may be, and event by event.
         layers::TextureStack stack;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gl/view_block.h"
@@ -26,7 +27,9 @@ namespace goldfeather {
 
 /// A scene on the GPU, ready for the lists; it must outlive this.
 struct ListsScene {
-    ListsScene(const gl::Functions& gl, const csg::Scene& s) : scene(s), blist(gl, Blist(s)) {}
+    /// `order`: of parts (part_order.h).
+    ListsScene(const gl::Functions& gl, const csg::Scene& s, std::vector<csg::PartId> order)
+        : scene(s), blist(gl, Blist(s, std::move(order))) {}
     const csg::Scene& scene;
     BlistBuffer blist;
 };

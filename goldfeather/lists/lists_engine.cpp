@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "csg/solid/part_order.h"
 #include "gl/error.h"
 #include "goldfeather/lists/lists.h"
 
@@ -22,8 +23,9 @@ class ListsEngine : public Engine {
         Scene(ListsEngine& engine, const EngineInput& input)
             : engine_(engine),
               geometry_(input.geometry),
+              order_(csg::solid::part_order(input.scene, &input.geometry)),
               leaves_(*engine.settings_.gl, input.geometry),
-              expressions_(*engine.settings_.gl, input.scene) {}
+              expressions_(*engine.settings_.gl, input.scene, order_) {}
         layers::Stack draw(const base::View& view, int max_layers, WalkStats& stats,
                            const std::stop_token& stop) override {
             Lists& lists = engine_.lists();
@@ -35,15 +37,17 @@ class ListsEngine : public Engine {
             }
         }
         bool update(const csg::solid::SceneChange& change) override {
-            if (!change.structure) {
-                leaves_.update(change);
+            if (change.structure || csg::solid::part_order(expressions_.scene, &geometry_) != order_) {
+                return false;
             }
-            return !change.structure;
+            leaves_.update(change);
+            return true;
         }
 
       private:
         ListsEngine& engine_;
         const csg::solid::Geometry& geometry_;
+        std::vector<csg::PartId> order_;
         LeafBuffers leaves_;
         ListsScene expressions_;
     };

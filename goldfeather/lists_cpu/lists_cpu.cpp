@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/stop.h"
+#include "csg/solid/part_order.h"
 #include "goldfeather/lists_cpu/tile_worker.h"
 
 namespace goldfeather {
@@ -72,6 +73,7 @@ void peel_lists(const ListsModel& model, const base::View& view, int max_layers,
     for (const csg::solid::Plane& plane : model.geometry.planes.planes()) {
         job.planes.push_back(view.exact_plane_depth(plane.normal, plane.offset));
     }
+    job.ranks = csg::solid::ranks_of(csg::solid::part_order(model.scene, &model.geometry));
     const std::uint32_t drawn_before = stats.drawn_leaves;
     job.counted_from_behind.assign(model.geometry.leaves.size(), 0);
     job.wound.assign(model.geometry.leaves.size(), 0);

@@ -14,10 +14,11 @@ std::int32_t step_of(const Fragment& f) {
 
 }  // namespace
 
-PixelWalk::PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::span<const char> counted_from_behind,
-                     std::span<const char> wound, int max_layers)
+PixelWalk::PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::span<const std::uint32_t> ranks,
+                     std::span<const char> counted_from_behind, std::span<const char> wound, int max_layers)
     : tree_(tree),
       scene_(scene),
+      ranks_(ranks),
       counted_from_behind_(counted_from_behind),
       wound_(wound),
       any_wound_(std::find(wound.begin(), wound.end(), char{1}) != wound.end()),
@@ -158,10 +159,9 @@ void PixelWalk::event(std::span<const Fragment> fragments, std::uint32_t first, 
         const csg::PartId of_a = scene_.leaves[a].part, of_b = scene_.leaves[b].part;
         return of_a != of_b ? of_a < of_b : a < b;
     });
-    if (changed_.size() > 1) {  // Highlighted parts come first.
-        const auto plain = [&](csg::PartId part) { return scene_.parts[part].kind != csg::PartKind::Highlight; };
+    if (changed_.size() > 1) {
         std::sort(changed_.begin(), changed_.end(),
-                  [&](csg::PartId a, csg::PartId b) { return plain(a) != plain(b) ? plain(b) : a < b; });
+                  [&](csg::PartId a, csg::PartId b) { return ranks_[a] < ranks_[b]; });
     }
     const std::size_t begin = found.size();
     bool leaving = false;

@@ -34,9 +34,9 @@ class PixelWalk {
   public:
     /// `counted_from_behind`: for each leaf whether the near plane may cut it, so that a ray may begin inside it.
     /// `wound`: for each leaf whether its inside is where its winding number is not zero; otherwise it is where the
-    /// parity says so, and directions are not looked at.
-    PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::span<const char> counted_from_behind,
-              std::span<const char> wound, int max_layers);
+    /// parity says so, and directions are not looked at. `ranks`: of parts (part_order.h).
+    PixelWalk(const ExpressionTree& tree, const csg::Scene& scene, std::span<const std::uint32_t> ranks,
+              std::span<const char> counted_from_behind, std::span<const char> wound, int max_layers);
 
     /// `fragments`: all of the ray's, nearest first. The result stands until the next call.
     [[nodiscard]] std::span<const FoundSurface> walk(std::span<const Fragment> fragments);
@@ -67,6 +67,7 @@ class PixelWalk {
 
     const ExpressionTree& tree_;
     const csg::Scene& scene_;
+    std::span<const std::uint32_t> ranks_;
     std::span<const char> counted_from_behind_, wound_;
     bool any_wound_;
     std::vector<std::int32_t> winding_;  ///< By leaf: how often the mesh is around the point. Of wound leaves.

@@ -42,7 +42,7 @@ TileWorker::TileWorker(ListsJob& job)
       half_width_(0.5 * job.size.x),
       half_height_(0.5 * job.size.y),
       spans_(job.triangles),
-      walk_(job.model.expressions, job.model.scene, job.counted_from_behind, job.wound, job.max_layers),
+      walk_(job.model.expressions, job.model.scene, job.ranks, job.counted_from_behind, job.wound, job.max_layers),
       seen_(job.model.geometry.leaves.size(), 0) {}
 
 void TileWorker::run(int tile) {

@@ -34,7 +34,8 @@ struct ListsJob {
     const std::stop_token& stop;
     std::vector<ScreenTriangle> triangles{};
     std::vector<base::View::ExactPlaneDepth> planes{};
-    std::vector<char> counted_from_behind{}, wound{};  ///< By leaf: as PixelWalk wants them.
+    std::vector<std::uint32_t> ranks{};                ///< Of parts: as PixelWalk wants them, …
+    std::vector<char> counted_from_behind{}, wound{};  ///< … and these, by leaf.
     Bins bins{};
     std::mutex growing{};  ///< Of out.planes.
 };

@@ -17,6 +17,7 @@ void CpuAccumulator::paint_sample(const Paint& paint, const Picture& picture, st
     samples_ = static_cast<int>(sample) + 1;
     const base::View view = sample_view(picture, sample, subject.lo, subject.hi);
     CpuFrame frame{picture, view, subject.peel(view), sum_, stop};
+    frame.mesh = subject.mesh;
     std::vector<ShineRow> shine;
     if (picture.transparency == Transparency::ViewDependent) {
         shine = find_shine(frame);

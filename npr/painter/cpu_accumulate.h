@@ -15,6 +15,7 @@ struct CpuSubject {
     glm::dvec3 lo{0}, hi{0};  ///< The box that encloses it, as base::View takes it.
     /// Its layers as seen from a view, which must stand until the next call; called once per sample.
     std::function<const layers::HostStack&(const base::View& view)> peel;
+    const ColoredMesh* mesh = nullptr;  ///< Of the parts, for pictures that need it.
 };
 
 /// Paints pictures sample by sample and keeps their sum.

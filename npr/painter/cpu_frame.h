@@ -8,6 +8,7 @@
 
 #include "base/camera.h"
 #include "layers/host_stack.h"
+#include "npr/colored_mesh.h"
 #include "npr/painter/layer_notes.h"
 #include "npr/picture.h"
 #include "npr/shine/shine_row.h"
@@ -23,6 +24,7 @@ struct CpuFrame {
     std::span<glm::vec4> sum;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the sum is undefined then.
     std::span<const ShineRow> shine{};  ///< By pixel, in pictures that need them.
+    const ColoredMesh* mesh = nullptr;  ///< Of the parts, in pictures that need it.
     /// Null, or by tile what the style draws is to be noted, and nothing added to the sum.
     LayerNotes* notes = nullptr;
 };

@@ -35,7 +35,7 @@ std::vector<ShineRow> find_shine(const CpuFrame& frame) {
         },
         0, frame.stop);
     const layers::SurfaceTable& table = *frame.layers.table;
-    return shine_rows(frame.picture, frame.view, table.parts, table.local_center, sources);
+    return shine_rows(frame.picture, frame.view, table.parts, table.local_center, sources, frame.mesh);
 }
 
 }  // namespace npr

@@ -14,7 +14,7 @@ namespace npr {
 struct Note {
     glm::vec4 color{0};      ///< sRGB with straight alpha.
     float depth = 0;         ///< Reversed.
-    std::uint32_t part = 0;  ///< Of the scene; 0 for lines: of what lies in one place the lowest is nearest.
+    std::uint32_t rank = 0;  ///< One more than that of the part; 0 for lines. In one place the lowest is nearest.
 };
 
 /// The notes of a tile's pixels, row by row.

@@ -14,7 +14,7 @@ void PixelFrame::note(int layer, bool hit, glm::vec4 color) {
     }
     if (hit && color.a > 0) {
         const glm::uvec2 ids = surface_ids(noted, layer);
-        page->add({color, layer_depth(noted, layer), leaf_rows[leaf_of(ids)].part.x});
+        page->add({color, layer_depth(noted, layer), part_looks[leaf_rows[leaf_of(ids)].part.x].rank + 1});
     }
 }
 

@@ -33,6 +33,10 @@ struct PixelFrame : shader::Frame {
         }
         return Frame::behind(c, hit, color);
     }
+    /// Media are for whoever puts notes together: they are those of all parts.
+    Composite reached(const Composite& c, const Media& m, const Surface& s, glm::vec3 ray) {
+        return page != nullptr ? c : Frame::reached(c, m, s, ray);
+    }
 
   private:
     /// The last line drawn is the nearest.

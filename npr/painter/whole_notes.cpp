@@ -30,8 +30,9 @@ Note WholeNotes::note(glm::ivec2 pixel, const glm::vec4& color) const {
             }
         }
     }
-    const std::uint32_t part = nearest.depth > 0 ? layers_.table->leaves[nearest.leaf].part.x : 0;
-    return {straight_srgb(color), nearest.depth, part};
+    const layers::SurfaceTable& table = *layers_.table;
+    const std::uint32_t rank = nearest.depth > 0 ? table.parts[table.leaves[nearest.leaf].part.x].rank + 1 : 0;
+    return {straight_srgb(color), nearest.depth, rank};
 }
 
 }  // namespace npr

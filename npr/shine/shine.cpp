@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/parallel.h"
+#include "npr/shine/vertex_shine.h"
 #include "npr/shine/view_dependent_settings.h"
 
 namespace npr {
@@ -131,6 +132,8 @@ class PartDistances {
     std::vector<std::int64_t> centers_, starts_;
 };
 
+constexpr int kNothingHides = 1 << 30;  ///< As npr/shine/shine_rules.glsl has it.
+
 /// Of a line of that width inside of the silhouette, whose own pixels are at distance 0.
 float ink_at(float distance, float width) {
     return distance < 0 ? 0 : std::clamp(width - distance, 0.0F, 1.0F);
@@ -159,7 +162,7 @@ float radius_in_pixels(const layers::PartLook& part, const base::View& view, con
 
 std::vector<ShineRow> shine_rows(const Picture& picture, const base::View& view,
                                  std::span<const layers::PartLook> parts, const glm::dvec3& local_center,
-                                 std::span<const ShineSource> sources) {
+                                 std::span<const ShineSource> sources, const ColoredMesh* mesh) {
     const auto settings = transparency_settings<ViewDependentSettings>(picture);
     const auto distances = [&](glm::uint ShineSource::*key) {
         std::vector<glm::uint> keys(sources.size());
@@ -169,6 +172,10 @@ std::vector<ShineRow> shine_rows(const Picture& picture, const base::View& view,
     const std::vector<float> front = distances(&ShineSource::front_key);
     const std::vector<float> solid =
         settings.silhouette_width > 0 ? distances(&ShineSource::solid_key) : std::vector<float>(sources.size(), -1.0F);
+    std::vector<float> by_vertex;
+    if (mesh != nullptr && settings.opacity == static_cast<int>(ShineOpacity::Vertices)) {
+        by_vertex = clearness_by_vertex(*mesh, view, parts, settings.falloff, sources);
+    }
     std::vector<float> radii;
     for (const layers::PartLook& part : parts) {
         radii.push_back(std::max(radius_in_pixels(part, view, local_center), 1.0F));
@@ -176,14 +183,19 @@ std::vector<ShineRow> shine_rows(const Picture& picture, const base::View& view,
     std::vector<ShineRow> rows(sources.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const ShineSource& source = sources[i];
-        rows[i] = {source.front, source.last, 1, 0, ink_at(solid[i], settings.silhouette_width)};
+        rows[i] = {source.front, source.last, kNothingHides, 1, 0, ink_at(solid[i], settings.silhouette_width)};
         if (source.front < 0) {
             continue;
         }
-        const float radius = radii[(source.front_key >> 1U) - 1];
-        const float away = front[i] < 0 ? 1.0F : std::min(front[i] / radius, 1.0F);
+        rows[i].hidden = source.last + (source.solid_key != 0 ? 1 : 0);
         const float weight = source.solid_key != 0 ? settings.opaque : settings.background;
-        rows[i].alpha = 1 - weight * (away > 0 ? std::pow(away, settings.falloff) : 0.0F);
+        if (!by_vertex.empty()) {
+            rows[i].alpha = 1 - weight * by_vertex[i];
+        } else {
+            const float radius = radii[(source.front_key >> 1U) - 1];
+            const float away = front[i] < 0 ? 1.0F : std::min(front[i] / radius, 1.0F);
+            rows[i].alpha = 1 - weight * (away > 0 ? std::pow(away, settings.falloff) : 0.0F);
+        }
         rows[i].front_ink = ink_at(front[i], settings.silhouette_width);
     }
     return rows;

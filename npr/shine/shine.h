@@ -6,6 +6,7 @@
 
 #include "base/camera.h"
 #include "layers/surface_table.h"
+#include "npr/colored_mesh.h"
 #include "npr/picture.h"
 #include "npr/shine/shine_row.h"
 
@@ -19,9 +20,10 @@ namespace npr {
 [[nodiscard]] float radius_in_pixels(const layers::PartLook& part, const base::View& view,
                                      const glm::dvec3& local_center);
 
-/// `sources`: by pixel of a frame, of the view and the parts; `local_center`: of the parts.
+/// `sources`: by pixel of a frame, of the view and the parts; `local_center`: of the parts. `mesh`: where opacity is
+/// asked for by vertex; null: it is found by pixel all the same.
 [[nodiscard]] std::vector<ShineRow> shine_rows(const Picture& picture, const base::View& view,
                                                std::span<const layers::PartLook> parts, const glm::dvec3& local_center,
-                                               std::span<const ShineSource> sources);
+                                               std::span<const ShineSource> sources, const ColoredMesh* mesh);
 
 }  // namespace npr

@@ -23,7 +23,7 @@ const gl::Buffer& ShineMap::draw(const Frame& frame) {
     gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     gl_.GetNamedBufferSubData(sources_.id(), 0, static_cast<GLsizeiptr>(bytes), sources.data());
     const layers::SurfaceBuffers& table = *frame.layers.table;
-    rows_.upload<ShineRow>(shine_rows(frame.picture, frame.view, table.parts, table.local_center, sources),
+    rows_.upload<ShineRow>(shine_rows(frame.picture, frame.view, table.parts, table.local_center, sources, frame.mesh),
                            GL_DYNAMIC_DRAW);
     return rows_;
 }

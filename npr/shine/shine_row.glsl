@@ -3,6 +3,7 @@
 struct ShineRow {
     int front;        // the layer of the nearest face of what is seen through; -1: none before what is opaque
     int last;         // the first layer that does not show, or the opaque surface that is seen
+    int hidden;       // the first layer that does not show
     float alpha;      // opacity of the nearest face
     float front_ink;  // of silhouettes, on it
     float solid_ink;  // on the opaque surface

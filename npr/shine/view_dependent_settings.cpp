@@ -12,8 +12,15 @@ const SettingsTable<ViewDependentSettings>& ViewDependentSettings::table() {
         setting<&S::opaque>(Parameter::number("opaque", "Opaque parts seen through", 1, 0, 1)),
         setting<&S::gooch>(Parameter::toggle("gooch", "Cool to warm shading", true)),
         setting<&S::silhouette_width>(Parameter::number("silhouettes", "Width of silhouettes", 1, 0, 8)),
+        setting<&S::opacity>(Parameter::choice("opacity", "Opacity found for", static_cast<int>(ShineOpacity::Pixels),
+                                               {"pixels", "vertices"})),
     };
     return all;
+}
+
+bool shines_by_vertex(const Picture& picture) {
+    return picture.transparency == Transparency::ViewDependent &&
+           transparency_settings<ViewDependentSettings>(picture).opacity == static_cast<int>(ShineOpacity::Vertices);
 }
 
 }  // namespace npr

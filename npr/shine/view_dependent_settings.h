@@ -11,6 +11,12 @@ enum class ShineMethod : int {
     FrontFace = 1,  ///< II, inner walls modeled: up to the second front face.
 };
 
+/// Where opacity is reckoned.
+enum class ShineOpacity : int {
+    Pixels = 0,    ///< By distances in the picture, exactly.
+    Vertices = 1,  ///< By distances in the world, of the mesh's vertices, and between them in proportion.
+};
+
 struct ViewDependentSettings {
     int method{};              ///< A ShineMethod.
     float falloff{};           ///< k in opacity = 1 - (distance to silhouettes / size of the part)^k.
@@ -18,8 +24,12 @@ struct ViewDependentSettings {
     float opaque{};            ///< So much of opaque parts.
     bool gooch{};              ///< Cool to warm, or as the style shades.
     float silhouette_width{};  ///< Pixels; 0: none.
+    int opacity{};             ///< A ShineOpacity.
 
     static const SettingsTable<ViewDependentSettings>& table();
 };
+
+/// Does the picture need the mesh of what is seen through?
+[[nodiscard]] bool shines_by_vertex(const Picture& picture);
 
 }  // namespace npr

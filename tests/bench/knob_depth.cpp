@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "csg/solid/part_order.h"
 #include "goldfeather/lists_cpu/pixel_walk.h"
 #include "tests/bench/knobs.h"
 #include "tests/truth/ray_caster.h"
@@ -117,7 +118,8 @@ void turn_depth(const Subject& subject, std::vector<KnobRow>& rows) {
                              Format{53, false, [](double d) { return d; }}};
     const goldfeather::ExpressionTree tree(model.scene);
     const std::vector<char> outside(model.geometry.leaves.size(), 0);
-    goldfeather::PixelWalk walk(tree, model.scene, outside, outside, 0);
+    const std::vector<std::uint32_t> ranks = csg::solid::ranks_of(csg::solid::part_order(model.scene, &model.geometry));
+    goldfeather::PixelWalk walk(tree, model.scene, ranks, outside, outside, 0);
     std::array<std::array<int, formats.size()>, 2> wrong{};
     int decided = 0;
     for (int i = 0; i < kSide * kSide; i += (kSide * kSide / kRays) | 1) {

@@ -32,9 +32,11 @@ csg::scad::Evaluation evaluate(const std::string& path) {
     return evaluation;
 }
 
-Subject from_file(const std::string& path) {
+Subject from_file(const std::string& path, const csg::PartRule& rule) {
     const csg::scad::Evaluation evaluation = evaluate(path);
-    Subject s{std::filesystem::path(path).stem().string(), 0, ui::ModelBuilder().build(evaluation.tree), {}};
+    ui::ModelBuilder builder;
+    builder.divide(rule);
+    Subject s{std::filesystem::path(path).stem().string(), 0, builder.build(evaluation.tree), {}};
     s.camera = ui::choose_camera({}, evaluation.view, s.model->geometry.box);
     return s;
 }

@@ -26,8 +26,8 @@ struct Subject {
 /// Messages go to standard error. Throws std::runtime_error where the file does not evaluate.
 [[nodiscard]] csg::scad::Evaluation evaluate(const std::string& path);
 
-/// Throws as `evaluate`.
-[[nodiscard]] Subject from_file(const std::string& path);
+/// Throws as `evaluate`. `rule`: what its parts are.
+[[nodiscard]] Subject from_file(const std::string& path, const csg::PartRule& rule = {});
 
 /// A model by its tree.
 [[nodiscard]] Subject from_tree(std::string name, double size, csg::Tree tree, const base::Camera& camera);

@@ -1,5 +1,6 @@
 // Speed against error of the models of transparency, and of what people would otherwise take:
-//   csgscope_transparency [--side N] [--repeat N] [--most TRIANGLES] [--plots FOLDER] [--models FOLDER]
+//   csgscope_transparency [--side N] [--repeat N] [--most TRIANGLES] [--plots FOLDER] [--models FOLDER] [--assembly
+//   FILE]
 // prints the tables of docs/TRANSPARENCY.md and writes its plots.
 #include <fmt/format.h>
 
@@ -7,11 +8,14 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <map>
 
+#include "gl/error.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/transparency_methods.h"
 #include "tests/bench/transparency_scenes.h"
+#include "tests/bench/worst_pixels.h"
 #include "tests/npr/analytic.h"
 #include "tests/plot/plot.h"
 #include "ui/pipeline/picture/renderer.h"
@@ -25,13 +29,15 @@ struct Row {
     std::string scene, method;
     int depth = 0;
     analytic::Error error;
-    double cpu = 0, bytes = 0;
+    double cpu = 0, bytes = 0, gpu = -1;  ///< No time on a GPU: below 0.
+    bench::WorstPixel worst{};
 };
 
 struct Options {
     int side = 128, repeat = 3;
+    const gl::Context* context = nullptr;  ///< Of a graphics card, where there is one.
     std::size_t most = 6000;
-    std::string plots, models;
+    std::string plots, models, assembly;
 };
 
 npr::Picture picture_of(const ClearScene& scene, std::string_view model, int side) {
@@ -79,8 +85,41 @@ class Table {
              const std::function<base::Image()>& draw) {
         base::Image image;
         const double cpu = bench::median(options_.repeat, [&] { image = draw(); }).cpu;
-        rows_.push_back(
-            {scene_.name, method, scene_.depth, analytic::error_of(*scene_.truth, truth, image), cpu, bytes});
+        note(method, truth, image, cpu, bytes);
+    }
+
+    void note(const std::string& method, const npr::Picture& picture, const base::Image& image, double cpu,
+              double bytes) {
+        const analytic::Truth& truth = truth_of(picture);
+        const analytic::Error error = analytic::error_of(truth, image);
+        rows_.push_back({scene_.name, method, scene_.depth, error, cpu, bytes});
+        rows_.back().worst = bench::worst_pixel(truth, image, error);
+    }
+
+    /// Rays are cast once for each of the two integrals.
+    const analytic::Truth& truth_of(const npr::Picture& picture) {
+        analytic::Truth& known = picture.transparency == npr::Transparency::Volume ? volume_ : exact_;
+        if (known.colors.empty()) {
+            known = analytic::truth_of(*scene_.truth, picture);
+        }
+        return known;
+    }
+
+    /// Of a graphics card, where there is one.
+    void time_on_gpu(const npr::Picture& p) {
+        if (options_.context == nullptr || p.transparency == npr::Transparency::Sorted) {
+            return;
+        }
+        ui::Renderer renderer(*options_.context, {}, ui::Painter::OpenGl);
+        const ui::PictureRequest request(p);
+        (void)renderer.render(*scene_.model, request);
+        std::vector<double> times;
+        for (int i = 0; i < options_.repeat; ++i) {
+            (void)renderer.render(*scene_.model, request);
+            times.push_back(renderer.statistics().peel_ms + renderer.statistics().style_ms);
+        }
+        std::sort(times.begin(), times.end());
+        rows_.back().gpu = times[times.size() / 2];
     }
 
     /// `bytes` a pixel; 0: those of the layers, and 16 for the sum.
@@ -95,6 +134,7 @@ class Table {
         if (bytes == 0) {
             rows_.back().bytes = 12.0 * renderer.statistics().walk.layers + 16;
         }
+        time_on_gpu(p);
     }
 
     /// Samples are averaged in linear light, while `exact` blends sRGB: the error is that of samples averaged as sRGB.
@@ -130,8 +170,8 @@ class Table {
                 }
             }
         }
-        rows_.push_back({scene_.name, method, scene_.depth, analytic::error_of(*scene_.truth, truth, image), cpu,
-                         12.0 * renderer.statistics().walk.layers + 16});
+        note(method, truth, image, cpu, 12.0 * renderer.statistics().walk.layers + 16);
+        time_on_gpu(p);
     }
 
     void mesh_methods(const npr::Picture& exact) {
@@ -148,16 +188,36 @@ class Table {
     const ClearScene& scene_;
     const Options& options_;
     std::vector<Row>& rows_;
+    analytic::Truth exact_, volume_;
 };
 
 /// RMS and maximum in bytes, time, memory; a row for each method.
-void print_scene(const std::vector<Row>& rows, const std::string& scene) {
-    fmt::print("\n**{}**\n\n| | RMS | maximum | CPU ms | bytes a pixel |\n| --- | --- | --- | --- | --- |\n", scene);
+void print_scene(const std::vector<Row>& rows, const std::string& scene, const Options& options) {
+    const bool gpu = options.context != nullptr;
+    fmt::print("\n**{}**\n\n| | RMS | maximum | CPU ms | bytes a pixel |{}\n| --- | --- | --- | --- | --- |{}\n", scene,
+               gpu ? " GPU ms |" : "", gpu ? " --- |" : "");
+    std::vector<bench::WorstPixel> worst;
     for (const Row& r : rows) {
         if (r.scene == scene) {
-            fmt::print("| {} | {:.2f} | {:.0f} | {:.2f} | {:.0f} |\n", r.method, r.error.rms, r.error.most, r.cpu,
+            fmt::print("| {} | {:.2f} | {:.0f} | {:.2f} | {:.0f} |", r.method, r.error.rms, r.error.most, r.cpu,
                        r.bytes);
+            fmt::print("{}\n", !gpu ? "" : r.gpu < 0 ? " |" : fmt::format(" {:.2f} |", r.gpu));
+            worst.push_back(r.worst);
         }
+    }
+    if (!options.plots.empty()) {
+        std::ofstream(fmt::format("{}/worst_{}.png", options.plots, scene), std::ios::binary)
+            << base::encode_png(bench::sheet_of(worst));
+    }
+}
+
+/// A context that a graphics card computes; null where there is none.
+std::unique_ptr<gl::Context> graphics_card() {
+    try {
+        auto context = gl::create_context(gl::ContextKind::Auto);
+        return context->software() ? nullptr : std::move(context);
+    } catch (const gl::Error&) {
+        return nullptr;
     }
 }
 
@@ -295,6 +355,8 @@ int main(int argc, char** argv) {
     app.add_option("--most", options.most, "Triangles of the gallery's models that are taken");
     app.add_option("--plots", options.plots, "Folder for plots");
     app.add_option("--models", options.models, "The gallery");
+    app.add_option("--assembly", options.assembly,
+                   "A program whose colors are parts of glass, such as one of NopSCADlib");
     bool quick = false;
     bool papers = false;
     app.add_flag("--papers", papers, "The papers' tables and nothing else");
@@ -304,6 +366,8 @@ int main(int argc, char** argv) {
         print_papers(options);
         return 0;
     }
+    const std::unique_ptr<gl::Context> card = graphics_card();
+    options.context = card.get();
     std::vector<Row> rows;
     const std::vector<int> depths = quick ? std::vector{2, 8} : std::vector{2, 4, 8, 16, 32, 64};
     for (const int depth : depths) {
@@ -313,7 +377,13 @@ int main(int argc, char** argv) {
     print_depths(rows, depths);
     for (const ClearScene& scene : {bench::crossing(), bench::nested(), bench::inside()}) {
         Table(scene, options, rows).fill();
-        print_scene(rows, scene.name);
+        print_scene(rows, scene.name, options);
+    }
+    if (!options.assembly.empty()) {
+        const auto scene = bench::of_glass(options.assembly, std::numeric_limits<std::size_t>::max(), true);
+        Table(*scene, options, rows).fill();
+        fmt::print("\n{} triangles, {} parts", scene->model->statistics.triangles, scene->model->scene.parts.size());
+        print_scene(rows, scene->name, options);
     }
     if (!options.models.empty()) {
         std::vector<std::string> taken;

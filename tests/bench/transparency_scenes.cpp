@@ -105,22 +105,26 @@ ClearScene crank() {
     return made("crank", 0, std::move(models));
 }
 
-std::optional<ClearScene> of_glass(const std::filesystem::path& file, std::size_t most) {
-    const Subject subject = from_file(file.string());
+std::optional<ClearScene> of_glass(const std::filesystem::path& file, std::size_t most, bool by_color) {
+    csg::PartRule rule;
+    rule.kind = by_color ? csg::PartRule::Kind::Color : csg::PartRule::Kind::Model;
+    const Subject subject = from_file(file.string(), rule);
     if (subject.model->statistics.triangles > most || subject.model->empty()) {
         return std::nullopt;
     }
-    const auto to_glass = [](csg::Scene& scene) {
+    const auto to_glass = [by_color](csg::Scene& scene) {
         int i = 0;
         for (csg::Part& part : scene.parts) {
             if (part.kind == csg::PartKind::Solid) {
                 part.kind = csg::PartKind::Translucent;
-                part.color = color(i++, 0.4F);
+                part.color = part.color.r >= 0 && by_color ? csg::Rgba{part.color.r, part.color.g, part.color.b, 0.4F}
+                                                           : color(i, 0.4F);
+                ++i;
             }
         }
     };
     auto model = std::make_shared<ui::Model>(*subject.model);
-    auto truth = std::make_shared<comparison::Subject>(*model->tree, false);
+    auto truth = std::make_shared<comparison::Subject>(*model->tree, false, rule);
     to_glass(model->scene);
     to_glass(truth->scene);
     model->generation += std::uint64_t{1} << 40U;

@@ -27,7 +27,9 @@ struct ClearScene {
 [[nodiscard]] ClearScene inside();
 /// As crank in a cylinder: 25,192 triangles, 192 of which are seen through.
 [[nodiscard]] ClearScene crank();
-/// A file of the gallery, of glass; none where it has more triangles than `most`.
-[[nodiscard]] std::optional<ClearScene> of_glass(const std::filesystem::path& file, std::size_t most);
+/// A program's model, of glass; none where it has more triangles than `most`. `by_color`: its colors are parts, each of
+/// its own glass.
+[[nodiscard]] std::optional<ClearScene> of_glass(const std::filesystem::path& file, std::size_t most,
+                                                 bool by_color = false);
 
 }  // namespace bench

@@ -5,11 +5,13 @@
 
 #include <random>
 
+#include "csg/solid/part_order.h"
 #include "goldfeather/lists_cpu/expression_state.h"
 #include "tests/random/build_model.h"
 
 namespace {
 
+using csg::solid::part_order;
 using goldfeather::Blist;
 
 csg::Scene random_scene(std::uint64_t seed) {
@@ -22,7 +24,7 @@ TEST(Blist, HasTheValueOfTheExpression) {
     std::size_t both[2] = {0, 0};
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
         const csg::Scene scene = random_scene(seed);
-        const Blist blist(scene);
+        const Blist blist(scene, part_order(scene, nullptr));
         std::mt19937_64 random(seed);
         std::vector<char> values;
         for (int sample = 0; sample < 40; ++sample) {
@@ -51,7 +53,7 @@ TEST(Blist, KnowsWhoIsResponsible) {
     std::size_t both[2] = {0, 0};
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
         const csg::Scene scene = random_scene(seed);
-        const Blist blist(scene);
+        const Blist blist(scene, part_order(scene, nullptr));
         const goldfeather::ExpressionTree tree(scene);
         goldfeather::ExpressionState state(tree);
         std::mt19937_64 random(seed);
@@ -94,7 +96,7 @@ TEST(Blist, TakesAnyDepth) {
         nested = combine(operation, {random_tree::box({0, 0, 0}, {1, 1, 1}), std::move(nested)});
     }
     const csg::Scene scene = csg::make_scene(random_tree::make_tree(nested));
-    const Blist blist(scene);
+    const Blist blist(scene, part_order(scene, nullptr));
     std::vector<char> values;
     for (csg::LeafId inside = 0; inside < scene.leaves.size(); ++inside) {
         const auto holds = [&](csg::LeafId leaf) { return leaf == inside; };
@@ -102,12 +104,12 @@ TEST(Blist, TakesAnyDepth) {
     }
 }
 
-TEST(Blist, PutsHighlightedPartsFirst) {
+TEST(Blist, KeepsTheOrderOfParts) {
     auto a = random_tree::box({0, 0, 0}, {1, 1, 1}), b = a;
     b.modifiers.highlight = true;
     const csg::Scene scene =
         csg::make_scene(random_tree::make_tree(random_tree::combine(csg::Operation::Union, {a, b})));
-    const Blist blist(scene);
+    const Blist blist(scene, {1, 0});
     ASSERT_EQ(scene.parts.size(), 2U);
     EXPECT_EQ(blist.parts(), (std::vector<csg::PartId>{1, 0}));
     EXPECT_EQ(blist.leaves()[0].rank, 1U);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "csg/solid/part_order.h"
 #include "goldfeather/engine_set.h"
 #include "goldfeather/lists/list_self_test.h"
 #include "tests/goldfeather/engine_test.h"
@@ -37,7 +38,7 @@ class ListsOnOpenGl : public test_support::GlTest {
     layers::HostStack peel(Lists& lists, const Subject& subject, const base::View& view, int max_layers,
                            goldfeather::WalkStats& stats) {
         goldfeather::LeafBuffers leaves(gl(), subject.geometry);
-        goldfeather::ListsScene scene(gl(), subject.scene);
+        goldfeather::ListsScene scene(gl(), subject.scene, csg::solid::part_order(subject.scene, &subject.geometry));
         return layers::read_back(gl(), lists.peel(view, subject.geometry, leaves, scene, max_layers, stats));
     }
 };

@@ -142,32 +142,51 @@ glm::dvec3 volume(const Subject& subject, const npr::Picture& picture, const bas
 
 }  // namespace
 
-Error error_of(const Subject& subject, const npr::Picture& picture, const base::Image& image) {
+Truth truth_of(const Subject& subject, const npr::Picture& picture) {
     const base::View view = subject.view(picture.camera, picture.size);
     const truth::RayCaster caster(subject.scene, subject.geometry, view);
-    Error error;
-    for (int y = 0; y < picture.size.y; ++y) {
+    Truth result{picture.size, {}, {}};
+    for (int y = picture.size.y - 1; y >= 0; --y) {
         for (int x = 0; x < picture.size.x; ++x) {
             const truth::Ray ray = caster.cast(x, y);
             const bool one_leaf = std::all_of(ray.surfaces.begin(), ray.surfaces.end(),
                                               [](const truth::Surface& s) { return s.leaves.size() == 1; });
-            if (!ray.hit || !ray.decided || !one_leaf) {
-                continue;
-            }
-            const glm::dvec3 expected = picture.transparency == npr::Transparency::Volume
-                                            ? volume(subject, picture, view, ray, view.ray(x, y))
-                                            : exact(subject, picture, view, ray);
-            const std::uint8_t* pixel = image.pixel(x, picture.size.y - 1 - y);
-            for (int c = 0; c < 3; ++c) {
-                const double off = pixel[c] - 255 * expected[c];
-                error.rms += off * off;
-                error.most = std::max(error.most, std::abs(off));
-            }
-            ++error.pixels;
+            result.compared.push_back(ray.hit && ray.decided && one_leaf ? 1 : 0);
+            const bool all_named = std::none_of(ray.surfaces.begin(), ray.surfaces.end(),
+                                                [](const truth::Surface& s) { return s.leaves.empty(); });
+            result.colors.push_back(!all_named ? glm::dvec3(picture.scheme.background)
+                                    : picture.transparency == npr::Transparency::Volume
+                                        ? volume(subject, picture, view, ray, view.ray(x, y))
+                                        : exact(subject, picture, view, ray));
         }
+    }
+    return result;
+}
+
+Error error_of(const Truth& truth, const base::Image& image) {
+    Error error;
+    for (std::size_t i = 0; i < truth.colors.size(); ++i) {
+        if (truth.compared[i] == 0) {
+            continue;
+        }
+        const glm::ivec2 at(static_cast<int>(i) % truth.size.x, static_cast<int>(i) / truth.size.x);
+        const std::uint8_t* pixel = image.pixel(at.x, at.y);
+        for (int c = 0; c < 3; ++c) {
+            const double off = pixel[c] - 255 * truth.colors[i][c];
+            error.rms += off * off;
+            if (std::abs(off) > error.most) {
+                error.most = std::abs(off);
+                error.worst = at;
+            }
+        }
+        ++error.pixels;
     }
     error.rms = error.pixels > 0 ? std::sqrt(error.rms / (3.0 * static_cast<double>(error.pixels))) : 0;
     return error;
+}
+
+Error error_of(const Subject& subject, const npr::Picture& picture, const base::Image& image) {
+    return error_of(truth_of(subject, picture), image);
 }
 
 }  // namespace analytic

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "npr/shine/shine.h"
+#include "npr/shine/vertex_shine.h"
 #include "npr/shine/view_dependent_settings.h"
 #include "tests/npr/easel.h"
 
@@ -140,6 +141,32 @@ TEST(ViewDependent, OpacityFallsFromSilhouettesByTheFormula) {
                 const double clear = std::pow(away / radius, std::stod(falloff));
                 EXPECT_NEAR(image.pixel(x, y)[0], 255 * clear * p.scheme.background.r, 1) << x << ", " << y;
             }
+        }
+    }
+}
+
+/// A pyramid of four sides seen from above: its base is the silhouette, and its apex as clear as it is far from there.
+TEST(ViewDependent, OpacityByVertexIsInProportionBetweenVertices) {
+    constexpr double kHalf = 20, kHeight = 15, kRadius = 30;
+    npr::ColoredMesh mesh;
+    mesh.points = {{-kHalf, -kHalf, 0}, {kHalf, -kHalf, 0}, {kHalf, kHalf, 0}, {-kHalf, kHalf, 0}, {0, 0, kHeight}};
+    mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {0, 2, 1}, {0, 3, 2}};
+    mesh.parts.assign(6, 1);
+    layers::PartLook look;
+    look.radius = static_cast<float>(kRadius);
+    const std::vector<layers::PartLook> parts(2, look);
+    const base::View view(picture().camera, {kSide, kSide}, {-20, -20, 0}, {20, 20, 15});
+    std::vector<npr::ShineSource> sources(kSide * kSide, {0, 1, (1U + 1U) << 1U, 0});
+    sources[kSide * 32 + 40].front_key = 1U << 1U;  // Another part's.
+    const std::vector<float> clear = npr::clearness_by_vertex(mesh, view, parts, 0.5F, sources);
+    const double apex = std::sqrt(std::hypot(kHalf, kHeight) / kRadius);
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            const double away = std::max(std::abs(x + 0.5 - 32), std::abs(y + 0.5 - 32)) / kHalf;
+            const bool other = x == 40 && y == 32;
+            EXPECT_NEAR(clear[static_cast<std::size_t>(kSide * y + x)], other ? 0 : apex * std::max(1 - away, 0.0),
+                        1e-5)
+                << x << ", " << y;
         }
     }
 }

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "csg/solid/part_order.h"
+
 namespace truth {
 namespace {
 
@@ -84,7 +86,12 @@ std::vector<Due> attribute(const csg::Scene& scene, const csg::Part& part, Value
 
 RayCaster::RayCaster(const csg::Scene& scene, const csg::solid::Geometry& geometry, const base::View& view,
                      std::vector<char> part_enabled)
-    : scene_(scene), geometry_(geometry), view_(view), band_(geometry, view), part_enabled_(std::move(part_enabled)) {
+    : scene_(scene),
+      geometry_(geometry),
+      view_(view),
+      band_(geometry, view),
+      part_order_(csg::solid::part_order(scene, &geometry)),
+      part_enabled_(std::move(part_enabled)) {
     part_enabled_.resize(scene.parts.size(), 1);
     for (csg::LeafId l = 0; l < geometry.leaves.size(); ++l) {
         const csg::solid::PlacedLeaf& leaf = geometry.leaves[l];
@@ -224,12 +231,9 @@ Ray RayCaster::cast(int x, int y) const {
     }
     const std::vector<Event> events = make_events(std::move(crossings), x, y, result.decided);
     std::vector<std::vector<Surface>> by_event(events.size());
-    // At one event highlighted parts come first, then the others, each in order of their ids.
-    for (const bool highlight : {true, false}) {
-        for (csg::PartId p = 0; p < scene_.parts.size(); ++p) {
-            if (part_enabled_[p] != 0 && (scene_.parts[p].kind == csg::PartKind::Highlight) == highlight) {
-                add_surfaces(p, events, windings, by_event);
-            }
+    for (const csg::PartId p : part_order_) {
+        if (part_enabled_[p] != 0) {
+            add_surfaces(p, events, windings, by_event);
         }
     }
     for (auto& surfaces : by_event) {

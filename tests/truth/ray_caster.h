@@ -76,6 +76,7 @@ class RayCaster {
     const csg::solid::Geometry& geometry_;
     base::View view_;
     Band band_;
+    std::vector<csg::PartId> part_order_;
     std::vector<char> part_enabled_;
     std::vector<Triangle> triangles_;
 };

@@ -176,7 +176,7 @@ void interpret_view(Options& o, const RawOptions& raw) {
     }
 }
 
-void interpret_transparency(npr::Picture& picture, const RawOptions& raw, bool part_styles) {
+void interpret_transparency(npr::Picture& picture, const RawOptions& raw) {
     read_transparency(picture, raw.transparency);
     read_blend(picture, raw.blend);
     for (const std::string& medium : raw.media) {
@@ -187,9 +187,6 @@ void interpret_transparency(npr::Picture& picture, const RawOptions& raw, bool p
     }
     if (picture.transparency != npr::Transparency::Volume && !(raw.media.empty() && raw.medium_light.empty())) {
         throw UsageError("--medium and --medium-light are for --transparency volume");
-    }
-    if (picture.transparency != npr::Transparency::Exact && part_styles) {
-        throw UsageError("--style-of and --reveal are for --transparency exact: others need all of the layers at once");
     }
 }
 
@@ -316,7 +313,7 @@ void interpret(Options& o, const RawOptions& raw) {
     if (!raw.thickness.empty()) {
         o.thickness = read_thickness(raw.thickness);
     }
-    interpret_transparency(o.picture, raw, !named.empty());
+    interpret_transparency(o.picture, raw);
     interpret_engine(o, raw);
     interpret_animation(o, raw);
     interpret_motion(o, raw);

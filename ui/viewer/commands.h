@@ -80,6 +80,11 @@ struct SetTransparencyParameter {
     std::size_t parameter = 0;  ///< Of the model that is shown.
     npr::Value value;
 };
+/// What parts are made of, and the light in them, in volume.
+struct SetMedia {
+    std::vector<npr::PartMedium> media;
+    npr::MediumLight light;
+};
 struct SetLayers {
     int layers = -1;
 };
@@ -148,9 +153,9 @@ struct ExportModel {
 
 using Command =
     std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
-                 SetLayers, SetSamples, SetSections, LookFrom, SelectAt, Explain, ShowText, EditText, StepSelection,
-                 OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet, DeleteParameterSet,
-                 SetEngine, WritePicture, ExportModel>;
+                 SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt, Explain, ShowText, EditText,
+                 StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
+                 DeleteParameterSet, SetEngine, WritePicture, ExportModel>;
 using Commands = std::vector<Command>;
 
 /// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.

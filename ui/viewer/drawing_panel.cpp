@@ -331,6 +331,7 @@ void draw_panel(const Rectangle& place, const Session& session, const PictureInf
         style_section(session.view(), fonts, commands);
         scheme_section(session.view(), fonts, commands);
         transparency_section(session.view(), fonts, commands);
+        draw_media(session, commands);
         layers_section(session, fonts, commands);
         section_section(session, fonts, commands);
         samples_section(session.view(), fonts, commands);

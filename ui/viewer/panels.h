@@ -28,6 +28,12 @@ float draw_menu_bar(const Session& session, const PictureInfo& picture, Action t
 void draw_panel(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
                 Commands& commands);
 
+/// What the parts of the model are made of, in pictures of bodies of media; nothing in others.
+void draw_media(const Session& session, Commands& commands);
+
+/// The legend of a radiograph, in the lower left corner of the picture beside the axes; nothing in other styles.
+void draw_thickness_legend(const Rectangle& place, const Session& session, const Fonts& fonts, float scale);
+
 /// A control for a parameter of a style; gives true and the new value where the user has changed it.
 bool draw_parameter(const npr::Parameter& parameter, npr::Value& value);
 

@@ -40,6 +40,9 @@ bool Session::perform(const Command& command) {
         }
     } else if (const auto* detail = std::get_if<SetTransparencyParameter>(&command)) {
         view_.picture.transparency_parameters.set(detail->parameter, detail->value);
+    } else if (const auto* media = std::get_if<SetMedia>(&command)) {
+        view_.picture.media = media->media;
+        view_.picture.medium_light = media->light;
     } else if (const auto* layers = std::get_if<SetLayers>(&command)) {
         view_.picture.layers = std::max(layers->layers, npr::kLayersOfStyle);
     } else if (const auto* samples = std::get_if<SetSamples>(&command)) {

@@ -180,6 +180,7 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     const Layout layout =
         make_layout({size.x, size.y}, menu_height, interface_.scale(), session_.shown(), console_height_);
     draw_overlay(layout.picture, session_, info_, fonts, interface_.scale());
+    draw_thickness_legend(layout.picture, session_, fonts, interface_.scale());
     draw_panel(layout.panel, session_, info_, fonts, commands);
     if (session_.shown().text) {
         text_panel_.draw(layout.left, session_.text(), fonts, commands);

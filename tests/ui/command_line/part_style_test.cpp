@@ -138,7 +138,6 @@ TEST_F(PartStyles, WhatIsWrongIsTold) {
     tells("--style-of 'near: xray'", "part=NAME");
     tells("--style-of 'part=: xray'", "which part?");
     tells("--style-of near", "expected 'part=NAME");
-    tells("--style-of 'part=near: xray' --transparency volume", "--transparency exact");
 }
 
 TEST_F(PartStyles, WhatHidesARevealedPartIsPeeledAway) {

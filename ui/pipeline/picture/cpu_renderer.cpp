@@ -1,7 +1,7 @@
 #include "ui/pipeline/picture/cpu_renderer.h"
 
 #include "goldfeather/surface_table.h"
-#include "ui/pipeline/picture/sorted_mesh.h"
+#include "npr/shine/view_dependent_settings.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -19,6 +19,7 @@ void CpuRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine
 
 void CpuRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
     sorted_.reset();
+    meshes_.forget();
     if (!scene_ || generation_ != model.generation) {
         return;
     }
@@ -98,7 +99,8 @@ void CpuRenderer::paint_sample(const Model& model, const npr::Picture& picture, 
                                       statistics_.peel_ms += watch.lap();
                                       ++statistics_.samples;
                                       return picture.reveal.empty() ? stack : reveal(picture, stack, sample);
-                                  }};
+                                  },
+                                  npr::shines_by_vertex(picture) ? &meshes_.of(model, picture.scheme, stop) : nullptr};
     const auto in_parts = [&](const npr::CpuFrame& frame) { parts_(frame); };
     accumulator_.paint_sample(picture.part_styles.empty() ? paint(*picture.style) : npr::Paint(in_parts), picture,
                               static_cast<std::size_t>(sample), subject, stop);
@@ -113,14 +115,25 @@ void CpuRenderer::draw_sorted(const Model& model, const npr::Picture& picture, i
         sorted_ = std::make_unique<npr::SortedPainter>(colored_mesh(model, picture.scheme, stop));
         sorted_generation_ = model.generation;
         sorted_scheme_ = picture.scheme;
+        sorted_table_ = goldfeather::surface_table(model.scene, model.geometry);
         statistics_.upload_ms += watch.lap();
     }
-    layers::HostStack none;  // It is not looked at.
-    accumulator_.paint_sample([&](const npr::CpuFrame& frame) { sorted_->paint(frame, sample == 0); }, picture,
-                              static_cast<std::size_t>(sample),
-                              {model.geometry.box.lo, model.geometry.box.hi,
-                               [&](const base::View&) -> const layers::HostStack& { return none; }},
-                              stop);
+    const bool styled = sorts_layers(picture);
+    const layers::HostStack none;  // It is not looked at.
+    accumulator_.paint_sample(
+        [&](const npr::CpuFrame& frame) {
+            styled ? sorted_->paint_styled(frame, sample == 0) : sorted_->paint(frame, sample == 0);
+        },
+        picture, static_cast<std::size_t>(sample),
+        {model.geometry.box.lo, model.geometry.box.hi,
+         [&](const base::View& view) -> const layers::HostStack& {
+             if (!styled) {
+                 return none;
+             }
+             const layers::HostStack& all = sorted_->layers(view, sorted_table_);
+             return picture.reveal.empty() ? all : reveal(picture, all, sample);
+         }},
+        stop);
     ++statistics_.samples;
     statistics_.sorts = sorted_->counts();
     statistics_.sorted_triangles = sorted_->mesh().triangles.size();

@@ -12,6 +12,7 @@
 #include "npr/part_painter.h"
 #include "npr/sorted/sorted_painter.h"
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/pipeline/picture/sorted_mesh.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
@@ -61,9 +62,11 @@ class CpuRenderer {
     std::map<const npr::StyleInfo*, npr::Paint> styles_;  ///< Made when first used.
     layers::HostStack revealed_;
     npr::PartPainter parts_;
+    PartMeshes meshes_;
     std::unique_ptr<npr::SortedPainter> sorted_;  ///< Of the model and scheme in its last picture; null before.
     std::uint64_t sorted_generation_ = 0;
     npr::ColorScheme sorted_scheme_;
+    std::shared_ptr<const layers::SurfaceTable> sorted_table_;  ///< Of its faces, where styles color them.
     PictureStatistics statistics_;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/pipeline/picture/gl_renderer.h"
 
 #include "goldfeather/surface_table.h"
+#include "npr/shine/view_dependent_settings.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -29,6 +30,7 @@ void GlRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine)
 }
 
 void GlRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
+    meshes_.forget();
     if (!scene_ || generation_ != model.generation) {
         return;
     }
@@ -78,14 +80,16 @@ void GlRenderer::draw_sample(const Model& model, const npr::Picture& picture, co
     statistics_.upload_ms += held ? 0 : upload;
 
     const int layers = layers_to_peel(picture, model);
-    const npr::Subject subject{model.geometry.box.lo, model.geometry.box.hi, [&](const base::View& view) {
+    const npr::Subject subject{model.geometry.box.lo, model.geometry.box.hi,
+                               [&](const base::View& view) {
                                    (void)watch.lap();
                                    layers::TextureStack stack = peel(view, layers, statistics_.walk, stop);
                                    gl_.Finish();
                                    statistics_.peel_ms += watch.lap();
                                    ++statistics_.samples;
                                    return stack;
-                               }};
+                               },
+                               npr::shines_by_vertex(picture) ? &meshes_.of(model, picture.scheme, stop) : nullptr};
     upload_.give_back(accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), subject, stop));
     gl_.Finish();
     statistics_.style_ms += watch.lap();

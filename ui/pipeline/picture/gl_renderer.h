@@ -16,6 +16,7 @@
 #include "npr/style.h"
 #include "ui/pipeline/model.h"
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/pipeline/picture/sorted_mesh.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
@@ -59,6 +60,7 @@ class GlRenderer {
     std::unique_ptr<goldfeather::PreparedScene> scene_;  ///< The same, for the engine that it is held for.
     const goldfeather::EngineInfo* engine_ = nullptr;
     std::uint64_t generation_ = 0;  ///< Of the model.
+    PartMeshes meshes_;
     PictureStatistics statistics_;
 };
 

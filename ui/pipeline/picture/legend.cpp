@@ -67,18 +67,17 @@ class Canvas {
     int scale_;
 };
 
-/// 1, 2 or 5 times a power of ten: the least of which `range` holds at most five.
-double step_of(double range) {
-    const double decade = std::pow(10.0, std::floor(std::log10(range / 5)));
+}  // namespace
+
+double legend_step(double full) {
+    const double decade = std::pow(10.0, std::floor(std::log10(full / 5)));
     for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * decade * 5 >= range * (1 - 1e-9)) {
+        if (factor * decade * 5 >= full * (1 - 1e-9)) {
             return factor * decade;
         }
     }
     return 10 * decade;
 }
-
-}  // namespace
 
 double round_up(double thickness) {
     const double unit = std::pow(10.0, std::floor(std::log10(thickness)) - 1);
@@ -132,7 +131,7 @@ void draw_legend(base::Image& image, double full, const std::function<glm::vec3(
         const float share = (static_cast<float>(height - y) - 0.5F) / static_cast<float>(height);
         canvas.fill({lo.x, lo.y + y}, {width, 1}, tone(share));
     }
-    const double step = step_of(full);
+    const double step = legend_step(full);
     for (int i = 0; i * step <= full * (1 + 1e-9); ++i) {
         const int y = lo.y + height - static_cast<int>(std::lround(i * step / full * height));
         canvas.fill({lo.x + width, y - scale / 2}, {3 * scale, scale}, ink);

@@ -21,6 +21,9 @@ void draw_legend(base::Image& image, double full, const std::function<glm::vec3(
 /// many lines lower.
 void draw_ring(base::Image& image, const glm::dvec2& at, std::string_view text, int lower = 0);
 
+/// Between the numbers of a legend: 1, 2 or 5 times a power of ten, the least of which `full` holds at most five.
+[[nodiscard]] double legend_step(double full);
+
 /// The nearest number above that has two digits.
 [[nodiscard]] double round_up(double thickness);
 
