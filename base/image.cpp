@@ -144,7 +144,7 @@ bool read_rows(png_structp png, png_bytepp rows) {
 
 }  // namespace
 
-std::string encode_png(const Image& image, const std::stop_token& stop, double dots_per_inch) {
+std::string encode_png(const Image& image, const std::stop_token& stop, double dots_per_inch, PngChannels channels) {
     Written written;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &written, note_problem, nullptr);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
@@ -153,7 +153,7 @@ std::string encode_png(const Image& image, const std::stop_token& stop, double d
         throw std::bad_alloc();
     }
     png_set_write_fn(png, &written, append, nullptr);
-    const bool alpha = !opaque(image);
+    const bool alpha = channels == PngChannels::Rgba || !opaque(image);
     std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
     const Outcome outcome = write_rows(png, info, image, alpha, better_filter(image), row.data(), stop,
                                        static_cast<png_uint_32>(std::lround(dots_per_inch / 0.0254)));

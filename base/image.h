@@ -20,9 +20,15 @@ struct Image {
     }
 };
 
-/// The bytes of a PNG file; RGB where every pixel is opaque, RGBA otherwise. The same image gives the same bytes.
-/// Throws Stopped where `stop` asked for it. `dots_per_inch`: written as the picture's resolution; 0: none is.
-[[nodiscard]] std::string encode_png(const Image& image, const std::stop_token& stop = {}, double dots_per_inch = 0);
+enum class PngChannels {
+    AsNeeded,  ///< RGB where every pixel is opaque, RGBA otherwise.
+    Rgba,
+};
+
+/// The bytes of a PNG file. The same image gives the same bytes. Throws Stopped where `stop` asked for it.
+/// `dots_per_inch`: written as the picture's resolution; 0: none is.
+[[nodiscard]] std::string encode_png(const Image& image, const std::stop_token& stop = {}, double dots_per_inch = 0,
+                                     PngChannels channels = PngChannels::AsNeeded);
 
 /// Reads a PNG of any kind as RGBA: the numbers that it has, whatever it says of gamma. Throws std::runtime_error with
 /// the reason, also where it has more than 2^28 pixels.

@@ -102,6 +102,7 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--turntable", raw.turntable,
          "Write each picture N times, the camera turned about the z axis in steps of 360/N degrees", "N", in);
     text("--animate_sharding", raw.sharding, "Of these, write the I-th of M shares only", "I/M", in);
+    text("--fps", raw.frame_rate, "Frames that a film (-o x.apng) shows in a second (25)", "N", in);
     text("--time", raw.time, "$t, where no frames are written (0)", "T", in);
     flag("-q,--quiet", o.quiet, "Print errors only", in);
     flag("--hardwarnings", o.hard_warnings, "Stop at the first warning", in);

@@ -140,13 +140,22 @@ void interpret_animation(Options& o, const RawOptions& raw) {
         std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.path == "-"; })) {
         throw UsageError(fmt::format("{}: frames go to files, which -o is to name", option));
     }
-    if (o.turntable &&
-        std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.format != Format::Png; })) {
-        throw UsageError("--turntable: frames are pictures, -o FILE.png");
+    if (o.turntable && std::any_of(o.outputs.begin(), o.outputs.end(),
+                                   [](const auto& a) { return a.format != Format::Png && a.format != Format::Apng; })) {
+        throw UsageError("--turntable: frames are pictures, -o FILE.png or -o FILE.apng");
+    }
+    if (!raw.sharding.empty() && wants(o, Format::Apng)) {
+        throw UsageError("--animate_sharding: a film is one file; share out frames, -o FILE.png");
     }
 }
 
 void interpret_motion(Options& o, const RawOptions& raw) {
+    if (!raw.frame_rate.empty()) {
+        o.frames_per_second = read_numbers("--fps", raw.frame_rate, {1}, "a number")[0];
+        if (!(o.frames_per_second >= 0.02 && o.frames_per_second <= 1000)) {
+            throw UsageError(fmt::format("--fps {}: expected a number from 0.02 to 1000", raw.frame_rate));
+        }
+    }
     if (!raw.time.empty()) {
         if (!raw.animate.empty()) {
             throw UsageError("--time: the frames of --animate have their own times");

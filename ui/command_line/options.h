@@ -58,6 +58,7 @@ struct Options {
     std::string frames_log;                   ///< The window's log; empty: none.
     int frames = 0;                           ///< Of an animation, all of them; 0: none.
     bool turntable = false;                   ///< They turn the camera, not $t.
+    double frames_per_second = 25;            ///< Of films.
     int first_frame = 0, end_frame = 0;       ///< Those that this run makes.
     double time_limit = 0;                    ///< Seconds for evaluation and drawing together; 0: none.
     int memory_limit = 0;                     ///< MiB for the run; 0: none.

@@ -20,7 +20,8 @@ struct NamedFormat {
     MeshFormat mesh = MeshFormat::AsciiStl;
     DrawingFormat drawing = DrawingFormat::Svg;
 };
-const std::array<NamedFormat, 19> kFormats{{{"png", Format::Png},
+const std::array<NamedFormat, 20> kFormats{{{"png", Format::Png},
+                                            {"apng", Format::Apng},
                                             {"exr", Format::Exr},
                                             {"stl", Format::Mesh},
                                             {"asciistl", Format::Mesh},
@@ -40,7 +41,8 @@ const std::array<NamedFormat, 19> kFormats{{{"png", Format::Png},
                                             {"term", Format::Term},
                                             {"param", Format::Param}}};
 constexpr const char* kFormatNames =
-    "png, exr, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, pov, svg, dxf, pdf, csg, ast, echo, term and param";
+    "png, apng, exr, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, pov, svg, dxf, pdf, csg, ast, echo, term and "
+    "param";
 
 Output read_format(std::string_view option, const std::string& path, const std::string& text) {
     std::string name = text;
@@ -75,6 +77,9 @@ Output read_output(const std::string& path, const std::string& export_format) {
 }
 
 Output output_of_frame(Output output, int frame) {
+    if (output.format == Format::Apng) {
+        return output;
+    }
     const std::size_t dot = output.path.rfind('.');
     const std::size_t slash = output.path.rfind('/');
     const bool suffix = dot != std::string::npos && (slash == std::string::npos || dot > slash);

@@ -8,7 +8,7 @@
 
 namespace ui {
 
-enum class Format { Png, Exr, Csg, Ast, Echo, Param, Term, Mesh, Drawing };
+enum class Format { Png, Apng, Exr, Csg, Ast, Echo, Param, Term, Mesh, Drawing };
 
 struct Output {
     std::string path;  ///< "-": standard output.
@@ -20,7 +20,7 @@ struct Output {
 /// Of -o: the suffix of the path tells the format, unless there is an `export_format`. Throws UsageError.
 [[nodiscard]] Output read_output(const std::string& path, const std::string& export_format);
 
-/// Of a frame of an animation, as OpenSCAD names it: x00012.png for x.png.
+/// Of a frame of an animation, as OpenSCAD names it: x00012.png for x.png; a film holds all frames, in one file.
 [[nodiscard]] Output output_of_frame(Output output, int frame);
 
 }  // namespace ui

@@ -18,6 +18,7 @@
 #include "ui/command_line/compare.h"
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
+#include "ui/command_line/film.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/measure.h"
 #include "ui/command_line/medium_options.h"
@@ -25,6 +26,7 @@
 #include "ui/command_line/options.h"
 #include "ui/command_line/part_style_options.h"
 #include "ui/command_line/pick.h"
+#include "ui/command_line/run_checks.h"
 #include "ui/command_line/standard_streams.h"
 #include "ui/command_line/summary.h"
 #include "ui/command_line/thin_places.h"
@@ -73,13 +75,16 @@ class Run {
 
   private:
     bool run() {
-        check();
+        picture_ = picture_of(options_.picture, options_.picture_texts);
+        check_combinations(options_, picture_);
         language_.read();
         if (options_.time != 0) {
             set_time(options_.time);
         }
         if (options_.frames == 0) {
-            return make_outputs();
+            const bool made = make_outputs();
+            film_.finish();
+            return made;
         }
         const std::vector<Output> outputs = options_.outputs;
         for (int frame = options_.first_frame; frame < options_.end_frame; ++frame) {
@@ -100,6 +105,7 @@ class Run {
                 return false;
             }
         }
+        film_.finish();
         if (options_.statistics && options_.turntable && model_) {
             write_output(*options_.statistics, text_of(statistics()));
         }
@@ -187,43 +193,8 @@ class Run {
         }
     }
 
-    [[nodiscard]] bool wants_picture() const { return wants(options_, Format::Png) || wants(options_, Format::Exr); }
-
-    void check() {
-        std::vector<std::string> to_standard_output;
-        for (const Output& output : options_.outputs) {
-            if (output.path == "-") {
-                to_standard_output.emplace_back("-o");
-            }
-        }
-        for (const auto& [name, path] :
-             {std::pair("--stats", options_.statistics), std::pair("--summary-file", options_.summary_file)}) {
-            if (path == "-") {
-                to_standard_output.emplace_back(name);
-            }
-        }
-        if (to_standard_output.size() > 1) {
-            throw UsageError(
-                fmt::format("only one of {} can go to standard output", fmt::join(to_standard_output, ", ")));
-        }
-        picture_ = picture_of(options_.picture, options_.picture_texts);
-        if (!options_.changes_from.empty() && needs_geometry(options_)) {
-            throw UsageError("--changes-from is of pictures; csgscope compare OLD NEW tells the volumes");
-        }
-        if (!(options_.explain.empty() && options_.without.empty()) && needs_geometry(options_)) {
-            throw UsageError("--explain and --without are of pictures; a mesh is what the file says");
-        }
-        if (!options_.depictions.empty() && needs_geometry(options_)) {
-            throw UsageError("--depict is of pictures; a mesh is what the file says");
-        }
-        const int instead = (options_.explain.empty() ? 0 : 1) + (options_.without.empty() ? 0 : 1) +
-                            (options_.changes_from.empty() ? 0 : 1);
-        if (instead > 1) {
-            throw UsageError("--explain, --without and --changes-from are pictures of different models; draw one");
-        }
-        if (!picture_.sections.cuts.empty() && needs_geometry(options_)) {
-            throw UsageError("--section is of pictures; in a mesh or a drawing, cut with difference() in the file");
-        }
+    [[nodiscard]] bool wants_picture() const {
+        return wants(options_, Format::Png) || wants(options_, Format::Apng) || wants(options_, Format::Exr);
     }
 
     void build() {
@@ -382,7 +353,7 @@ class Run {
                           base::encode_exr(radiograph ? thickness(renderer, *shown_, request, limit_.token())
                                                       : light(renderer, *shown_, request, limit_.token())));
         }
-        if (!wants(options_, Format::Png)) {
+        if (!wants(options_, Format::Png) && !wants(options_, Format::Apng)) {
             language_.progress().say("");
             return;
         }
@@ -404,7 +375,10 @@ class Run {
             language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
         }
         (void)watch.lap();
-        const std::string png = base::encode_png(image, limit_.token(), picture_.dots_per_inch);
+        film_.add(options_, image, picture_.dots_per_inch, limit_.token());
+        const std::string png = wants(options_, Format::Png)
+                                    ? base::encode_png(image, limit_.token(), picture_.dots_per_inch)
+                                    : std::string();
         picture_json_ = to_json(renderer.statistics());
         picture_json_["ms"]["context"] = context_ms;
         picture_json_["ms"]["encode"] = watch.lap();
@@ -490,7 +464,8 @@ class Run {
     LanguageRun language_;
     std::shared_ptr<const csg::Tree> tree_;  ///< That is drawn, or written.
     double time_ = 0;                        ///< $t
-    std::optional<Motion> motion_;           ///< Once something of it was to be drawn.
+    Film film_;
+    std::optional<Motion> motion_;  ///< Once something of it was to be drawn.
     ModelBuilder builder_;
     std::unique_ptr<gl::Context> context_;
     std::optional<Renderer> renderer_;               ///< Once it was needed.

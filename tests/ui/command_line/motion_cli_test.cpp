@@ -1,6 +1,7 @@
 // csgscope motion as its users run it: text, JSON and errors. The motions themselves: tests/ui/pipeline/motion_test.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program_test.h"
@@ -67,6 +68,28 @@ TEST_F(MotionProgram, IsDepicted) {
         EXPECT_EQ(result.status, 1) << bad;
         EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
     }
+}
+
+/// Their frames: tests/base/apng_test.
+TEST_F(MotionProgram, WritesFilms) {
+    EXPECT_EQ(run("door.scad -o film.apng --animate 3 --fps 10 --imgsize 40,40").status, 0);
+    EXPECT_EQ(run("door.scad -o turn.apng -o turn.png --turntable 3 --imgsize 40,40").status, 0);
+    for (const char* const film : {"film.apng", "turn.apng"}) {
+        std::size_t frames = 0;
+        const std::string bytes = folder_.read(film);
+        for (std::size_t at = 0; (at = bytes.find("fcTL", at)) != std::string::npos; ++at) {
+            ++frames;
+        }
+        EXPECT_EQ(frames, 3u) << film;
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder_.path("turn00002.png")));
+    EXPECT_EQ(run("door.scad -o one.apng --imgsize 40,40").status, 0);
+    EXPECT_EQ(run("door.scad -o x.apng --animate 4 --animate_sharding 1/2").status, 1);
+    EXPECT_EQ(run("door.scad -o x.apng --animate 4 --fps 0").status, 1);
+    // A film that is not finished is no file.
+    folder_.write("ends.scad", "assert($t < 0.5); cube($t + 1);");
+    EXPECT_EQ(run("ends.scad -o ends.apng --animate 4 --imgsize 20,20").status, 1);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("ends.apng")));
 }
 
 TEST_F(MotionProgram, RefusesWhatItCannotDo) {
