@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <deque>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -307,6 +308,65 @@ void write_plots(const std::vector<Row>& rows, const std::string& folder) {
     }
 }
 
+/// Milliseconds of making a model's mesh; below 0 where there is none.
+double mesh_ms(const ui::Model& model, const npr::ColorScheme& scheme) {
+    try {
+        const bench::Time begin = bench::now();
+        (void)ui::colored_mesh(model, scheme);
+        return (bench::now() - begin).cpu;
+    } catch (const ui::ModelError&) {
+        return -1;
+    }
+}
+
+/// What `exact` costs beside opaque pictures of all layers, and beside triangles that are sorted and drawn.
+void print_goals(const Options& options) {
+    fmt::print(
+        "\n| the gallery, of glass | triangles | `exact` ms | of opaque `shaded`, all layers | of `sorted` | of it "
+        "with "
+        "its mesh |\n| --- | --- | --- | --- | --- | --- |\n");
+    int models = 0, cheap = 0, quicker = 0, quicker_with_mesh = 0;
+    for (const std::filesystem::path& file : bench::gallery(options.models)) {
+        const auto scene = bench::of_glass(file, std::numeric_limits<std::size_t>::max());
+        if (!scene) {
+            continue;
+        }
+        const bench::Subject plain = bench::from_file(file.string());
+        const int side = 2 * options.side;
+        const npr::Picture exact = picture_of(*scene, "exact", side), sorted = picture_of(*scene, "sorted", side);
+        npr::Picture opaque = exact;
+        opaque.layers = npr::kAllLayersWanted;
+        const double mesh = mesh_ms(*scene->model, exact.scheme);
+        std::deque<ui::Renderer> renderers;
+        std::vector<std::function<void()>> works;
+        for (int i = 0; i < 3; ++i) {
+            renderers.emplace_back(goldfeather::EngineOptions{}, ui::Painter::Cpu);
+        }
+        works.emplace_back([&] { (void)renderers[0].render(*scene->model, ui::PictureRequest(exact)); });
+        works.emplace_back([&] { (void)renderers[1].render(*plain.model, ui::PictureRequest(opaque)); });
+        if (mesh >= 0) {
+            works.emplace_back([&] { (void)renderers[2].render(*scene->model, ui::PictureRequest(sorted)); });
+        }
+        const std::vector<bench::Time> times = bench::interleaved(options.repeat, works);
+        const double ours = times[0].cpu;
+        fmt::print("| {} | {} | {:.2f} | {:.2f} |", scene->name, scene->model->statistics.triangles, ours,
+                   ours / times[1].cpu);
+        ++models;
+        cheap += ours <= 1.3 * times[1].cpu ? 1 : 0;
+        if (mesh >= 0) {
+            quicker += ours <= times[2].cpu ? 1 : 0;
+            quicker_with_mesh += ours <= times[2].cpu + mesh ? 1 : 0;
+            fmt::print(" {:.2f} | {:.3f} |\n", ours / times[2].cpu, ours / (times[2].cpu + mesh));
+        } else {
+            fmt::print(" no mesh | no mesh |\n");
+        }
+    }
+    fmt::print(
+        "\nOf {} models: at most 1.3 of opaque pictures {}; not slower than sorted triangles {}, and {} where their "
+        "mesh counts.\n",
+        models, cheap, quicker, quicker_with_mesh);
+}
+
 double picture_ms(const ClearScene& scene, npr::Picture p, int repeat) {
     ui::Renderer renderer({}, ui::Painter::Cpu);
     const ui::PictureRequest request(std::move(p));
@@ -357,13 +417,18 @@ int main(int argc, char** argv) {
     app.add_option("--models", options.models, "The gallery");
     app.add_option("--assembly", options.assembly,
                    "A program whose colors are parts of glass, such as one of NopSCADlib");
-    bool quick = false;
+    bool quick = false, goals = false;
     bool papers = false;
     app.add_flag("--papers", papers, "The papers' tables and nothing else");
+    app.add_flag("--goals", goals, "What exact costs on the gallery's models, and nothing else");
     app.add_flag("--quick", quick, "Two depths and no papers' tables");
     CLI11_PARSE(app, argc, argv);
     if (papers) {
         print_papers(options);
+        return 0;
+    }
+    if (goals) {
+        print_goals(options);
         return 0;
     }
     const std::unique_ptr<gl::Context> card = graphics_card();
@@ -400,6 +465,7 @@ int main(int argc, char** argv) {
             }
         }
         print_gallery(rows, taken);
+        print_goals(options);
     }
     if (!quick) {
         print_papers(options);

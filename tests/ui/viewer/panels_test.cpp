@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include <chrono>
+#include <thread>
+
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/viewer/small_model.h"
 
@@ -48,6 +51,13 @@ class Panels : public testing::Test {
     }
     virtual void draw(Commands& commands) { draw_panel(kPlace, *session_, info_, fonts_, commands); }
 
+    void wait_for_model() {
+        for (int now = 0; !session_->document().model() && now < 2000; ++now) {
+            session_->update(now);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        ASSERT_TRUE(session_->document().model());
+    }
     /// Where the control is found by moving the mouse over the panel; fails the test where it is not.
     ImVec2 find(const char* window, ImGuiID id) {
         frame({-100, -100}, false);
@@ -146,6 +156,52 @@ TEST_F(Panels, LayersAreChosenWhereTheStyleDoesNot) {
     frame({kPlace.corner.x + 2, at.y}, true);
     frame({kPlace.corner.x + 2, at.y}, false);
     EXPECT_EQ(session_->view().picture.layers, 1);
+}
+
+TEST_F(Panels, PartsAreMadeMedia) {
+    session_->perform(SetStyle{0});
+    wait_for_model();
+    session_->perform(SetTransparency{npr::Transparency::Volume});
+    frame({-100, -100}, false);
+    const ImGuiID media = id("media"), part = ImHashStr("model", 0, media);
+    const ImVec2 box = find("Drawing", ImHashStr("##medium", 0, part));
+    click(box);
+    ASSERT_EQ(session_->view().picture.media.size(), 1U);
+    EXPECT_EQ(session_->view().picture.media[0].part, "model");
+    const float before = *session_->view().picture.media[0].attenuation;
+    const ImVec2 slider = find("Drawing", ImHashStr("##tau", 0, part));
+    frame(slider, true);
+    frame({kPlace.corner.x + 30, slider.y}, true);
+    frame({kPlace.corner.x + 30, slider.y}, false);
+    ASSERT_EQ(session_->view().picture.media.size(), 1U);
+    EXPECT_LT(*session_->view().picture.media[0].attenuation, before);
+    const ImVec2 light = find("Drawing", ImHashStr("##ambient", 0, media));
+    frame(light, true);
+    frame({kPlace.corner.x + 2, light.y}, true);
+    frame({kPlace.corner.x + 2, light.y}, false);
+    EXPECT_EQ(session_->view().picture.medium_light.ambient, 0);
+    click(box);
+    EXPECT_TRUE(session_->view().picture.media.empty());
+}
+
+/// Over pictures of the style that shows thickness, and no others.
+class Legend : public Panels {
+  protected:
+    void draw(Commands& /*commands*/) override {
+        draw_thickness_legend({{0, 0}, {600, 600}}, *session_, fonts_, 1);
+        drawn_ = ImGui::GetBackgroundDrawList()->VtxBuffer.Size;
+    }
+    int drawn_ = 0;
+};
+
+TEST_F(Legend, IsOfRadiographs) {
+    wait_for_model();
+    frame({-100, -100}, false);
+    EXPECT_EQ(drawn_, 0);
+    const npr::StyleInfo* radiograph = npr::find_style("radiograph");
+    session_->perform(SetStyle{static_cast<std::size_t>(radiograph - npr::styles().data())});
+    frame({-100, -100}, false);
+    EXPECT_GT(drawn_, 64 * 4) << "tones and numbers";
 }
 
 TEST_F(Panels, EveryKindOfParameterHasAControl) {
