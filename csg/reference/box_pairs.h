@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -33,10 +34,12 @@ class BoxTree {
         meeting({1, 0, order_.size()}, box, visit);
     }
 
-    /// Calls `visit(i)` for each box that the ray meets until one gives false, and gives false then.
+    /// Calls `visit(i)` for each box that the ray meets until one gives false, and gives false then. `most`: how many
+    /// times its direction the ray is long.
     template <typename Visit>
-    bool along(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
-        return along({1, 0, order_.size()}, origin, 1.0 / direction, visit);
+    bool along(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit,
+               double most = std::numeric_limits<double>::infinity()) const {
+        return along({1, 0, order_.size()}, origin, 1.0 / direction, most, visit);
     }
 
   private:
@@ -73,26 +76,27 @@ class BoxTree {
         meeting(node.right(), box, visit);
     }
 
-    static bool meets(const Box& box, const glm::dvec3& origin, const glm::dvec3& inverse) {
+    /// A ray that lies just in a face of the box, across which it has no way (not a number), is between its faces.
+    static bool meets(const Box& box, const glm::dvec3& origin, const glm::dvec3& inverse, double most) {
         const glm::dvec3 a = (box.lo - origin) * inverse, b = (box.hi - origin) * inverse;
         const glm::dvec3 from = glm::min(a, b), to = glm::max(a, b);
-        return std::max({0.0, from.x, from.y, from.z}) <= std::min({to.x, to.y, to.z});
+        return std::max({0.0, from.x, from.y, from.z}) <= std::min({most, to.x, to.y, to.z});
     }
 
     template <typename Visit>
-    bool along(const Node& node, const glm::dvec3& origin, const glm::dvec3& inverse, Visit& visit) const {
-        if (!meets(bounds_[node.number], origin, inverse)) {
+    bool along(const Node& node, const glm::dvec3& origin, const glm::dvec3& inverse, double most, Visit& visit) const {
+        if (!meets(bounds_[node.number], origin, inverse, most)) {
             return true;
         }
         if (is_leaf(node)) {
             for (std::size_t i = node.from; i < node.to; ++i) {
-                if (meets(boxes_[order_[i]], origin, inverse) && !visit(order_[i])) {
+                if (meets(boxes_[order_[i]], origin, inverse, most) && !visit(order_[i])) {
                     return false;
                 }
             }
             return true;
         }
-        return along(node.left(), origin, inverse, visit) && along(node.right(), origin, inverse, visit);
+        return along(node.left(), origin, inverse, most, visit) && along(node.right(), origin, inverse, most, visit);
     }
 
     template <typename Visit>

@@ -163,18 +163,13 @@ void SolidProbe::crossings(const glm::dvec3& origin, const glm::dvec3& direction
         }
         return true;
     };
-    if (most < kInfinity) {
-        const glm::dvec3 end = origin + most * direction;
-        const csg::Box box{glm::min(origin, end), glm::max(origin, end)};
-        leaves_->tree.meeting(box, [&](std::uint32_t leaf) {
-            triangles_[leaf]->tree.meeting(box, [&](std::uint32_t triangle) { (void)look(leaf, triangle); });
-        });
-    } else {
-        (void)leaves_->tree.along(origin, direction, [&](std::uint32_t leaf) {
-            return triangles_[leaf]->tree.along(origin, direction,
-                                                [&](std::uint32_t triangle) { return look(leaf, triangle); });
-        });
-    }
+    (void)leaves_->tree.along(
+        origin, direction,
+        [&](std::uint32_t leaf) {
+            return triangles_[leaf]->tree.along(
+                origin, direction, [&](std::uint32_t triangle) { return look(leaf, triangle); }, most);
+        },
+        most);
     std::sort(out.begin(), out.end(), nearer);
 }
 
