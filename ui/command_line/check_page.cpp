@@ -101,6 +101,9 @@ class Pictures {
         }
         request.camera = camera_at(middle, from, height);
         const Model& cut = sectioned_.cut(model_, request.sections);
+        if (!sectioned_.change().empty()) {
+            renderer_.update(cut, sectioned_.change());  // The plane of the finding before has moved.
+        }
         base::Image image = renderer_.render(cut, request, stop_);
         draw_mark(image, base::View(request.camera, kSize, model_->box.lo, model_->box.hi), finding);
         return image;

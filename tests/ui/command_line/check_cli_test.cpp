@@ -76,6 +76,18 @@ TEST_F(CheckProgram, ReportHasAPictureOfEachFinding) {
     EXPECT_EQ(Json::parse(folder_.read("found/report.json")).at("findings").size(), 1u);
 }
 
+/// Each has a section of its own, by planes in other directions.
+TEST_F(CheckProgram, PicturesOfAReportFollowEachOther) {
+    folder_.write("box.scad", "difference() { cube([40, 30, 12]); translate([0.4, 0.4, 3]) cube([39.2, 29.2, 20]); }");
+    ASSERT_EQ(run("check box.scad --min-wall 0.5 --spacing 1 --report found").status, 1);
+    const std::string page = folder_.read("found/report.html");
+    std::size_t pictures = 0;
+    for (std::size_t at = page.find("<img"); at != std::string::npos; at = page.find("<img", at + 1)) {
+        ++pictures;
+    }
+    EXPECT_EQ(pictures, 4u);
+}
+
 TEST_F(CheckProgram, SummaryTellsMeasuresWithoutAMesh) {
     folder_.write("two.scad", "cube([20, 10, 5]); translate([30, 0, 0]) cube(10);");
     ASSERT_EQ(run("two.scad --parts top --precision 0.02 --summary measures --summary-file facts.json -q").status, 0);
