@@ -41,6 +41,8 @@ vec4 with_silhouette(vec4 c, float ink) {
 // Lit, sRGB with straight alpha.
 vec4 surface_color(Surface s) {
     vec4 color = seen_color(s);
+    if (color.a == 0.0f && s.ink == 0.0f)
+        return color;
     if (gooch_shading && !is_section(s.leaf)) {
         vec3 tone = cool_to_warm(min(vec3(color), 1.0f), s.leaving ? -s.normal : s.normal);
         return with_silhouette(vec4(tone, color.a), s.ink);

@@ -48,8 +48,11 @@ bool yields_to(Surface s, vec4 color, Surface t) {
 
 // Is the face that of another part as well, which is seen in its place?
 bool shared_with_another(Surface s, ivec2 pixel, int layer, vec3 ray) {
+    bool before = layer > 0 && layer_depth(pixel, layer - 1) == s.depth;
+    if (s.leaving || !(before || layer_depth(pixel, layer + 1) == s.depth))
+        return false;
     vec4 color = base_color(s);
-    if (color.a >= 1.0f || s.leaving)
+    if (color.a >= 1.0f)
         return false;
     for (int i = layer - 1; i >= 0 && layer_depth(pixel, i) == s.depth; --i) {
         Surface t = layer_surface(pixel, i, ray);
