@@ -178,6 +178,15 @@ TEST(Measured, EdgesEndWhereTheModelDoes) {
     }
 }
 
+TEST(Measured, PlanesCutSpheresInCircles) {
+    const auto model = model_of("translate([1, 2, 0]) intersection() { sphere(5, $fn = 60); cube(8, center = true); }");
+    const auto rim = EdgeFinder(*model).edge(look_down(*model, 1.5, 2.5).front());
+    ASSERT_TRUE(rim);
+    EXPECT_EQ(rim->kind, Measured::Kind::Circle);
+    EXPECT_NEAR(rim->radius().value_or(0), 3, 1e-12);
+    expect_near(rim->form.point, {1, 2, 4});
+}
+
 TEST(Measured, JointsOfFacetsAreNoEdges) {
     const auto model = model_of("rotate([0, 90, 0]) cylinder(r = 5, h = 30, center = true);");
     const auto surfaces = look_down(*model, 3, 0.2);

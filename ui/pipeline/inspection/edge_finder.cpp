@@ -99,9 +99,27 @@ double distance_to(const Measured& edge, const glm::dvec3& p) {
     return glm::length(edge.from + share * way - p);
 }
 
-/// The circle in which a plane ends a cylinder or a cone across its axis.
+/// The circle in which a plane cuts a sphere.
+std::optional<csg::solid::SurfaceForm> circle_of_sphere(const csg::solid::SurfaceForm& flat,
+                                                        const csg::solid::SurfaceForm& sphere) {
+    const double along = glm::dot(flat.point - sphere.point, flat.direction);
+    if (std::abs(along) >= sphere.radius) {
+        return std::nullopt;
+    }
+    csg::solid::SurfaceForm circle = sphere;
+    circle.point = sphere.point + along * flat.direction;
+    circle.direction = flat.direction;
+    circle.radius = std::sqrt(sphere.radius * sphere.radius - along * along);
+    circle.segments = 0;
+    return circle;
+}
+
+/// The circle in which a plane ends a sphere, or a cylinder or a cone across its axis.
 std::optional<csg::solid::SurfaceForm> circle_of(const csg::solid::SurfaceForm& a, const csg::solid::SurfaceForm& b) {
     const auto& [flat, round] = a.kind == FormKind::Plane ? std::tie(a, b) : std::tie(b, a);
+    if (flat.kind == FormKind::Plane && round.kind == FormKind::Sphere) {
+        return circle_of_sphere(flat, round);
+    }
     constexpr double kAcross = 1 - 1e-12;
     if (flat.kind != FormKind::Plane || (round.kind != FormKind::Cylinder && round.kind != FormKind::Cone) ||
         std::abs(glm::dot(flat.direction, round.direction)) < kAcross) {
