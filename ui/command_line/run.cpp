@@ -515,6 +515,7 @@ int open_window(const Options& options) {
     window.picture.engine = options.engine.engine;
     window.engine = options.engine;
     window.frames_log = options.frames_log;
+    window.settings = settings_file();
     if (run_window(window) == WindowEnd::StillDrawing) {
         std::_Exit(0);  // Nobody waits for that picture any more.
     }

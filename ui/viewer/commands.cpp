@@ -40,6 +40,7 @@ constexpr std::array kActions{
     ActionInfo{Action::TurnRight, "Camera", "Turn right", {{GLFW_KEY_RIGHT}}},
     ActionInfo{Action::TurnUp, "Camera", "Turn up", {{GLFW_KEY_UP}}},
     ActionInfo{Action::TurnDown, "Camera", "Turn down", {{GLFW_KEY_DOWN}}},
+    ActionInfo{Action::CopyFound, "Camera", "Copy what is measured", {{GLFW_KEY_C, kCtrl}}},
     ActionInfo{Action::CopyCamera, "Camera", "Copy as --camera", {}},
 
     ActionInfo{Action::NextStyle, "Style", "Next style", {{GLFW_KEY_S}}},
@@ -48,14 +49,18 @@ constexpr std::array kActions{
     ActionInfo{Action::FewerLayers, "Style", "One layer less", {{GLFW_KEY_L, kShift}}},
 
     ActionInfo{Action::SelectTool, "Tool", "Select", {{GLFW_KEY_SPACE}}},
+    ActionInfo{Action::MeasureTool, "Tool", "Measure", {{GLFW_KEY_M}}},
     ActionInfo{Action::FlyTool, "Tool", "Fly", {{GLFW_KEY_F}}},
 
     ActionInfo{Action::ToggleAxes, "Window", "Axes", {{GLFW_KEY_A}, {GLFW_KEY_2, kCtrl}}},
+    ActionInfo{Action::ToggleScales, "Window", "Axes and scales in the scene", {{GLFW_KEY_X}}},
+    ActionInfo{Action::ToggleGrid, "Window", "Grid", {{GLFW_KEY_G}}},
     ActionInfo{Action::ToggleCube, "Window", "View cube", {{GLFW_KEY_B}}},
     ActionInfo{Action::TogglePanel, "Window", "Drawing panel", {{GLFW_KEY_F8}}},
     ActionInfo{Action::ToggleText, "Window", "Text", {{GLFW_KEY_F6}, {GLFW_KEY_T}}},
     ActionInfo{Action::ToggleCustomizer, "Window", "Customizer", {{GLFW_KEY_F7}}},
     ActionInfo{Action::ToggleConsole, "Window", "Console", {{GLFW_KEY_F9}, {GLFW_KEY_C}}},
+    ActionInfo{Action::Settings, "Window", "Settings…", {{GLFW_KEY_COMMA, kCtrl}}},
     ActionInfo{Action::ClearConsole, "Window", "Clear console", {}},
     ActionInfo{Action::CopyConsole, "Window", "Copy console", {{GLFW_KEY_C, kCtrl | kShift}}},
 
@@ -79,6 +84,22 @@ std::string key_name(int key) {
             return "Down";
         case GLFW_KEY_ESCAPE:
             return "Esc";
+        case GLFW_KEY_ENTER:
+            return "Enter";
+        case GLFW_KEY_TAB:
+            return "Tab";
+        case GLFW_KEY_BACKSPACE:
+            return "Backspace";
+        case GLFW_KEY_INSERT:
+            return "Insert";
+        case GLFW_KEY_DELETE:
+            return "Delete";
+        case GLFW_KEY_PAGE_UP:
+            return "Page up";
+        case GLFW_KEY_PAGE_DOWN:
+            return "Page down";
+        case GLFW_KEY_END:
+            return "End";
         case GLFW_KEY_KP_ADD:
             return "Keypad +";
         case GLFW_KEY_KP_SUBTRACT:
@@ -89,7 +110,8 @@ std::string key_name(int key) {
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) {
         return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
     }
-    return std::string(1, static_cast<char>(key));  // Printable keys have their ASCII code.
+    // Printable keys have their ASCII code.
+    return key > GLFW_KEY_SPACE && key < 127 ? std::string(1, static_cast<char>(key)) : fmt::format("Key {}", key);
 }
 
 }  // namespace
@@ -101,6 +123,12 @@ std::string text(const Chord& chord) {
     }
     if ((chord.modifiers & kCtrl) != 0) {
         name += "Ctrl+";
+    }
+    if ((chord.modifiers & GLFW_MOD_ALT) != 0) {
+        name += "Alt+";
+    }
+    if ((chord.modifiers & GLFW_MOD_SUPER) != 0) {
+        name += "Super+";
     }
     if ((chord.modifiers & kShift) != 0) {
         if (chord.key == GLFW_KEY_EQUAL) {
@@ -118,15 +146,6 @@ std::span<const ActionInfo> actions() {
 std::optional<glm::dvec3> looks_from(Action action) {
     const auto* found = std::ranges::find(kActions, action, &ActionInfo::action);
     return found == kActions.end() ? std::nullopt : found->from;
-}
-
-std::optional<Action> action_of(const Chord& chord) {
-    for (const ActionInfo& each : kActions) {
-        if (chord.key != 0 && std::find(std::begin(each.keys), std::end(each.keys), chord) != std::end(each.keys)) {
-            return each.action;
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace ui

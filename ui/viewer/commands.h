@@ -49,16 +49,28 @@ enum class Action {
     FewerLayers,
     SelectTool,  ///< Takes the tool in hand; see tools().
     FlyTool,
+    MeasureTool,
+    CopyFound,  ///< What the tool has found, in words.
     ToggleAxes,
+    ToggleScales,
+    ToggleGrid,
     ToggleCube,
     TogglePanel,
     ToggleText,
     ToggleCustomizer,
     ToggleConsole,
+    Settings,  ///< Opens the form.
     ClearConsole,
     CopyConsole,
     Help,
     Close,  ///< What lies over the picture: the form, the help.
+};
+
+/// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.
+struct Chord {
+    int key = 0;  ///< 0: none.
+    int modifiers = 0;
+    bool operator==(const Chord&) const = default;
 };
 
 // What the controls of the panels give.
@@ -147,23 +159,35 @@ struct WritePicture {
     PictureRequest picture;
 };
 
+/// How the mouse moves the camera.
+struct SetMouse {
+    std::size_t preset = 0;  ///< Of mouse_presets().
+};
+
+struct SetLightTheme {
+    bool light = false;
+};
+struct SetTextSize {
+    double size = 1;  ///< One of kTextSizes.
+};
+/// The action has that key, and no other.
+struct SetKey {
+    Action action = Action::Open;
+    Chord chord;
+};
+struct ResetKeys {};
+
 struct ExportModel {
     std::filesystem::path path;
 };
 
-using Command =
-    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
-                 SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt, Explain, ShowText, EditText,
-                 StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
-                 DeleteParameterSet, SetEngine, WritePicture, ExportModel>;
+using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
+                             SetTransparencyParameter, SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt,
+                             Explain, ShowText, EditText, StepSelection, OpenFile, SetCustomized, ResetCustomized,
+                             UseParameterSet, SaveParameterSet, DeleteParameterSet, SetEngine, WritePicture,
+                             ExportModel, SetMouse, SetLightTheme, SetTextSize, SetKey, ResetKeys>;
 using Commands = std::vector<Command>;
 
-/// A key with its modifiers, as GLFW numbers them; letters as they are printed on the keyboard.
-struct Chord {
-    int key = 0;  ///< 0: none.
-    int modifiers = 0;
-    bool operator==(const Chord&) const = default;
-};
 /// "Ctrl+Shift+V"
 [[nodiscard]] std::string text(const Chord& chord);
 
@@ -171,7 +195,7 @@ struct ActionInfo {
     Action action;
     const char* menu;  ///< The menu that it is in.
     const char* label;
-    Chord keys[3];  ///< The first is shown in menus.
+    Chord keys[3];  ///< By default; the first is shown in menus. See Keys.
     /// base::Camera::rotation, of actions that look from a standard view.
     std::optional<glm::dvec3> from{};
 };
@@ -180,7 +204,5 @@ struct ActionInfo {
 [[nodiscard]] std::span<const ActionInfo> actions();
 /// ActionInfo::from of the action.
 [[nodiscard]] std::optional<glm::dvec3> looks_from(Action action);
-/// The action of a key; none where it has none.
-[[nodiscard]] std::optional<Action> action_of(const Chord& chord);
 
 }  // namespace ui

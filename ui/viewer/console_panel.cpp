@@ -17,16 +17,16 @@ constexpr std::size_t kMostWrapped = 1000;
 ImVec4 color_of(LineKind kind) {
     switch (kind) {
         case LineKind::Error:
-            return theme::kError;
+            return theme::error();
         case LineKind::Warning:
-            return theme::kWarning;
+            return theme::warning();
         case LineKind::Note:
         case LineKind::Excerpt:
-            return theme::kFaint;
+            return theme::faint();
         case LineKind::Echo:
             break;
     }
-    return theme::kText;
+    return theme::text();
 }
 
 std::string counted(std::size_t count, const char* what) {
@@ -56,11 +56,11 @@ void title_row(const MessageLog& messages, const Fonts& fonts, Commands& command
     bold_text("Console", fonts);
     if (messages.errors() != 0) {
         ImGui::SameLine();
-        ImGui::TextColored(theme::kError, "%s", counted(messages.errors(), "error").c_str());
+        ImGui::TextColored(theme::error(), "%s", counted(messages.errors(), "error").c_str());
     }
     if (messages.warnings() != 0) {
         ImGui::SameLine();
-        ImGui::TextColored(theme::kWarning, "%s", counted(messages.warnings(), "warning").c_str());
+        ImGui::TextColored(theme::warning(), "%s", counted(messages.warnings(), "warning").c_str());
     }
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::CalcTextSize("CopyClear").x + 4 * style.FramePadding.x + style.ItemSpacing.x;

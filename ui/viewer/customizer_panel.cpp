@@ -44,7 +44,7 @@ void draw_row(const Customizer& customizer, const Parameter& parameter, Commands
     const float width = ImGui::GetContentRegionAvail().x;
     const std::string label = label_of(parameter);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(changed ? theme::kAccent : theme::kText, "%s", label.c_str());
+    ImGui::TextColored(changed ? theme::accent() : theme::text(), "%s", label.c_str());
     const bool wide = std::holds_alternative<std::vector<double>>(parameter.initial);
     if (!wide && ImGui::CalcTextSize(label.c_str()).x < 0.42F * width) {
         ImGui::SameLine(0.45F * width);

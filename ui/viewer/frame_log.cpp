@@ -34,6 +34,7 @@ std::string to_json(const FrameRecord& record) {
                        {"selected", record.selected},
                        {"text_line", record.text_line},
                        {"tool", record.tool},
+                       {"found", record.found},
                        {"camera", camera}};
     return json.dump();
 }

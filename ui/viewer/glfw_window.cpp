@@ -12,6 +12,8 @@ namespace ui {
 
 namespace {
 
+constexpr int kModifiers = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER;  // Not the locks.
+
 [[noreturn]] void fail() {
     const char* reason = nullptr;
     glfwGetError(&reason);
@@ -66,15 +68,14 @@ int printed_key(int key, int scancode) {
 void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     Input& input = input_of(window);
     if (action != GLFW_RELEASE) {
-        const int counted = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-        input.keys.push_back({{printed_key(key, scancode), counted}, key});
+        input.keys.push_back({{printed_key(key, scancode), modifiers & kModifiers}, key});
     }
 }
 
 void on_button(GLFWwindow* window, int button, int action, int modifiers) {
     PointerEvent event = pointer_event(window, action == GLFW_PRESS ? PointerKind::Press : PointerKind::Release);
     event.button = button_of(button);
-    event.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    event.modifiers = modifiers & kModifiers;
     Input& input = input_of(window);
     if (event.button != Button::None) {
         input.pointer.push_back(event);

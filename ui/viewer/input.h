@@ -17,7 +17,7 @@ struct PointerEvent {
     PointerKind kind = PointerKind::Move;
     glm::dvec2 position{0};
     Button button = Button::None;
-    bool shift = false;
+    int modifiers = 0;  ///< That are held, of a press; GLFW's.
     double amount = 0;  ///< Of a scroll: notches, up is positive.
     double time = 0;    ///< Seconds.
 };

@@ -26,12 +26,16 @@ Interface::~Interface() {
     ImGui::DestroyContext();
 }
 
-void Interface::set_scale(float scale) {
+void Interface::set_look(float scale, bool light) {
+    if (scale == scale_ && light == light_) {
+        return;
+    }
+    apply_theme(scale, light);
+    light_ = light;
     if (scale == scale_) {
         return;
     }
     scale_ = scale;
-    apply_theme(scale);
     fonts_ = load_fonts(scale);
     ImGui_ImplOpenGL3_DestroyDeviceObjects();  // The texture of the fonts too; made anew with the next frame.
 }
@@ -71,8 +75,8 @@ void Interface::point(const Input& input, const InputQueue& queue) {
     io.MouseDown[ImGuiMouseButton_Middle] = queue.held(Button::Middle);
 }
 
-void Interface::begin(const Input& input, const InputQueue& queue) {
-    set_scale(window_.interface_scale());
+void Interface::begin(const Input& input, const InputQueue& queue, const Settings& settings) {
+    set_look(window_.interface_scale() * static_cast<float>(settings.text_size), settings.light);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     press(input);

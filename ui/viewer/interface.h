@@ -5,6 +5,7 @@
 
 #include "ui/viewer/glfw_window.h"
 #include "ui/viewer/input_queue.h"
+#include "ui/viewer/settings.h"
 #include "ui/viewer/theme.h"
 
 namespace ui {
@@ -17,9 +18,9 @@ class Interface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
-    /// Begins a frame, in which ImGui may be called; follows changes of the display's scale. `input` is the next of the
-    /// queue.
-    void begin(const Input& input, const InputQueue& queue);
+    /// Begins a frame, in which ImGui may be called; follows changes of the display's scale and of the settings.
+    /// `input` is the next of the queue.
+    void begin(const Input& input, const InputQueue& queue, const Settings& settings);
     /// Ends the frame and draws it over what is in the window's framebuffer.
     void end();
 
@@ -27,12 +28,13 @@ class Interface {
     [[nodiscard]] float scale() const { return scale_; }
 
   private:
-    void set_scale(float scale);
+    void set_look(float scale, bool light);
     void press(const Input& input);
     static void point(const Input& input, const InputQueue& queue);
 
     const GlfwWindow& window_;
     float scale_ = 0;
+    bool light_ = false;
     Fonts fonts_;
     std::vector<int> pressed_;  ///< Keys that this frame takes as held.
 };

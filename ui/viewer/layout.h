@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include "ui/pipeline/picture/view_marks.h"
+
 namespace ui {
 
 /// In units of the window, from its upper left corner, y down.
@@ -24,14 +26,17 @@ struct Shown {
     bool console = true;
     bool axes = true;
     bool cube = true;
+    bool scales = false, grid = false;  ///< In the scene: the axes with their scales; lines on the ground.
     bool help = false;
     bool save_form = false;
     bool open_form = false;
     bool export_form = false;
+    bool settings_form = false;
 
     /// Something lies over the picture.
-    [[nodiscard]] bool covered() const { return help || save_form || open_form || export_form; }
-    void uncover() { help = save_form = open_form = export_form = false; }
+    [[nodiscard]] bool covered() const { return help || save_form || open_form || export_form || settings_form; }
+    [[nodiscard]] ViewMarks marks() const { return {scales, scales, false, false, grid}; }
+    void uncover() { help = save_form = open_form = export_form = settings_form = false; }
 };
 
 struct Layout {

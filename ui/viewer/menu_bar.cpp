@@ -44,6 +44,10 @@ bool checked(const Session& session, Action tool, Action action) {
     switch (action) {
         case Action::ToggleAxes:
             return session.shown().axes;
+        case Action::ToggleScales:
+            return session.shown().scales;
+        case Action::ToggleGrid:
+            return session.shown().grid;
         case Action::ToggleCube:
             return session.shown().cube;
         case Action::TogglePanel:
@@ -72,14 +76,15 @@ void menu(const char* name, const Session& session, Action tool, Commands& comma
         if (ends_group) {
             ImGui::Separator();
         }
-        if (ImGui::MenuItem(each.label, text(each.keys[0]).c_str(), checked(session, tool, each.action))) {
+        if (ImGui::MenuItem(each.label, session.settings().keys.first_text(each.action).c_str(),
+                            checked(session, tool, each.action))) {
             commands.emplace_back(each.action);
         }
     }
 }
 
 /// At the right end of the bar, where there is room: the tools, that in hand in color and underlined.
-void tool_buttons(Action tool, Commands& commands) {
+void tool_buttons(Action tool, const Keys& keys, Commands& commands) {
     float width = 0;
     for (const ActionInfo& each : actions()) {
         width += std::strcmp(each.menu, "Tool") == 0
@@ -96,17 +101,17 @@ void tool_buttons(Action tool, Commands& commands) {
             continue;
         }
         const bool in_hand = each.action == tool;
-        ImGui::PushStyleColor(ImGuiCol_Text, in_hand ? theme::kAccent : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+        ImGui::PushStyleColor(ImGuiCol_Text, in_hand ? theme::accent() : ImGui::GetStyleColorVec4(ImGuiCol_Text));
         if (ImGui::MenuItem(each.label)) {
             commands.emplace_back(each.action);
         }
         if (in_hand) {
             const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
             ImGui::GetWindowDrawList()->AddLine({low.x, high.y - 1}, {high.x, high.y - 1},
-                                                ImGui::GetColorU32(theme::kAccent), 2);
+                                                ImGui::GetColorU32(theme::accent()), 2);
         }
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", text(each.keys[0]).c_str());
+            ImGui::SetTooltip("%s", keys.first_text(each.action).c_str());
         }
         ImGui::PopStyleColor();
     }
@@ -133,7 +138,7 @@ float draw_menu_bar(const Session& session, const PictureInfo& picture, Action t
             ImGui::EndMenu();
         }
     }
-    tool_buttons(tool, commands);
+    tool_buttons(tool, session.settings().keys, commands);
     const float height = ImGui::GetWindowSize().y;
     ImGui::EndMainMenuBar();
     return height;

@@ -9,7 +9,7 @@ namespace ui {
 
 namespace {
 
-constexpr double kZoomPerNotch = 1.15;
+constexpr double kZoomPerNotch = 1.15, kZoomPerUnit = 1.01;
 constexpr double kClickDistance = 3;  // Units that the pointer may move meanwhile.
 constexpr double kDoubleClickSeconds = 0.4, kDoubleClickDistance = 5;
 
@@ -32,26 +32,60 @@ void Navigator::press(const PointerEvent& event, const Rectangle& picture) {
     }
     ask(event, picture);
     dragged_ = false;
-    button_ = event.button;
-    pans_ = event.button != Button::Left || event.shift;
+    before_ = std::exchange(button_, event.button);
+    modifiers_ = event.modifiers;
+    const MousePreset& preset = mouse_presets()[preset_];
+    motion_ = motion_of(preset, event.button, event.modifiers, before_);
+    if (motion_ == DragMotion::None && before_ != Button::None) {
+        motion_ = motion_of(preset, event.button, event.modifiers, Button::None);
+    }
     last_ = event.position;
+}
+
+void Navigator::release(const PointerEvent& event, const Rectangle& picture) {
+    if (event.button == before_) {
+        before_ = Button::None;  // The later one goes on alone.
+    }
+    if (event.button != button_) {
+        return;
+    }
+    if (button_ == Button::Left && !dragged_ && modifiers_ == 0 && before_ == Button::None && clicked_at_ >= 0) {
+        click_ = event.position - glm::dvec2(picture.corner);
+    }
+    button_ = std::exchange(before_, Button::None);
+    motion_ = motion_of(mouse_presets()[preset_], button_, 0, Button::None);
+}
+
+void Navigator::drag(const glm::dvec2& way, int height, base::Camera& camera) const {
+    switch (motion_) {
+        case DragMotion::None:
+            break;
+        case DragMotion::Shift:
+            pan(camera, way, height);
+            break;
+        case DragMotion::Zoom:
+            zoom(camera, std::pow(kZoomPerUnit, way.y), pivot_.value_or(camera.target));
+            break;
+        case DragMotion::Turn:
+            if (pivot_) {
+                orbit_about(camera, way, *pivot_);
+            } else {
+                orbit(camera, way);
+            }
+            break;
+    }
 }
 
 void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool free, base::Camera& camera) {
     const int height = static_cast<int>(picture.size.y);
     switch (event.kind) {
         case PointerKind::Press:
-            if (button_ == Button::None && free && picture.contains(event.position)) {
+            if (button_ != Button::None || (free && picture.contains(event.position))) {
                 press(event, picture);
             }
             break;
         case PointerKind::Release:
-            if (event.button == button_) {
-                if (button_ == Button::Left && !dragged_ && !pans_ && clicked_at_ >= 0) {
-                    click_ = event.position - glm::dvec2(picture.corner);
-                }
-                button_ = Button::None;
-            }
+            release(event, picture);
             break;
         case PointerKind::Move: {
             const glm::dvec2 drag = event.position - std::exchange(last_, event.position);
@@ -60,13 +94,7 @@ void Navigator::handle(const PointerEvent& event, const Rectangle& picture, bool
             }
             dragged_ = dragged_ || glm::distance(event.position, clicked_) > kClickDistance;
             if (button_ != Button::None && drag != glm::dvec2(0)) {
-                if (pans_) {
-                    pan(camera, drag, height);
-                } else if (pivot_) {
-                    orbit_about(camera, drag, *pivot_);
-                } else {
-                    orbit(camera, drag);
-                }
+                this->drag(drag, height, camera);
             }
             break;
         }

@@ -6,11 +6,15 @@
 #include "base/camera.h"
 #include "ui/viewer/input.h"
 #include "ui/viewer/layout.h"
+#include "ui/viewer/mouse_preset.h"
 
 namespace ui {
 
 class Navigator {
   public:
+    /// Of mouse_presets().
+    void set_preset(std::size_t preset) { preset_ = preset; }
+
     /// Applies the event to the camera of the picture that lies in `picture`. `free`: no part of the interface lies
     /// over the picture there. A drag that began in the picture goes on outside of it.
     void handle(const PointerEvent& event, const Rectangle& picture, bool free, base::Camera& camera);
@@ -32,9 +36,14 @@ class Navigator {
   private:
     void ask(const PointerEvent& event, const Rectangle& picture);
     void press(const PointerEvent& event, const Rectangle& picture);
+    void release(const PointerEvent& event, const Rectangle& picture);
+    void drag(const glm::dvec2& way, int height, base::Camera& camera) const;
 
+    std::size_t preset_ = 0;
     Button button_ = Button::None;
-    bool pans_ = false;
+    Button before_ = Button::None;  ///< Held when that was pressed: its drag goes on afterwards.
+    int modifiers_ = 0;             ///< Held when it was.
+    DragMotion motion_ = DragMotion::None;
     glm::dvec2 last_{0};
     double clicked_at_ = -1;
     glm::dvec2 clicked_{0};

@@ -46,7 +46,7 @@ inline void error_text(const std::string& text) {
     if (text.empty()) {
         return;
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::kError);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
 }

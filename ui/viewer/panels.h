@@ -55,7 +55,8 @@ void draw_overlay(const Rectangle& place, const Session& session, const PictureI
 void draw_selection(const Rectangle& place, const Session& session, const Fonts& fonts, float scale,
                     Commands& commands);
 
-void draw_help(const Fonts& fonts, Commands& commands);
+/// Mouse and keys, as they are set.
+void draw_help(const Settings& settings, const Fonts& fonts, Commands& commands);
 
 /// The form for saving a picture; keeps what was typed.
 class SaveForm {

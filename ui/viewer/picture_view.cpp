@@ -48,21 +48,38 @@ const Model& PictureView::cut(const std::shared_ptr<const Model>& model, const n
     return left;
 }
 
-void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const PictureStep& step,
-                       std::uint64_t version) {
+void PictureView::mark(base::Image& image, const Model& model, const PictureRequest& request, const ViewMarks& marks,
+                       std::uint64_t version, Renderer& renderer) {
+    const base::View view(request.camera, request.size, model.box.lo, model.box.hi);
+    if (std::pair key(version, request.size.x); !first_layer_ || key != first_layer_of_) {
+        first_layer_ = model.empty() ? std::make_shared<layers::HostStack>() : renderer.first_layer(model, view);
+        first_layer_of_ = key;
+    }
+    const glm::vec3& ground = request.scheme.background;
+    MarkColors colors;
+    colors.axes = glm::vec3(ground.r + ground.g + ground.b < 1.5F ? 1.0F : 0.0F);
+    draw_view_marks(image, marks, colors, view, model.geometry, *first_layer_);
+}
+
+void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
+                       const PictureStep& step, std::uint64_t version) {
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
     const bool threaded = thread_ != nullptr;
     drawing_ = std::stop_source();
     // Where nobody could ask for a stop meanwhile, drawing need not look for it.
     const std::stop_token stop = threaded ? drawing_.get_token() : std::stop_token();
-    run([this, threaded, stop, model = std::move(model), request = std::move(request), step,
+    run([this, threaded, stop, model = std::move(model), request = std::move(request), marks, step,
          version](Renderer& renderer) {
         DrawnStep done{step, version, 0, {}, {}, false};
         Stopwatch watch;
         try {
-            renderer.draw_sample(cut(model, request.sections, renderer), request, step.sample, stop);
-            if (threaded || !renderer.drawn_with_opengl()) {
+            const Model& shown = cut(model, request.sections, renderer);
+            renderer.draw_sample(shown, request, step.sample, stop);
+            if (threaded || !renderer.drawn_with_opengl() || marks.any()) {
                 base::Image image = renderer.image();
+                if (marks.any()) {
+                    mark(image, shown, request, marks, version, renderer);
+                }
                 std::scoped_lock lock(mutex_);
                 image_ = std::move(image);
             } else {
@@ -106,6 +123,34 @@ void PictureView::pick(std::shared_ptr<const Model> model, npr::Sections section
             // The picture of the same model tells why it cannot be drawn.
         }
         return picked;
+    });
+}
+
+void PictureView::probe(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera,
+                        const glm::dvec2& at) {
+    run([this, model = std::move(model), sections = std::move(sections), camera, at](Renderer& renderer) {
+        ProbedPlace probed{at, {}, {}, {}, {}};
+        try {
+            const Model& shown = cut(model, sections, renderer);
+            const auto surfaces = renderer.pick(shown, camera);
+            if (surfaces.empty()) {
+                return probed;
+            }
+            probed.surface = surfaces.front();
+            probed.face = measured_face(shown, surfaces.front());
+            // Edges of faces that a section has made are not known.
+            if (surfaces.front().surface.leaf < model->scene.leaves.size()) {
+                if (probed_ != model) {
+                    finder_.emplace(*model);
+                    probed_ = model;
+                }
+                probed.edge = finder_->edge(surfaces.front());
+                probed.corner = finder_->corner(surfaces.front());
+            }
+        } catch (const std::exception&) {
+            // The picture of the same model tells why it cannot be drawn.
+        }
+        return probed;
     });
 }
 

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "ui/pipeline/inspection/measured.h"
+#include "ui/pipeline/picture/view_marks.h"
 #include "ui/pipeline/sections.h"
 #include "ui/viewer/frame_plan.h"
 #include "ui/viewer/render_thread.h"
@@ -35,11 +37,18 @@ struct SavedPicture {
 };
 
 /// What a point is asked for.
-enum class PickFor { Center, Navigation, Tool };
+enum class PickFor { Center, Navigation };
 
 struct PickedPoint {
     std::optional<PickedSurface> surface;  ///< The nearest; none where there is nothing.
     PickFor purpose = PickFor::Center;     ///< As it was given.
+};
+
+/// What lies at a place, and next to it.
+struct ProbedPlace {
+    glm::dvec2 at{0};  ///< As it was given.
+    std::optional<PickedSurface> surface;
+    std::optional<Measured> face, edge, corner;
 };
 
 /// What is to be selected, nearest first.
@@ -49,7 +58,7 @@ struct PickedSurfaces {
     std::vector<SelectedSurface> surfaces;
 };
 
-using PictureResult = std::variant<DrawnStep, SavedPicture, PickedPoint, PickedSurfaces>;
+using PictureResult = std::variant<DrawnStep, SavedPicture, PickedPoint, ProbedPlace, PickedSurfaces>;
 
 /// Pictures are drawn in the window's context, at once; or, which is meant for OpenGL that is computed by the
 /// processor, by a thread, and results come later.
@@ -62,9 +71,9 @@ class PictureView {
 
     // Each asks for something that take() gives later, maybe at once. While busy() nothing further is to be asked for.
     [[nodiscard]] bool busy() const { return thread_ && thread_->busy(); }
-    /// One step of the picture that `request` asks for.
-    void draw(std::shared_ptr<const Model> model, PictureRequest request, const PictureStep& step,
-              std::uint64_t version);
+    /// One step of the picture that `request` asks for, with `marks` in it.
+    void draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
+              const PictureStep& step, std::uint64_t version);
     /// Ends the step that a thread is drawing, some milliseconds later, if it draws one.
     void stop_drawing() { drawing_.request_stop(); }
     /// Steps are drawn by a thread, and can be stopped.
@@ -74,6 +83,10 @@ class PictureView {
     /// See Renderer::pick.
     void pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera,
               PickFor purpose = PickFor::Center);
+
+    /// The nearest surface, and the edge and the corner next to it. `at` comes back with them.
+    void probe(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera,
+               const glm::dvec2& at);
 
     /// All surfaces behind the camera's one pixel, with their places in the sources, which are the model's. `at` comes
     /// back with them.
@@ -93,6 +106,9 @@ class PictureView {
     const Model& cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections, Renderer& renderer);
     void resize(glm::ivec2 size);
     void upload(const base::Image& image);
+    /// Draws marks into a picture. A task of the drawer.
+    void mark(base::Image& image, const Model& model, const PictureRequest& request, const ViewMarks& marks,
+              std::uint64_t version, Renderer& renderer);
 
     const gl::Functions& gl_;
     std::function<void()> wake_;
@@ -104,9 +120,13 @@ class PictureView {
     std::vector<PictureResult> results_;
     std::optional<base::Image> image_;  ///< Drawn by the thread, not in the texture yet.
     std::optional<Renderer> renderer_;
-    SectionedModel sectioned_;              ///< Belongs to the tasks.
-    std::stop_source drawing_;              ///< Of the step asked for last.
-    std::unique_ptr<RenderThread> thread_;  ///< Last: its tasks use the above.
+    SectionedModel sectioned_;             ///< Belongs to the tasks, as do …
+    std::shared_ptr<const Model> probed_;  ///< … the model that finder_ is of, …
+    std::optional<EdgeFinder> finder_;
+    std::shared_ptr<const layers::HostStack> first_layer_;  ///< … and what hides marks in a picture of …
+    std::pair<std::uint64_t, int> first_layer_of_;          ///< … that version and width.
+    std::stop_source drawing_;                              ///< Of the step asked for last.
+    std::unique_ptr<RenderThread> thread_;                  ///< Last: its tasks use the above.
 };
 
 }  // namespace ui

@@ -29,6 +29,8 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
       document_(options.source),
       view_(options.picture),
       customizer_(parameter_file(options.source)),
+      settings_file_(options.settings),
+      settings_(read_settings(options.settings)),
       evaluate_(std::move(evaluate)),
       watcher_(options.source.followed()),
       job_(std::move(wake)) {

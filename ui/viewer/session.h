@@ -11,6 +11,7 @@
 #include "ui/viewer/latest_job.h"
 #include "ui/viewer/layout.h"
 #include "ui/viewer/selection.h"
+#include "ui/viewer/settings.h"
 #include "ui/viewer/view_state.h"
 #include "ui/viewer/window.h"
 
@@ -39,6 +40,7 @@ class Session {
     [[nodiscard]] const Document& document() const { return document_; }
     [[nodiscard]] const ViewState& view() const { return view_; }
     [[nodiscard]] base::Camera& camera() { return view_.picture.camera; }
+    [[nodiscard]] const Settings& settings() const { return settings_; }
     [[nodiscard]] const Shown& shown() const { return shown_; }
     [[nodiscard]] const Customizer& customizer() const { return customizer_; }
     [[nodiscard]] const Selection& selection() const { return selection_; }
@@ -66,6 +68,8 @@ class Session {
     void place_camera();
     void cut(const npr::Sections& sections);
     bool act(Action action);
+    /// False where it is no command about settings.
+    bool change_settings(const Command& command);
     void step_style(int by);
     void step_layers(int by);
 
@@ -79,6 +83,8 @@ class Session {
     bool customizing_ = false;
     std::chrono::steady_clock::time_point began_;  ///< The evaluation asked for last.
     Shown shown_;
+    std::filesystem::path settings_file_;
+    Settings settings_;
     int layer_count_ = 1;
     std::uint64_t layers_of_ = 0;  ///< Generation of the model that layer_count_ belongs to.
     Evaluate evaluate_;

@@ -24,6 +24,9 @@ bool Session::perform(const Command& command) {
     if (const auto* action = std::get_if<Action>(&command)) {
         return act(*action);
     }
+    if (change_settings(command)) {
+        return true;
+    }
     if (const auto* style = std::get_if<SetStyle>(&command)) {
         view_.show_style(std::min(style->style, npr::styles().size() - 1));
     } else if (const auto* set = std::get_if<SetParameter>(&command)) {
@@ -79,6 +82,27 @@ bool Session::perform(const Command& command) {
         view_.picture.engine = engine->engine;
     } else {
         return false;
+    }
+    return true;
+}
+
+bool Session::change_settings(const Command& command) {
+    const Settings before = settings_;
+    if (const auto* mouse = std::get_if<SetMouse>(&command)) {
+        settings_.mouse = mouse->preset;
+    } else if (const auto* theme = std::get_if<SetLightTheme>(&command)) {
+        settings_.light = theme->light;
+    } else if (const auto* text = std::get_if<SetTextSize>(&command)) {
+        settings_.text_size = text->size;
+    } else if (const auto* key = std::get_if<SetKey>(&command)) {
+        settings_.keys.set(key->action, {key->chord});
+    } else if (std::holds_alternative<ResetKeys>(command)) {
+        settings_.keys.reset();
+    } else {
+        return false;
+    }
+    if (settings_ != before) {
+        write_settings(settings_file_, settings_);
     }
     return true;
 }
@@ -154,6 +178,12 @@ bool Session::act(Action action) {
         case Action::ToggleAxes:
             shown_.axes = !shown_.axes;
             break;
+        case Action::ToggleScales:
+            shown_.scales = !shown_.scales;
+            break;
+        case Action::ToggleGrid:
+            shown_.grid = !shown_.grid;
+            break;
         case Action::ToggleCube:
             shown_.cube = !shown_.cube;
             break;
@@ -167,6 +197,9 @@ bool Session::act(Action action) {
         case Action::ToggleCustomizer:
             shown_.customizer = !shown_.customizer;
             shown_.text = false;
+            break;
+        case Action::Settings:
+            shown_.settings_form = true;
             break;
         case Action::ToggleConsole:
             shown_.console = !shown_.console;
@@ -185,6 +218,8 @@ bool Session::act(Action action) {
             break;
         case Action::SelectTool:
         case Action::FlyTool:
+        case Action::MeasureTool:
+        case Action::CopyFound:
         case Action::Quit:
         case Action::CopyConsole:
         case Action::CopyCamera:

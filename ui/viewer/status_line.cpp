@@ -21,18 +21,18 @@ struct Lamp {
 
 Lamp lamp(const Session& session) {
     if (const auto seconds = session.evaluating_for()) {
-        return {theme::kAccent, *seconds < kSoon ? "Evaluating…" : fmt::format("Evaluating… {} s", *seconds)};
+        return {theme::accent(), *seconds < kSoon ? "Evaluating…" : fmt::format("Evaluating… {} s", *seconds)};
     }
     switch (session.document().state()) {
         case DocumentState::Failed:
-            return {theme::kError, "Error"};
+            return {theme::error(), "Error"};
         case DocumentState::Gone:
-            return {theme::kWarning, "File is gone"};
+            return {theme::warning(), "File is gone"};
         case DocumentState::Good:
         case DocumentState::Evaluating:
             break;
     }
-    return {{0.40F, 0.75F, 0.45F, 1}, "Ready"};
+    return {theme::good(), "Ready"};
 }
 
 std::string picture_text(const Session& session, const PictureInfo& picture) {
@@ -52,7 +52,7 @@ void draw_status(const Rectangle& place, const Session& session, const PictureIn
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                         {ImGui::GetStyle().WindowPadding.x, 0.5F * (place.size.y - ImGui::GetFontSize())});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, {0.095F, 0.105F, 0.12F, 1});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::low_ground());
     if (begin_panel("Status", place, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
         const Lamp state = lamp(session);
         const float size = ImGui::GetFontSize();

@@ -51,31 +51,47 @@ ImFont* load(const std::string& path, float size, ImFont* instead) {
     return font;
 }
 
-void set_colors(ImGuiStyle& style) {
-    const ImVec4 ground{0.125F, 0.137F, 0.157F, 1}, raised{0.20F, 0.22F, 0.25F, 1}, high{0.26F, 0.29F, 0.33F, 1};
-    const ImVec4 accent = theme::kAccent;
-    const ImVec4 pressed{0.24F, 0.48F, 0.80F, 1};
+/// The colors that all others are made of.
+struct Palette {
+    ImVec4 text, faint, ground, popup, title, border, raised, high;
+    ImVec4 accent, pressed, bright;  ///< Of what is chosen, held, and dragged.
+};
+
+Palette palette_of(bool light) {
+    if (light) {
+        return {{0.11F, 0.12F, 0.14F, 1},  {0.40F, 0.43F, 0.47F, 1}, {0.94F, 0.945F, 0.95F, 1},
+                {0.98F, 0.98F, 0.985F, 1}, {0.88F, 0.89F, 0.91F, 1}, {0.76F, 0.78F, 0.81F, 1},
+                {0.83F, 0.845F, 0.87F, 1}, {0.76F, 0.79F, 0.83F, 1}, {0.10F, 0.38F, 0.78F, 1},
+                {0.55F, 0.73F, 0.97F, 1},  {0.15F, 0.45F, 0.88F, 1}};
+    }
+    return {{0.88F, 0.89F, 0.91F, 1}, {0.56F, 0.59F, 0.64F, 1}, {0.125F, 0.137F, 0.157F, 1}, {0.15F, 0.165F, 0.19F, 1},
+            {0.17F, 0.19F, 0.22F, 1}, {0.26F, 0.28F, 0.32F, 1}, {0.20F, 0.22F, 0.25F, 1},    {0.26F, 0.29F, 0.33F, 1},
+            {0.30F, 0.58F, 0.94F, 1}, {0.24F, 0.48F, 0.80F, 1}, {0.45F, 0.70F, 1.0F, 1}};
+}
+
+void set_colors(ImGuiStyle& style, const Palette& palette) {
+    const auto& [text, faint, ground, popup, title, border, raised, high, accent, pressed, bright] = palette;
     const auto set = [&](std::initializer_list<ImGuiCol_> which, const ImVec4& color) {
         for (const ImGuiCol_ each : which) {
             style.Colors[each] = color;
         }
     };
-    set({ImGuiCol_Text}, theme::kText);
-    set({ImGuiCol_TextDisabled}, theme::kFaint);
+    set({ImGuiCol_Text}, text);
+    set({ImGuiCol_TextDisabled}, faint);
     set({ImGuiCol_WindowBg, ImGuiCol_MenuBarBg}, ground);
     set({ImGuiCol_ChildBg}, {0, 0, 0, 0});
-    set({ImGuiCol_PopupBg}, {0.15F, 0.165F, 0.19F, 1});
-    set({ImGuiCol_Border, ImGuiCol_Separator}, {0.26F, 0.28F, 0.32F, 1});
+    set({ImGuiCol_PopupBg}, popup);
+    set({ImGuiCol_Border, ImGuiCol_Separator}, border);
     set({ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Header}, raised);
     set({ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered}, high);
     set({ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive}, pressed);
     set({ImGuiCol_CheckMark, ImGuiCol_SeparatorHovered}, accent);
-    set({ImGuiCol_SeparatorActive}, {0.45F, 0.70F, 1.0F, 1});
+    set({ImGuiCol_SeparatorActive}, bright);
     // The value is read through the grab.
     set({ImGuiCol_SliderGrab}, {accent.x, accent.y, accent.z, 0.55F});
-    set({ImGuiCol_SliderGrabActive}, {0.45F, 0.70F, 1.0F, 0.65F});
+    set({ImGuiCol_SliderGrabActive}, {bright.x, bright.y, bright.z, 0.65F});
     set({ImGuiCol_TextSelectedBg}, {accent.x, accent.y, accent.z, 0.4F});
-    set({ImGuiCol_TitleBg, ImGuiCol_TitleBgActive}, {0.17F, 0.19F, 0.22F, 1});
+    set({ImGuiCol_TitleBg, ImGuiCol_TitleBgActive}, title);
     set({ImGuiCol_ScrollbarBg}, {0, 0, 0, 0});
     set({ImGuiCol_ScrollbarGrab}, raised);
     set({ImGuiCol_ModalWindowDimBg}, {0, 0, 0, 0.35F});
@@ -83,10 +99,10 @@ void set_colors(ImGuiStyle& style) {
 
 }  // namespace
 
-void apply_theme(float scale) {
+void apply_theme(float scale, bool light) {
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
-    set_colors(style);
+    light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
+    set_colors(style, palette_of(light));
     style.WindowPadding = {12, 10};
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 6};

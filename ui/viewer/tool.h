@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "ui/pipeline/inspection/measured.h"
 #include "ui/pipeline/picture/pick.h"
 #include "ui/viewer/commands.h"
 #include "ui/viewer/input.h"
@@ -14,6 +15,13 @@
 
 namespace ui {
 
+/// What lies at a place that a tool has asked for.
+struct ToolAnswer {
+    glm::dvec2 at{0};                            ///< From the window's corner, as it was asked.
+    std::optional<PickedSurface> surface;        ///< The nearest; none where there is nothing.
+    std::optional<Measured> face, edge, corner;  ///< That surface, and what is next to the place.
+};
+
 /// What a tool sees, and what it may do. Good for one call.
 struct ToolContext {
     const Session& session;
@@ -22,7 +30,7 @@ struct ToolContext {
     base::Camera& camera;
     Commands& commands;                 ///< What the tool asks for is done at the end of the frame.
     std::function<bool(int key)> held;  ///< Keys as GLFW numbers them, by their place.
-    /// Where the nearest surface is wanted: Tool::answer has it some frames later.
+    /// What lies there is wanted: Tool::answer has it some frames later.
     std::optional<glm::dvec2> question{};
 };
 
@@ -64,8 +72,10 @@ class Tool {
     /// Something goes on by itself, such as a flight while a key is held; `seconds` have passed since the frame before.
     /// True where it is to be called again.
     virtual bool advance(ToolContext& /*context*/, double /*seconds*/) { return false; }
-    /// The nearest surface where ToolContext::question was asked last; none where there is nothing.
-    virtual void answer(ToolContext& /*context*/, const std::optional<PickedSurface>& /*surface*/) {}
+    /// To a question; those that were asked while another was being answered are dropped but for the last.
+    virtual void answer(ToolContext& /*context*/, const ToolAnswer& /*answer*/) {}
+    /// What it has found, in words, to be copied; empty where it has nothing.
+    [[nodiscard]] virtual std::string text() const { return {}; }
 
     virtual void draw(const ToolContext& /*context*/, const ToolPainter& /*painter*/) const {}
 };

@@ -102,8 +102,8 @@ bool Toolbox::advance(ToolContext& context, double seconds) {
     return goes_on;
 }
 
-void Toolbox::answer(ToolContext& context, const std::optional<PickedSurface>& surface) {
-    tools_[used_]->answer(context, surface);
+void Toolbox::answer(ToolContext& context, const ToolAnswer& answer) {
+    tools_[used_]->answer(context, answer);
 }
 
 void Toolbox::draw(const ToolContext& context, const ToolPainter& painter) const {

@@ -32,8 +32,10 @@ class Toolbox {
     /// True where something goes on by itself.
     bool advance(ToolContext& context, double seconds);
     /// To the tool in hand.
-    void answer(ToolContext& context, const std::optional<PickedSurface>& surface);
+    void answer(ToolContext& context, const ToolAnswer& answer);
     void draw(const ToolContext& context, const ToolPainter& painter) const;
+    /// Of the tool in hand.
+    [[nodiscard]] std::string text() const { return tools_[used_]->text(); }
 
     /// A tool has a drag.
     [[nodiscard]] bool dragging() const { return dragged_ != nullptr; }

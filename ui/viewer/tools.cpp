@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ui/viewer/tools/fly_tool.h"
+#include "ui/viewer/tools/measure_tool.h"
 #include "ui/viewer/tools/section_tool.h"
 #include "ui/viewer/tools/select_tool.h"
 #include "ui/viewer/tools/view_cube.h"
@@ -14,6 +15,9 @@ std::span<const ToolInfo> tools() {
         ToolInfo{"cube", {}, "", make_view_cube},
         ToolInfo{"section", {}, "", make_section_tool},
         ToolInfo{"select", Action::SelectTool, "", make_select_tool},
+        ToolInfo{"measure", Action::MeasureTool,
+                 "Measure: click a corner, an edge or a face, and another; Ctrl+C copies, Esc begins anew",
+                 make_measure_tool},
         ToolInfo{"fly", Action::FlyTool,
                  "Fly: W A S D forward and sideways, E Q up and down, Shift quicker, drag to look around, Esc ends it",
                  make_fly_tool},

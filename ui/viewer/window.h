@@ -1,6 +1,7 @@
 // The window: shows a file and follows its changes.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -15,7 +16,8 @@ struct WindowOptions {
     CameraRequest camera;
     PictureRequest picture;  ///< Style, scheme, layers and samples to begin with; camera and size are not used.
     goldfeather::EngineOptions engine;
-    std::string frames_log;  ///< File for one line of JSON per frame; empty: none.
+    std::string frames_log;            ///< File for one line of JSON per frame; empty: none.
+    std::filesystem::path settings{};  ///< Kept there; empty: as by default, and not kept.
 };
 
 /// How things stand when the window is closed.
@@ -25,6 +27,10 @@ enum class WindowEnd {
     /// left alone for ever; the process must end without running down (std::_Exit).
     StillDrawing,
 };
+
+/// Where settings are kept: $XDG_STATE_HOME/csgscope/settings, by default below ~/.local/state; empty where there is no
+/// home.
+[[nodiscard]] std::filesystem::path settings_file();
 
 /// Opens the window and returns when it is closed. Throws std::runtime_error where there is no display or no
 /// OpenGL 4.5.

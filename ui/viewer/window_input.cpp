@@ -1,4 +1,6 @@
 // Where input goes: to the tools, then to the camera and to the shortcuts.
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -11,6 +13,10 @@ namespace {
 
 /// A frame that took longer moves nothing farther: what was to be seen meanwhile was not.
 constexpr double kLongestStep = 0.1;
+
+bool is_modifier(int key) {
+    return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
 
 }  // namespace
 
@@ -29,6 +35,7 @@ base::Camera WindowLoop::narrowed(const glm::dvec2& at) {
 
 void WindowLoop::navigate(const Input& input, Commands& commands) {
     const bool free = !ImGui::GetIO().WantCaptureMouse;
+    navigator_.set_preset(session_.settings().mouse);
     for (const PointerEvent& event : input.pointer) {
         use_tools(
             [&](ToolContext& context) {
@@ -62,9 +69,9 @@ void WindowLoop::navigate(const Input& input, Commands& commands) {
         picture_.pick(model, sections, narrowed(*centered));
     }
     if (!asked_ && question_) {
-        const glm::dvec2 at = *std::exchange(question_, std::nullopt) - glm::dvec2(picture_place_.corner);
+        const glm::dvec2 at = *std::exchange(question_, std::nullopt);
         asked_ = true;
-        picture_.pick(model, sections, narrowed(at), PickFor::Tool);
+        picture_.probe(model, sections, narrowed(at - glm::dvec2(picture_place_.corner)), at);
     }
 }
 
@@ -78,12 +85,20 @@ void WindowLoop::select(const glm::dvec2& at) {
 
 void WindowLoop::press_keys(const Input& input, Commands& commands) {
     const bool typing = ImGui::GetIO().WantTextInput;
+    const Keys& keys = session_.settings().keys;
     for (const KeyEvent& event : input.keys) {
+        if (const auto learns = settings_form_.learns(); learns && !is_modifier(event.key)) {
+            if (keys.action_of(event.chord) != Action::Close) {
+                commands.emplace_back(SetKey{*learns, event.chord});
+            }
+            settings_form_.stop_learning();
+            continue;
+        }
         bool used = false;
         if (!typing && !session_.shown().covered()) {
             use_tools([&](ToolContext& context) { used = toolbox_.key(context, event); }, commands);
         }
-        const auto action = used ? std::nullopt : action_of(event.chord);
+        const auto action = used ? std::nullopt : keys.action_of(event.chord);
         if (action && (!typing || *action == Action::Close)) {
             commands.emplace_back(*action);
         }

@@ -135,7 +135,7 @@ void WindowLoop::frame(const Input& input) {
         return;
     }
     Stopwatch watch;
-    interface_.begin(input, input_);
+    interface_.begin(input, input_, session_.settings());
     Commands commands;
     const Layout layout = draw_interface(commands);
     picture_place_ = layout.picture;
@@ -191,12 +191,17 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     draw_console(layout.console, session_, fonts, console_height_, commands);
     draw_status(layout.status, session_, info_, note_, commands);
     if (session_.shown().help) {
-        draw_help(fonts, commands);
+        draw_help(session_.settings(), fonts, commands);
     }
     if (session_.shown().open_form) {
         open_form_.draw(recent_.paths(), fonts, commands);
     } else if (session_.document().source().nothing()) {
         draw_start(layout.picture, recent_.paths(), fonts, commands);
+    }
+    if (session_.shown().settings_form) {
+        settings_form_.draw(session_.settings(), fonts, commands);
+    } else {
+        settings_form_.stop_learning();
     }
     if (session_.shown().export_form) {
         export_form_.draw(commands);
@@ -280,6 +285,9 @@ void WindowLoop::copy(Action action) {
     if (action == Action::CopyConsole) {
         window_.set_clipboard(session_.document().messages().text());
         note_ = "The console is copied";
+    } else if (action == Action::CopyFound && !toolbox_.text().empty()) {
+        window_.set_clipboard(toolbox_.text());
+        note_ = "What is measured is copied";
     } else if (action == Action::CopyCamera) {
         const std::string option = camera_option(session_.view().picture.camera);
         window_.set_clipboard(option);

@@ -17,6 +17,7 @@
 #include "ui/viewer/picture_view.h"
 #include "ui/viewer/recent_files.h"
 #include "ui/viewer/session.h"
+#include "ui/viewer/settings_form.h"
 #include "ui/viewer/text_panel.h"
 #include "ui/viewer/toolbox.h"
 #include "ui/viewer/window.h"
@@ -63,6 +64,7 @@ class WindowLoop {
     void receive(const DrawnStep& drawn);
     void receive(const SavedPicture& saved);
     void receive(const PickedPoint& picked);
+    void receive(const ProbedPlace& probed);
     void receive(const PickedSurfaces& picked);
     void log(double frame_ms);
 
@@ -87,11 +89,13 @@ class WindowLoop {
     RecentFiles recent_;
     OpenForm open_form_;
     ExportForm export_form_;
+    SettingsForm settings_form_;
     ExportJob export_job_;
     SaveForm save_form_;
     FramePlan plan_;
     std::optional<PictureStep> drawing_;  ///< Asked of picture_, and not received yet.
     PictureRequest wanted_;
+    ViewMarks wanted_marks_;
     std::shared_ptr<const Model> wanted_model_;
     PictureInfo info_;
     std::uint64_t wanted_version_ = 0, shown_version_ = 0;  ///< Count the pictures that were wanted.

@@ -58,24 +58,23 @@ void WindowLoop::receive(const SavedPicture& saved) {
 }
 
 void WindowLoop::receive(const PickedPoint& picked) {
-    switch (picked.purpose) {
-        case PickFor::Navigation:
-            navigator_.answer(picked.surface ? std::optional(picked.surface->point) : std::nullopt);
-            break;
-        case PickFor::Tool: {
-            asked_ = false;
-            Commands commands;
-            use_tools([&](ToolContext& context) { toolbox_.answer(context, picked.surface); }, commands);
-            for (const Command& command : commands) {
-                perform(command);
-            }
-            break;
-        }
-        case PickFor::Center:
-            if (picked.surface) {
-                session_.look_at(picked.surface->point);
-            }
-            break;
+    if (picked.purpose == PickFor::Navigation) {
+        navigator_.answer(picked.surface ? std::optional(picked.surface->point) : std::nullopt);
+    } else if (picked.surface) {
+        session_.look_at(picked.surface->point);
+    }
+}
+
+void WindowLoop::receive(const ProbedPlace& probed) {
+    asked_ = false;
+    Commands commands;
+    use_tools(
+        [&](ToolContext& context) {
+            toolbox_.answer(context, {probed.at, probed.surface, probed.face, probed.edge, probed.corner});
+        },
+        commands);
+    for (const Command& command : commands) {
+        perform(command);
     }
 }
 
@@ -119,12 +118,14 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     const bool other_model = model != wanted_model_;
     const bool other = (other_model && !session_.customizing()) || request.style != wanted_.style ||
                        request.layers != wanted_.layers || request.engine != wanted_.engine;
-    if (!other && !other_model && request == wanted_) {
+    const ViewMarks marks = session_.shown().marks();
+    if (!other && !other_model && request == wanted_ && marks == wanted_marks_) {
         return;
     }
     other ? plan_.replaced(seconds()) : plan_.moved(seconds());
     plan_.set_samples(request.samples);
     wanted_ = request;
+    wanted_marks_ = marks;
     wanted_model_ = model;
     ++wanted_version_;
     info_.error.clear();
@@ -144,7 +145,7 @@ void WindowLoop::draw_picture() {
     }
     if (const auto step = busy ? std::nullopt : plan_.next(seconds())) {
         drawing_ = *step;
-        picture_.draw(wanted_model_, wanted_, *step, wanted_version_);
+        picture_.draw(wanted_model_, wanted_, wanted_marks_, *step, wanted_version_);
         news |= receive();
     }
     if (news) {
@@ -174,6 +175,7 @@ void WindowLoop::log(double frame_ms) {
         record.text_line = static_cast<int>(session_.text().range.line);
     }
     record.tool = toolbox_.info().name;
+    record.found = toolbox_.text();
     record.camera = session_.view().picture.camera;
     log_.write(record);
 }

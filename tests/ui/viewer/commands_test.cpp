@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ui/viewer/camera_control.h"
+#include "ui/viewer/keys.h"
 #include "ui/viewer/session.h"
 
 namespace ui {
@@ -22,7 +23,7 @@ TEST(Commands, EveryActionIsListedOnceAndWithoutSharedKeys) {
         for (const Chord& chord : each.keys) {
             if (chord.key != 0) {
                 EXPECT_TRUE(chords.insert({chord.key, chord.modifiers}).second) << text(chord);
-                EXPECT_EQ(action_of(chord), each.action) << text(chord);
+                EXPECT_EQ(Keys().action_of(chord), each.action) << text(chord);
             }
         }
     }
@@ -30,9 +31,9 @@ TEST(Commands, EveryActionIsListedOnceAndWithoutSharedKeys) {
 }
 
 TEST(Commands, NoKeyIsNoAction) {
-    EXPECT_EQ(action_of({}), std::nullopt);
-    EXPECT_EQ(action_of({GLFW_KEY_F20, 0}), std::nullopt);
-    EXPECT_EQ(action_of({GLFW_KEY_V, GLFW_MOD_ALT}), std::nullopt);
+    EXPECT_EQ(Keys().action_of({}), std::nullopt);
+    EXPECT_EQ(Keys().action_of({GLFW_KEY_F20, 0}), std::nullopt);
+    EXPECT_EQ(Keys().action_of({GLFW_KEY_V, GLFW_MOD_ALT}), std::nullopt);
 }
 
 TEST(Commands, StandardViewsHaveOpenscadsKeys) {

@@ -1,6 +1,7 @@
 // From events of the mouse to the camera.
 #include "ui/viewer/navigator.h"
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 namespace ui {
@@ -13,7 +14,7 @@ class NavigatorTest : public testing::Test {
         event.kind = kind;
         event.position = position;
         event.button = button;
-        event.shift = shift;
+        event.modifiers = shift ? GLFW_MOD_SHIFT : 0;
         event.time = time_ += 0.1;
         navigator_.handle(event, picture_, free_, camera_);
     }
@@ -168,6 +169,38 @@ TEST_F(NavigatorTest, SlowOrDistantClicksAreNotOne) {
     EXPECT_EQ(navigator_.take_double_click(), std::nullopt);
     send(PointerKind::Press, {340, 250}, Button::Left);
     EXPECT_EQ(navigator_.take_double_click(), std::nullopt);
+}
+
+TEST_F(NavigatorTest, PresetsMoveAsOtherProgramsDo) {
+    navigator_.set_preset(mouse_preset("Blender"));
+    drag(Button::Left);
+    EXPECT_FALSE(turned());
+    EXPECT_FALSE(shifted());
+    drag(Button::Middle);
+    EXPECT_TRUE(turned());
+    EXPECT_FALSE(shifted());
+    drag(Button::Middle, true);
+    EXPECT_TRUE(shifted());
+    camera_ = {};
+    send(PointerKind::Press, {220, 170}, Button::Left);
+    send(PointerKind::Release, {220, 170}, Button::Left);
+    EXPECT_TRUE(navigator_.take_click()) << "the left button selects everywhere";
+
+    navigator_.set_preset(mouse_preset("FreeCAD"));
+    send(PointerKind::Press, {200, 200}, Button::Middle);
+    send(PointerKind::Press, {200, 200}, Button::Left);
+    send(PointerKind::Move, {230, 215});
+    EXPECT_TRUE(turned());
+    EXPECT_FALSE(shifted());
+    send(PointerKind::Release, {230, 215}, Button::Left);
+    send(PointerKind::Release, {230, 215}, Button::Middle);
+    EXPECT_FALSE(navigator_.dragging());
+
+    navigator_.set_preset(0);
+    const double distance = camera_.distance;
+    drag(Button::Right, true);
+    EXPECT_NE(camera_.distance, distance) << "Shift + right zooms";
+    EXPECT_EQ(mouse_preset("Nothing"), 0U);
 }
 
 }  // namespace

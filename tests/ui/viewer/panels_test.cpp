@@ -21,7 +21,7 @@ class Panels : public testing::Test {
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
         ImGui::GetIO().DisplaySize = {1280, 1400};
-        apply_theme(1);
+        apply_theme(1, false);
         fonts_ = load_fonts(1);
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
@@ -286,7 +286,7 @@ class OtherParts : public Panels {
         (void)draw_menu_bar(*session_, info_, Action::SelectTool, commands);
         draw_overlay({{0, 30}, {900, 600}}, *session_, info_, fonts_, 1);
         draw_status({{0, 1370}, {1280, 30}}, *session_, info_, "note", commands_);
-        draw_help(fonts_, commands);
+        draw_help({}, fonts_, commands);
     }
 };
 

@@ -59,7 +59,7 @@ class PictureViewTest : public test_support::GlTest {
         PictureView view = make(threaded);
         request_.samples = 4;
         for (int sample = 0; sample < samples; ++sample) {
-            view.draw(model_, request_, {1, sample}, 7);
+            view.draw(model_, request_, {}, {1, sample}, 7);
             const auto done = wait<DrawnStep>(view);
             EXPECT_EQ(done.error, "");
             EXPECT_EQ(done.version, 7U);
@@ -103,14 +103,14 @@ TEST_P(PictureViewTest, AStepThatIsStoppedShowsNothingAndTheNextIsRight) {
     PictureRequest large = request_;
     large.size = {2000, 2000};
     for (int i = 0; i < 3; ++i) {
-        view.draw(model_, large, {1, 0}, 1);
+        view.draw(model_, large, {}, {1, 0}, 1);
         std::this_thread::sleep_for(i * 5ms);
         view.stop_drawing();
         EXPECT_TRUE(wait<DrawnStep>(view).stopped);
     }
     EXPECT_EQ(shown(view, {8, 8})[0], 128) << "nothing is drawn yet";
     request_.samples = 4;
-    view.draw(model_, request_, {1, 0}, 2);
+    view.draw(model_, request_, {}, {1, 0}, 2);
     EXPECT_FALSE(wait<DrawnStep>(view).stopped);
     EXPECT_EQ(shown(view, request_.size), expected);
 }
@@ -119,7 +119,7 @@ TEST_P(PictureViewTest, ACoarsePictureFillsItsPlace) {
     for (const bool threaded : {false, true}) {
         PictureView view = make(threaded);
         EXPECT_EQ(shown(view, {8, 8})[0], 128) << "nothing is drawn yet";
-        view.draw(model_, request_, {4, 0}, 1);
+        view.draw(model_, request_, {}, {4, 0}, 1);
         (void)wait<DrawnStep>(view);
         const auto coarse = shown(view, request_.size);
         const auto differs = std::count_if(coarse.begin(), coarse.end(), [&](auto c) { return c != coarse[0]; });
@@ -166,7 +166,7 @@ TEST_P(PictureViewTest, AnErrorIsAResult) {
             [](const gl::Functions&) -> std::unique_ptr<npr::Style> { throw gl::Error("no such style"); },
             []() -> npr::Paint { throw gl::Error("no such style"); }};
         request_.draw_as(broken);
-        view.draw(model_, request_, {1, 0}, 1);
+        view.draw(model_, request_, {}, {1, 0}, 1);
         EXPECT_EQ(wait<DrawnStep>(view).error, "no such style");
     }
 }
@@ -174,7 +174,7 @@ TEST_P(PictureViewTest, AnErrorIsAResult) {
 TEST_P(PictureViewTest, ItsEndDropsWhatWaits) {
     PictureView view = make(true);
     for (int i = 0; i < 50; ++i) {
-        view.draw(model_, request_, {1, 0}, 1);
+        view.draw(model_, request_, {}, {1, 0}, 1);
     }
     EXPECT_TRUE(view.busy());
 }

@@ -29,7 +29,7 @@ class Scribe : public Tool {
     void release(ToolContext&, const glm::dvec2&) override { note("release"); }
     void click(ToolContext&, const glm::dvec2&) override { note("click"); }
     bool key(ToolContext&, const KeyEvent& event) override { return !handle_ && event.key == GLFW_KEY_W; }
-    void answer(ToolContext&, const std::optional<PickedSurface>&) override { note("answer"); }
+    void answer(ToolContext&, const ToolAnswer&) override { note("answer"); }
 
     static std::string& diary() {
         static thread_local std::string text;

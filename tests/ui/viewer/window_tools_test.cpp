@@ -62,5 +62,74 @@ TEST_F(WindowTools, FliesIntoTheSolid) {
     wait_for(from, [](const Json& frame) { return frame.at("tool") == "select"; });
 }
 
+TEST_F(WindowTools, MeasuresWhatIsClicked) {
+    open({"--camera", "0,0,0,0,0,0,100", "--projection", "o"});  // From above: 20 is 302 pixels.
+    wait_for_picture();
+    robot("key m");
+    wait_for(0, [](const Json& frame) { return frame.at("found").get<std::string>().starts_with("model 20 × 20"); });
+    robot("mousemove 500 200 sleep 0.5 click 1");
+    wait_for(0, [](const Json& frame) { return frame.at("found").get<std::string>().starts_with("plane"); });
+    std::size_t from = frames().size();
+    robot("key Escape");  // What was picked; then two corners, and the edge between them.
+    wait_for(from, [](const Json& frame) { return frame.at("found").get<std::string>().starts_with("model"); });
+    const int middle = 324, half = 151;
+    const auto click = [&](int x, int y) {
+        robot("mousemove " + std::to_string(x) + " " + std::to_string(y) + " sleep 0.5 click 1");
+    };
+    click(485 - half + 3, middle - half + 3);
+    wait_for(from, [](const Json& frame) { return frame.at("found").get<std::string>().starts_with("point"); });
+    click(485 + half - 3, middle - half + 3);
+    const Json two = wait_for(
+        from, [](const Json& frame) { return frame.at("found").get<std::string>().find("distance 20\n") != ~0UL; });
+    EXPECT_EQ(two.at("selected"), "") << "clicks do not select now";
+    robot("key Escape key Escape");
+    wait_for(from, [](const Json& frame) { return frame.at("tool") == "select"; });
+}
+
+TEST_F(WindowTools, GridAndScalesAreInTheScene) {
+    open();
+    wait_for_picture();
+    std::this_thread::sleep_for(500ms);
+    const std::size_t ground = count(kCornfield);
+    const auto drawn_over = [&] {
+        for (int i = 0; i < 50 && count(kCornfield) > ground - 5000; ++i) {
+            std::this_thread::sleep_for(100ms);
+        }
+        return ground - count(kCornfield);
+    };
+    robot("key g");
+    EXPECT_GT(drawn_over(), 5000U);
+    robot("key g");
+    ASSERT_TRUE(shows(kCornfield, ground - 20));
+    const auto black = [](const std::uint8_t* p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; };
+    const std::size_t before = count(black);
+    robot("key x");
+    for (int i = 0; i < 50 && count(black) < before + 300; ++i) {
+        std::this_thread::sleep_for(100ms);
+    }
+    EXPECT_GT(count(black), before + 300);
+}
+
+TEST_F(WindowTools, SettingsAreKept) {
+    open();
+    wait_for_picture();
+    robot("key ctrl+comma");
+    std::this_thread::sleep_for(500ms);
+    robot("key Escape");
+    folder_.write(".local/state/csgscope/settings", "theme = light\nmouse = Blender\nkey Grid = J\n");
+    robot("key ctrl+q");
+    ASSERT_EQ(program_->wait(kPatience), 0);
+    open();
+    const Json first = wait_for_picture();
+    EXPECT_TRUE(shows({240, 241, 242}, 50'000)) << "panels of the light theme";
+    std::size_t from = frames().size();
+    robot("mousemove 60 80 mousedown 1 mousemove_relative 60 40 mouseup 1");
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(frames().back().at("camera"), first.at("camera")) << "the left button moves nothing";
+    robot("mousemove 60 80 mousedown 2 mousemove_relative 60 40 mouseup 2");
+    wait_for(from,
+             [&](const Json& frame) { return frame.at("camera").at("rotation") != first.at("camera").at("rotation"); });
+}
+
 }  // namespace
 }  // namespace ui

@@ -25,7 +25,9 @@ class DepthCanvas {
     DepthCanvas(base::Image& image, const base::View& view, const layers::HostStack& first)
         : image_(image), clip_(view.clip_from_world()), first_(first) {}
 
-    void set_color(const glm::vec3& color) {
+    /// `share`: of what is drawn; the rest is what was there.
+    void set_color(const glm::vec3& color, double share = 1) {
+        share_ = share;
         for (int i = 0; i < 3; ++i) {
             rgb_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(color[i] * 255));
         }
@@ -88,7 +90,11 @@ class DepthCanvas {
             return;
         }
         const std::size_t pixel = (static_cast<std::size_t>(image_.height) - 1 - row) * width + column;
-        std::copy(rgb_.begin(), rgb_.end(), image_.rgba.begin() + static_cast<std::ptrdiff_t>(4 * pixel));
+        std::transform(rgb_.begin(), rgb_.end(), image_.rgba.begin() + static_cast<std::ptrdiff_t>(4 * pixel),
+                       image_.rgba.begin() + static_cast<std::ptrdiff_t>(4 * pixel),
+                       [this](std::uint8_t mark, std::uint8_t ground) {
+                           return static_cast<std::uint8_t>(std::lround(share_ * mark + (1 - share_) * ground));
+                       });
         image_.rgba[4 * pixel + 3] = 255;
     }
 
@@ -132,6 +138,7 @@ class DepthCanvas {
     glm::dmat4 clip_;
     const layers::HostStack& first_;
     std::array<std::uint8_t, 3> rgb_{};
+    double share_ = 1;
 };
 
 /// The seven strokes of a digit as letters: a is the top, then clockwise, g in the middle; '.' and '-' as they are.
@@ -223,6 +230,19 @@ void draw_scale(DepthCanvas& canvas, int axis, double reach) {
     }
 }
 
+/// Of z = 0, as far as the axes go; each tenth line is a large step's.
+void draw_grid(DepthCanvas& canvas, const glm::vec3& color, double reach) {
+    constexpr int kSmall = 10;
+    const double step = std::pow(10.0, std::floor(std::log10(reach)) - 1);
+    const int most = std::min(static_cast<int>(std::floor(reach / step)), 5 * kSmall);
+    const double end = most * step;
+    for (int i = -most; i <= most; ++i) {
+        canvas.set_color(color, i % kSmall == 0 ? 0.35 : 0.15);
+        canvas.line({i * step, -end, 0}, {i * step, end, 0});
+        canvas.line({-end, i * step, 0}, {end, i * step, 0});
+    }
+}
+
 }  // namespace
 
 void draw_view_marks(base::Image& image, const ViewMarks& marks, const MarkColors& colors, const base::View& view,
@@ -233,6 +253,9 @@ void draw_view_marks(base::Image& image, const ViewMarks& marks, const MarkColor
         for (const csg::solid::PlacedLeaf& leaf : geometry.leaves) {
             draw_edges(canvas, leaf);
         }
+    }
+    if (marks.grid) {
+        draw_grid(canvas, colors.axes, camera.distance);
     }
     if (marks.axes) {
         canvas.set_color(colors.axes);

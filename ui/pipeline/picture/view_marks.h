@@ -13,7 +13,8 @@ struct ViewMarks {
     bool scales = false;  ///< Ticks and numbers of the axes; not without these.
     bool crosshairs = false;
     bool edges = false;
-    [[nodiscard]] bool any() const { return axes || crosshairs || edges; }
+    bool grid = false;  ///< Of the plane z = 0.
+    [[nodiscard]] bool any() const { return axes || crosshairs || edges || grid; }
     bool operator==(const ViewMarks&) const = default;
 };
 
@@ -23,8 +24,8 @@ struct MarkColors {
 
 /// Lines one pixel wide without antialiasing, hidden by what lies before them. Axes are as long as the eye is far from
 /// where it looks, their negative halves dashed. Edges are those of the shapes that the model is made of, where they
-/// lie in what is seen: half as dark as that. `view`: of the image; `first`: the first layer of the model in that view,
-/// or no layer.
+/// lie in what is seen: half as dark as that. A grid has a line for each small step of the scales, and is seen through.
+/// `view`: of the image; `first`: the first layer of the model in that view, or no layer.
 void draw_view_marks(base::Image& image, const ViewMarks& marks, const MarkColors& colors, const base::View& view,
                      const csg::solid::Geometry& geometry, const layers::HostStack& first);
 
