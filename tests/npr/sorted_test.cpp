@@ -137,7 +137,8 @@ glm::vec3 seen(npr::ColoredMesh mesh, const std::map<std::string, std::string>& 
     accumulator.paint_sample(
         [&](const npr::CpuFrame& frame) { painter.paint(frame, true); }, p, 0,
         {glm::dvec3(-9), glm::dvec3(9), [&](const base::View&) -> const layers::HostStack& { return none; }});
-    const auto c = accumulator.image().pixel(4, 4);
+    const base::Image image = accumulator.image();
+    const std::uint8_t* const c = image.pixel(4, 4);
     return glm::vec3(c[0], c[1], c[2]) / 255.0F;
 }
 

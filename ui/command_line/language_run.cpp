@@ -217,6 +217,15 @@ std::shared_ptr<const csg::Tree> LanguageRun::evaluate_at(double time) {
     return run.good() ? run.evaluation.tree : nullptr;
 }
 
+std::shared_ptr<const csg::Tree> LanguageRun::evaluate_text(const std::string& text) {
+    csg::scad::Request request = request_;
+    request.text = text;
+    const ProgramRun run =
+        runner_.run(std::move(request), false, [this](const auto&, const auto&) { return messages_.warnings(); });
+    base::end_if_asked(limit_.token());
+    return run.good() ? run.evaluation.tree : nullptr;
+}
+
 std::shared_ptr<const csg::Tree> LanguageRun::evaluate_other(const std::string& path) {
     csg::scad::Request request = request_;
     request.path = path;
@@ -303,7 +312,8 @@ class MeasuresElsewhere final : public csg::scad::Measures {
 
 std::optional<int> run_or_throw(const std::vector<std::string>& arguments,
                                 const std::function<void(std::size_t said)>& hand_over) {
-    if (arguments.empty() || arguments[0] == "compare" || arguments[0] == "check" || arguments[0] == "motion") {
+    if (arguments.empty() || arguments[0] == "compare" || arguments[0] == "check" || arguments[0] == "move" ||
+        arguments[0] == "motion") {
         return std::nullopt;
     }
     const CommandLine line = read_command_line(arguments);

@@ -49,6 +49,8 @@ class LanguageRun {
     /// The tree at another $t, once there has been a run; null where there is none, and an error has been told. Makes
     /// no outputs.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_at(double time);
+    /// The tree with another text of the main file; null where that has an error, which is not told.
+    [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_text(const std::string& text);
     /// The tree of another file, evaluated in the same way, once the source has been; null where an error ended that.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_other(const std::string& path);
     void write_dependencies() const;

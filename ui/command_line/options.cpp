@@ -382,7 +382,8 @@ const Command& command_of(const std::vector<std::string>& arguments) {
         {"",
          "csgscope draws OpenSCAD models: shaded, as a blueprint, as a sketch or as an X-ray.\n"
          "csgscope pick tells what lies behind a pixel, csgscope measure distances and radii, csgscope check looks "
-         "for faults, csgscope motion tells what moves, csgscope compare compares with a mesh: each has a --help of "
+         "for faults, csgscope motion tells what moves, csgscope move moves a solid in the text, csgscope compare "
+         "compares with a mesh: each has a --help of "
          "its own.",
          declare}};
     return *std::find_if(std::begin(kCommands), std::end(kCommands) - 1,

@@ -23,6 +23,7 @@
 #include "ui/command_line/measure.h"
 #include "ui/command_line/medium_options.h"
 #include "ui/command_line/motion.h"
+#include "ui/command_line/move.h"
 #include "ui/command_line/options.h"
 #include "ui/command_line/part_style_options.h"
 #include "ui/command_line/pick.h"
@@ -545,6 +546,9 @@ int run_or_throw(const std::vector<std::string>& arguments) {
     }
     if (!arguments.empty() && arguments[0] == "check") {
         return run_check({arguments.begin() + 1, arguments.end()});
+    }
+    if (!arguments.empty() && arguments[0] == "move") {
+        return run_move({arguments.begin() + 1, arguments.end()});
     }
     if (!arguments.empty() && arguments[0] == "motion") {
         return run_motion({arguments.begin() + 1, arguments.end()});

@@ -63,7 +63,62 @@ std::vector<LiteralText> literals_in(const Program& program, ExprId value, std::
     return literals;
 }
 
+/// Adds the names of variables in an expression, each once.
+void add_names(const Program& program, ExprId value, std::vector<Symbol>& names) {
+    std::vector<ExprId> left{value};
+    while (!left.empty()) {
+        const ExprId id = left.back();
+        left.pop_back();
+        if (id == kNone) {
+            continue;
+        }
+        const Expr& e = program[id];
+        if (e.kind == ExprKind::Identifier && std::find(names.begin(), names.end(), e.name) == names.end()) {
+            names.push_back(e.name);
+        }
+        add_parts(program, e, left);
+    }
+}
+
+void add_numbers(const Program& program, ExprId value, std::vector<LiteralText>& numbers) {
+    for (const LiteralText& literal : literals_in(program, value, program.units[0].file)) {
+        const ExprKind kind = program[literal.expression].kind;
+        if (kind == ExprKind::Number || kind == ExprKind::Unary) {
+            numbers.push_back(literal);
+        }
+    }
+}
+
 }  // namespace
+
+std::vector<NumberSource> numbers_behind(const Program& program, const SourceLocation& place) {
+    std::vector<NumberSource> sources;
+    const auto call = std::find_if(program.instantiations.begin(), program.instantiations.end(),
+                                   [&](const Instantiation& each) { return each.where.begin() == place; });
+    if (call == program.instantiations.end()) {
+        return sources;
+    }
+    std::vector<Symbol> names;
+    NumberSource own;
+    for (const Argument& a : program.arguments_of(*call)) {
+        add_numbers(program, a.value, own.numbers);
+        add_names(program, a.value, names);
+    }
+    sources.push_back(std::move(own));
+    const auto assignments = program.assignments_of(program.blocks[program.units[0].block]);
+    for (std::size_t i = 0; i < names.size(); ++i) {  // Grows by the names in what they are assigned.
+        for (const Argument& a : assignments) {
+            if (a.name == names[i] && a.value != kNone && a.where.file == program.units[0].file) {
+                NumberSource source{program.symbols.text(a.name), {}};
+                add_numbers(program, a.value, source.numbers);
+                add_names(program, a.value, names);
+                sources.push_back(std::move(source));
+            }
+        }
+    }
+    std::erase_if(sources, [](const NumberSource& source) { return source.numbers.empty(); });
+    return sources;
+}
 
 std::optional<CallText> call_at(const Program& program, const SourceLocation& place) {
     const auto i = std::find_if(program.instantiations.begin(), program.instantiations.end(),

@@ -36,6 +36,16 @@ struct CallText {
 /// does not lie in one file. Calls in bodies that have not been built are not found: no node is of them.
 [[nodiscard]] std::optional<CallText> call_at(const Program& program, const SourceLocation& place);
 
+/// Numbers that an edit of one place of the text changes together.
+struct NumberSource {
+    std::string variable;              ///< That they are assigned to at the top of the main file; empty: in the call.
+    std::vector<LiteralText> numbers;  ///< In the order of the text.
+};
+
+/// What the arguments of the call at the place are made of, as far as it is numbers written out in the main file: those
+/// of the call itself first, then those of each variable that it names, or that such a variable names.
+[[nodiscard]] std::vector<NumberSource> numbers_behind(const Program& program, const SourceLocation& place);
+
 /// The literal that the byte belongs to, or that ends before it; nothing where there is none. `file`:
 /// an index into Program::sources.
 [[nodiscard]] std::optional<LiteralText> literal_at(const Program& program, std::uint32_t file, std::size_t offset);

@@ -1,0 +1,57 @@
+// csgscope move as its users run it. The ways themselves: tests/ui/pipeline/move_leaf_test.
+#include <gtest/gtest.h>
+
+#include "tests/support/program_test.h"
+
+namespace {
+
+class MoveProgram : public test_support::ProgramTest {
+  protected:
+    MoveProgram() : ProgramTest(60) { folder_.write("box.scad", kText); }
+    static constexpr const char* kText =
+        "wall = 2;  // of all sides\n"
+        "module lid() translate([0, 0, 20 + wall]) cube([40, 30, wall]);\n"
+        "translate([60, 0, 0]) lid();\n"
+        "for (x = [5, 35]) translate([x, 5, 0]) cylinder(r = 2, h = 30);\n";
+};
+
+TEST_F(MoveProgram, TellsTheWays) {
+    const Result result = run("move box.scad --call 3 --by 0,5,0");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("  1.  change translate() (box.scad:3:1): moves 1 thing\n      0 -> 5\n"),
+              std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("put a translate() before lid()"), std::string::npos) << result.out;
+    const Result loop = run("move box.scad --call 4 --number 2 --by 3,0,0");
+    EXPECT_NE(loop.out.find("change for() (box.scad:4:1): moves 1 thing\n      35 -> 38"), std::string::npos)
+        << loop.out;
+}
+
+TEST_F(MoveProgram, WritesTheText) {
+    EXPECT_EQ(run("move box.scad --call 3 --by 0,5,0 -o box.scad").status, 0);
+    std::string expected = kText;
+    expected.replace(expected.find("[60, 0, 0]"), 10, "[60, 5, 0]");
+    EXPECT_EQ(folder_.read("box.scad"), expected);
+    EXPECT_EQ(run("move box.scad --call 3 --by 0,-5,0 -o back.scad").status, 0);
+    EXPECT_EQ(folder_.read("back.scad"), kText);
+    const Result second = run("move box.scad --call 3 --by 0,5,0 --choice 2 -o -");
+    EXPECT_EQ(second.status, 0);
+    EXPECT_NE(second.out, folder_.read("box.scad"));
+}
+
+TEST_F(MoveProgram, RefusesWhatItCannotDo) {
+    for (const auto& [bad, part] : {std::pair("move box.scad --call 3 --by 0,0,0", "moves nothing"),
+                                    std::pair("move box.scad --call 9 --by 1,0,0", "nearest"),
+                                    std::pair("move box.scad --call 4 --number 3 --by 1,0,0", "2 solids come"),
+                                    std::pair("move box.scad --call 3 --by 1,0,0 --choice 99", "there are"),
+                                    std::pair("move box.scad --call 3 --by 1,0", "x,y,z"),
+                                    std::pair("move box.scad --cal 3 --by 1,0,0", "--call"),
+                                    std::pair("move none.scad --call 3 --by 1,0,0", "none.scad")}) {
+        const Result result = run(bad);
+        EXPECT_EQ(result.status, 1) << bad;
+        EXPECT_NE(result.err.find(part), std::string::npos) << bad << ": " << result.err;
+    }
+    EXPECT_EQ(folder_.read("box.scad"), kText);
+}
+
+}  // namespace

@@ -1,0 +1,123 @@
+// Solids moved by hand: the text changes in the bytes that are responsible, and the solid lies where it was put.
+#include "ui/pipeline/editing/move_leaf.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/csg/scad/evaluate_text.h"
+
+namespace ui {
+namespace {
+
+using Kind = MoveWay::Kind;
+
+struct Moved {
+    std::vector<MoveWay> ways;
+    std::string text;  ///< After the first of them.
+};
+
+/// The leaf of that number, by document order, moved.
+Moved move(const std::string& text, csg::LeafId leaf, const glm::dvec3& by,
+           const std::map<std::string, std::string>& files = {}) {
+    csg::scad::ProgramCache programs;
+    const auto tree_of = [&](const std::string& changed) {
+        return test::run_kept(programs, changed, files).evaluation.tree;
+    };
+    const test::Run run = test::run_kept(programs, text, files);
+    EXPECT_TRUE(run.evaluation.ok) << run.console;
+    const csg::Scene scene = csg::make_scene(*run.evaluation.tree);
+    // The cache may put another text into this program later: another stays as it is.
+    csg::scad::ProgramCache kept;
+    const test::Run same = test::run_kept(kept, text, files);
+    Moved moved;
+    moved.ways = ways_to_move(*run.evaluation.tree, scene, *same.evaluation.program, text, leaf, by, tree_of);
+    for (const MoveWay& way : moved.ways) {
+        const test::Run after = test::run(edited(text, way.edits), files);
+        const csg::Scene there = csg::make_scene(*after.evaluation.tree);
+        EXPECT_LE(
+            glm::distance(glm::dvec3(there.leaves[leaf].to_world[3]), glm::dvec3(scene.leaves[leaf].to_world[3]) + by),
+            1e-6);
+    }
+    moved.text = moved.ways.empty() ? "" : edited(text, moved.ways.front().edits);
+    return moved;
+}
+
+std::string moved_text(const std::string& text, const glm::dvec3& by, csg::LeafId leaf = 0) {
+    return move(text, leaf, by).text;
+}
+
+TEST(MoveLeaf, ChangesTheNumbersOfItsCall) {
+    EXPECT_EQ(moved_text("translate([1, 2, 3]) cube(4);  // here", {0.5, 0, -3}),
+              "translate([1.5, 2, 0]) cube(4);  // here");
+    EXPECT_EQ(moved_text("cube(1); translate( [ -1,/*y*/2 ,0] ) { sphere(1); }", {0, 0.25, 0}, 1),
+              "cube(1); translate( [ -1,/*y*/2.25 ,0] ) { sphere(1); }");
+    EXPECT_EQ(moved_text("rotate(90) translate([5, 0, 0]) cube(1);", {0, 1, 0}),
+              "rotate(90) translate([6, 0, 0]) cube(1);");
+    EXPECT_EQ(moved_text("scale(2) translate([5, 0, 0]) cube(1);", {1, 0, 0}),
+              "scale(2) translate([5.5, 0, 0]) cube(1);");
+}
+
+TEST(MoveLeaf, SolvesWhatIsComputed) {
+    EXPECT_EQ(moved_text("translate([2 * 3 + 1, 0, 0]) cube(1);", {0.5, 0, 0}).find("wrap"), std::string::npos);
+    const std::string text = "wall = 2;\ngap = wall / 4;\ntranslate([wall + gap, 0, -wall]) cube(1);\n";
+    const Moved along = move(text, 0, {1.25, 0, -1});
+    ASSERT_FALSE(along.ways.empty());
+    EXPECT_EQ(along.ways.front().kind, Kind::Variable);
+    EXPECT_EQ(along.ways.front().name, "wall");
+    EXPECT_EQ(along.text, "wall = 3;\ngap = wall / 4;\ntranslate([wall + gap, 0, -wall]) cube(1);\n");
+    EXPECT_EQ(moved_text("a = [1, 2, 3];\ntranslate(a) cube(1);", {0, 0, 1}), "a = [1, 2, 4];\ntranslate(a) cube(1);");
+    EXPECT_EQ(moved_text("module post(x) translate([x, 0, 0]) cube(1);\npost(3);", {2, 0, 0}),
+              "module post(x) translate([x, 0, 0]) cube(1);\npost(5);");
+    // Not a line: an angle's sine.
+    const Moved bent = move("translate([10 * sin(30), 0, 0]) cube(1);", 0, {1, 0, 0});
+    ASSERT_FALSE(bent.ways.empty());
+    EXPECT_EQ(bent.ways.front().kind, Kind::Call);
+}
+
+TEST(MoveLeaf, WrapsWhatHasNoPlaceOfItsOwn) {
+    const Moved cube = move("cube(3);", 0, {1, 2, 0.5});
+    ASSERT_EQ(cube.ways.size(), 1u);
+    EXPECT_EQ(cube.ways.front().kind, Kind::Wrap);
+    EXPECT_EQ(cube.text, "translate([1, 2, 0.5]) cube(3);");
+    EXPECT_EQ(moved_text("rotate([0, 0, 90]) cube(3);", {1, 0, 0}),
+              "rotate([0, 0, 90]) translate([0, -1, 0]) cube(3);");
+    // Of a library: what calls it is wrapped, and the library stays as it is.
+    const Moved screw = move("use <lib.scad>\nscrew();", 0, {0, 0, 4}, {{"lib.scad", "module screw() cylinder(5);"}});
+    ASSERT_EQ(screw.ways.size(), 1u);
+    EXPECT_EQ(screw.text, "use <lib.scad>\ntranslate([0, 0, 4]) screw();");
+}
+
+TEST(MoveLeaf, TellsWhatElseMoves) {
+    const std::string text =
+        "step = 10;\nfor (i = [0 : 3]) translate([i * step, 0, 0]) cube(1);\ntranslate([0, 5, 0]) cube(1);\n";
+    const Moved second = move(text, 1, {2, 0, 0});
+    ASSERT_GE(second.ways.size(), 2u);
+    for (const MoveWay& way : second.ways) {
+        if (way.kind == Kind::Variable) {
+            EXPECT_EQ(way.moved, 3u);  // The first stays at 0.
+        } else {
+            EXPECT_EQ(way.moved, 4u);
+        }
+        EXPECT_EQ(way.changed, 0u);
+    }
+    // Numbers that make the shape as well are no way to move it.
+    const Moved tied = move("s = 4;\ntranslate([s, 0, 0]) cube(s);", 0, {1, 0, 0});
+    ASSERT_FALSE(tied.ways.empty());
+    EXPECT_EQ(tied.ways.front().kind, Kind::Wrap);
+    // What the first of two calls is moved by moves one, by the module's body both.
+    const Moved called =
+        move("module m() translate([0, 0, 1]) cube(1);\ntranslate([5, 0, 0]) m();\nm();", 0, {1, 0, 0});
+    EXPECT_EQ(called.ways.front().moved, 1u);
+    EXPECT_EQ(called.text, "module m() translate([0, 0, 1]) cube(1);\ntranslate([6, 0, 0]) m();\nm();");
+    EXPECT_EQ(called.ways.back().moved, 2u);
+}
+
+TEST(TextEdit, IsOfThoseBytesOnly) {
+    EXPECT_EQ(edited("abcdef", {{{4, 5}, "X"}, {{0, 0}, "<"}, {{1, 3}, ""}}), "<adXf");
+    EXPECT_EQ(short_number(0.30000000000000004, 1e-9), "0.3");
+    EXPECT_EQ(short_number(-1e-12, 1e-9), "0");
+    EXPECT_EQ(short_number(1234.5, 1e-9), "1234.5");
+    EXPECT_EQ(short_number(2, 0), "2");
+}
+
+}  // namespace
+}  // namespace ui

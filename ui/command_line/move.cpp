@@ -1,0 +1,179 @@
+#include "ui/command_line/move.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "base/stop.h"
+#include "ui/command_line/call_place.h"
+#include "ui/command_line/files.h"
+#include "ui/command_line/language_run.h"
+#include "ui/command_line/messages.h"
+#include "ui/command_line/option_table.h"
+#include "ui/command_line/option_values.h"
+#include "ui/pipeline/editing/move_leaf.h"
+#include "ui/pipeline/measures.h"
+#include "ui/pipeline/plain_text.h"
+
+namespace ui {
+
+namespace {
+
+struct MoveOptions {
+    Options run;
+    std::string call;  ///< [FILE:]LINE[:COLUMN]
+    int number = 1;    ///< Of the solids that come from there.
+    glm::dvec3 by{0.0};
+    int choice = 1;
+    std::string output;  ///< Empty: the ways are told.
+    bool help = false;
+};
+
+MoveOptions read_move_options(const std::vector<std::string>& arguments) {
+    MoveOptions o;
+    std::string by;
+    double time_limit = 0;
+    OptionTable table(
+        "csgscope move moves a solid: it finds the numbers of the text that are to change, or where a "
+        "translate() is to stand.\nWithout -o it tells the ways there are.",
+        "csgscope move");
+    table.lay_out_help("The model", 34);
+    table.add({"file", "The .scad file"}, o.run.input, true);
+    const char* const what = "What to do";
+    table.add({"--call", "The solid that the call on that line makes, or is part of", "[FILE:]LINE[:COLUMN]", what},
+              o.call, true);
+    table.add({"--number", "Of several solids that come from there, which (1)", "N", what}, o.number, 1, 1'000'000'000);
+    table.add({"--by", "How far, in the world", "X,Y,Z", what}, by, true);
+    table.add({"--choice", "Which of the ways (1)", "N", what}, o.choice, 1, 1'000'000);
+    table.add({"-o,--o", "Write the text after the first way, or the one chosen, to FILE; it may be the model's",
+               "FILE", what},
+              o.output);
+    const char* const model = "The model";
+    table.add_positive({"--time-limit", "End with an error after so many seconds", "SECONDS", model}, time_limit, 1e9);
+    table.add_flag({"-q,--quiet", "Print errors only", "", model}, o.run.quiet);
+    try {
+        if (!table.read(arguments)) {
+            write_output("-", table.help());
+            o.help = true;
+            return o;
+        }
+        table.refuse_empty_values();
+        const auto n = read_numbers("--by", by, {3}, "x,y,z");
+        o.by = {n[0], n[1], n[2]};
+        if (o.by == glm::dvec3(0.0)) {
+            throw UsageError("--by 0,0,0 moves nothing");
+        }
+    } catch (const UnknownOption& unknown) {
+        throw UsageError(fmt::format("move: unknown option {}.{}", unknown.name(),
+                                     suggestion(unknown.name(), table.long_names(), " See csgscope move --help.")));
+    } catch (const UsageError& error) {
+        throw UsageError(fmt::format("move: {}", error.what()));
+    }
+    o.run.time_limit = time_limit;
+    return o;
+}
+
+/// The solids below the call, in the order of the text's run.
+std::vector<csg::LeafId> leaves_of(const csg::Tree& tree, const csg::Scene& scene, const csg::SourceLocation& call) {
+    std::vector<csg::LeafId> leaves;
+    for (csg::LeafId leaf = 0; leaf < scene.leaves.size(); ++leaf) {
+        for (const csg::OccurrenceId o : path_to(scene, scene.leaves[leaf].occurrence)) {
+            if (tree.node(scene.occurrences[o].node).where == call) {
+                leaves.push_back(leaf);
+                break;
+            }
+        }
+    }
+    return leaves;
+}
+
+std::string text_of_way(const csg::Tree& tree, const MoveWay& way, const std::string& text) {
+    std::string out;
+    switch (way.kind) {
+        case MoveWay::Kind::Call:
+            out = fmt::format("change {}()", way.name);
+            break;
+        case MoveWay::Kind::Variable:
+            out = fmt::format("change the variable {}", way.name);
+            break;
+        case MoveWay::Kind::Wrap:
+            out = fmt::format("put a translate() before {}()", way.name);
+            break;
+    }
+    out += fmt::format(" ({}:{}:{}): moves {} thing{}", tree.files()[way.where.file], way.where.line, way.where.column,
+                       way.moved, way.moved == 1 ? "" : "s");
+    if (way.changed > 0) {
+        out += fmt::format(", changes {} in shape", way.changed);
+    }
+    for (const TextEdit& edit : way.edits) {
+        const std::string before = text.substr(edit.bytes.begin, edit.bytes.end - edit.bytes.begin);
+        out += before.empty() ? fmt::format("\n      + {}", edit.text)
+                              : fmt::format("\n      {} -> {}", before, edit.text);
+    }
+    return out + '\n';
+}
+
+int move_within(const MoveOptions& o, TimeLimit& limit) {
+    LanguageRun language(o.run, limit, make_measures());
+    language.read();
+    if (!language()) {
+        return 1;
+    }
+    const std::shared_ptr<const csg::Tree> tree = language.evaluation().tree;
+    const csg::Scene scene = csg::make_scene(*tree);
+    const auto call = call_at(*tree, all_calls(*tree), "--call", o.call, "call");
+    const std::vector<csg::LeafId> leaves = leaves_of(*tree, scene, call);
+    if (static_cast<std::size_t>(o.number) > leaves.size()) {
+        throw UsageError(leaves.empty() ? fmt::format("--call {}: no solid comes from there", o.call)
+                                        : fmt::format("--number {}: {} solid{} from there", o.number, leaves.size(),
+                                                      leaves.size() == 1 ? " comes" : "s come"));
+    }
+    const std::string text = read_source(o.run.input);
+    std::vector<MoveWay> ways = ways_to_move(
+        *tree, scene, *language.evaluation().program, text, leaves[static_cast<std::size_t>(o.number) - 1], o.by,
+        [&](const std::string& changed) { return language.evaluate_text(changed); }, limit.token());
+    // Of ways that do alike, the one at the call that was named.
+    std::stable_sort(ways.begin(), ways.end(), [&](const MoveWay& a, const MoveWay& b) {
+        return std::tuple(a.changed, a.moved, a.kind, a.where != call) <
+               std::tuple(b.changed, b.moved, b.kind, b.where != call);
+    });
+    if (ways.empty()) {
+        throw UsageError("no edit of this file moves it there: no call of the file leads to it");
+    }
+    if (static_cast<std::size_t>(o.choice) > ways.size()) {
+        throw UsageError(fmt::format("--choice {}: there are {} ways", o.choice, ways.size()));
+    }
+    if (!o.output.empty()) {
+        write_output(o.output, edited(text, ways[static_cast<std::size_t>(o.choice) - 1].edits));
+        return 0;
+    }
+    std::string told;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        told += fmt::format("{:>3}.  {}", i + 1, text_of_way(*tree, ways[i], text));
+    }
+    write_output("-", printable(told));
+    return 0;
+}
+
+}  // namespace
+
+int run_move(const std::vector<std::string>& arguments) {
+    return or_error(arguments, [&] {
+        const MoveOptions options = read_move_options(arguments);
+        if (options.help) {
+            return 0;
+        }
+        TimeLimit limit(options.run.time_limit);
+        try {
+            const int status = move_within(options, limit);
+            limit.end();
+            return status;
+        } catch (const base::Stopped&) {
+            limit.tell();
+            return 1;
+        }
+    });
+}
+
+}  // namespace ui
