@@ -121,6 +121,7 @@ class MoveFinder {
     /// Newton's method on the numbers, since how they lead to the place is not known: the program tells.
     std::optional<MoveWay> solved(const std::vector<LiteralText>& numbers) {
         std::vector<double> x;
+        x.reserve(numbers.size());
         for (const LiteralText& n : numbers) {
             x.push_back(std::strtod(text_.substr(n.bytes.begin, n.bytes.end - n.bytes.begin).c_str(), nullptr));
         }

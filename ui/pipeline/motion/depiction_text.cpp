@@ -106,6 +106,7 @@ class Reader {
         }
         at_ -= name.size();
         std::vector<std::string> names;
+        names.reserve(kTechniques.size());
         for (const auto& [known, technique] : kTechniques) {
             names.push_back(known);
         }

@@ -219,6 +219,7 @@ class Search {
             const bool last = t + 2 * h > request_.to, side = last || t - 2 * h < request_.from;
             const double step = last ? -h : h, begin = side ? t : t - 2 * h;
             std::vector<TrackSample> runs;
+            runs.reserve(5);
             for (int k = 0; k < 5; ++k) {
                 runs.push_back(sampler_.at(begin + k * step));
             }
