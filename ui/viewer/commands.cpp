@@ -47,6 +47,9 @@ constexpr std::array kActions{
     ActionInfo{Action::PreviousStyle, "Style", "Previous style", {{GLFW_KEY_S, kShift}}},
     ActionInfo{Action::MoreLayers, "Style", "One layer more", {{GLFW_KEY_L}}},
     ActionInfo{Action::FewerLayers, "Style", "One layer less", {{GLFW_KEY_L, kShift}}},
+    ActionInfo{Action::PlayPause, "Style", "Play or pause $t", {{GLFW_KEY_SPACE, kCtrl}}},
+    ActionInfo{Action::StepBack, "Style", "A step of $t back", {{GLFW_KEY_COMMA}}},
+    ActionInfo{Action::StepOn, "Style", "A step of $t on", {{GLFW_KEY_PERIOD}}},
 
     ActionInfo{Action::SelectTool, "Tool", "Select", {{GLFW_KEY_SPACE}}},
     ActionInfo{Action::MeasureTool, "Tool", "Measure", {{GLFW_KEY_M}}},
@@ -59,6 +62,8 @@ constexpr std::array kActions{
     ActionInfo{Action::TogglePanel, "Window", "Drawing panel", {{GLFW_KEY_F8}}},
     ActionInfo{Action::ToggleText, "Window", "Text", {{GLFW_KEY_F6}, {GLFW_KEY_T}}},
     ActionInfo{Action::ToggleCustomizer, "Window", "Customizer", {{GLFW_KEY_F7}}},
+    ActionInfo{Action::ToggleTree, "Window", "Tree", {{GLFW_KEY_F10}}},
+    ActionInfo{Action::ToggleAnimation, "Window", "Animation", {{GLFW_KEY_F11}}},
     ActionInfo{Action::ToggleConsole, "Window", "Console", {{GLFW_KEY_F9}, {GLFW_KEY_C}}},
     ActionInfo{Action::Settings, "Window", "Settings…", {{GLFW_KEY_COMMA, kCtrl}}},
     ActionInfo{Action::ClearConsole, "Window", "Clear console", {}},

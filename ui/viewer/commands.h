@@ -58,6 +58,11 @@ enum class Action {
     TogglePanel,
     ToggleText,
     ToggleCustomizer,
+    ToggleTree,
+    ToggleAnimation,
+    PlayPause,
+    StepBack,
+    StepOn,
     ToggleConsole,
     Settings,  ///< Opens the form.
     ClearConsole,
@@ -125,12 +130,38 @@ struct EditText {
 };
 /// Shows what the call does.
 struct Explain {
-    ExplainedCall call;
+    CallAt call;
 };
 /// Another of the surfaces behind the point that was clicked.
 struct StepSelection {
     int by = 1;
 };
+/// A call in the model that is shown, of which that is the text and the place ("lid.scad:12").
+struct SelectCall {
+    csg::OccurrenceId occurrence = csg::kNoOccurrence;
+    TextPlace text;
+    std::string place;
+};
+/// What the call makes, wherever it is called from, is left out, or shown again.
+struct HideCall {
+    CallAt call;
+    bool hidden = true;
+};
+/// Nothing but what the call makes; nothing: all of the model.
+struct ShowAlone {
+    std::optional<CallAt> call;
+};
+// Of the animation.
+struct SetStep {
+    int step = 0;
+};
+struct SetSteps {
+    int steps = 100;
+};
+struct SetRate {
+    double steps_per_second = 20;
+};
+struct ExportFrames {};
 struct OpenFile {
     std::filesystem::path path;
 };
@@ -181,11 +212,12 @@ struct ExportModel {
     std::filesystem::path path;
 };
 
-using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
-                             SetTransparencyParameter, SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt,
-                             Explain, ShowText, EditText, StepSelection, OpenFile, SetCustomized, ResetCustomized,
-                             UseParameterSet, SaveParameterSet, DeleteParameterSet, SetEngine, WritePicture,
-                             ExportModel, SetMouse, SetLightTheme, SetTextSize, SetKey, ResetKeys>;
+using Command =
+    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
+                 SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt, Explain, ShowText, EditText,
+                 StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
+                 DeleteParameterSet, SetEngine, WritePicture, ExportModel, SetMouse, SetLightTheme, SetTextSize, SetKey,
+                 ResetKeys, SelectCall, HideCall, ShowAlone, SetStep, SetSteps, SetRate, ExportFrames>;
 using Commands = std::vector<Command>;
 
 /// "Ctrl+Shift+V"

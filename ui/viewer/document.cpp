@@ -21,6 +21,13 @@ void Document::receive(Revision revision) {
     milliseconds_ = revision.evaluate_ms + revision.build_ms;
 }
 
+void Document::hide(const CallAt& call, bool hidden) {
+    std::erase(source_.hidden, call);
+    if (hidden) {
+        source_.hidden.push_back(call);
+    }
+}
+
 std::string Document::file_name() const {
     return source_.path == "-" ? "standard input" : std::filesystem::path(source_.path).filename().string();
 }

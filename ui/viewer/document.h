@@ -31,7 +31,13 @@ class Document {
     /// The values of the customizer's parameters in revisions to come.
     void customize(std::vector<std::string> definitions) { source_.customized = std::move(definitions); }
     /// What revisions to come show instead of the model; nothing: the model.
-    void explain(std::optional<ExplainedCall> call) { source_.explained = std::move(call); }
+    void explain(std::optional<CallAt> call) { source_.explained = std::move(call); }
+    /// Revisions to come are without what the call makes, or have it again.
+    void hide(const CallAt& call, bool hidden);
+    /// Revisions to come show that alone; nothing: all.
+    void show_alone(std::optional<CallAt> call) { source_.alone = std::move(call); }
+    /// $t of revisions to come.
+    void set_time(double time) { source_.time = time; }
     /// The parts of revisions to come.
     void divide(csg::PartRule parts) { source_.parts = std::move(parts); }
 

@@ -97,7 +97,8 @@ std::string read_all(int fd, pid_t pid, const std::stop_token& stop) {
     }
 }
 
-Exported run(const Source& source, const std::filesystem::path& path, const std::stop_token& stop) {
+Exported run(const Source& source, const std::filesystem::path& path, const std::vector<std::string>& more,
+             const std::stop_token& stop) {
     Exported result{path, false, {}};
     const Descriptor input(source.text ? memory_file(*source.text) : -1);
     std::array<int, 2> ends{-1, -1};
@@ -108,7 +109,9 @@ Exported run(const Source& source, const std::filesystem::path& path, const std:
     const Descriptor from(ends[0]);
     Descriptor to(ends[1]);
     pid_t pid = 0;
-    if (const int error = start_program(export_arguments(source, path), input.get(), to.get(), pid); error != 0) {
+    std::vector<std::string> arguments = export_arguments(source, path);
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    if (const int error = start_program(arguments, input.get(), to.get(), pid); error != 0) {
         result.text = std::strerror(error);
         return result;
     }
@@ -144,8 +147,8 @@ std::vector<std::string> export_arguments(const Source& source, const std::files
     return arguments;
 }
 
-void ExportJob::start(const Source& source, const std::filesystem::path& path) {
-    job_.start([source, path](const std::stop_token& stop) { return run(source, path, stop); });
+void ExportJob::start(const Source& source, const std::filesystem::path& path, const std::vector<std::string>& more) {
+    job_.start([source, path, more](const std::stop_token& stop) { return run(source, path, more, stop); });
 }
 
 }  // namespace ui

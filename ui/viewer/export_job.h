@@ -28,7 +28,8 @@ class ExportJob {
     /// `wake` is called from another thread when take() has something.
     explicit ExportJob(std::function<void()> wake) : job_(std::move(wake)) {}
 
-    void start(const Source& source, const std::filesystem::path& path);
+    /// `more`: further arguments.
+    void start(const Source& source, const std::filesystem::path& path, const std::vector<std::string>& more = {});
     void cancel() { job_.cancel(); }
     [[nodiscard]] bool busy() const { return job_.busy(); }
     [[nodiscard]] std::optional<Exported> take() { return job_.take(); }

@@ -32,6 +32,7 @@ std::string to_json(const FrameRecord& record) {
                        {"state", record.state},
                        {"evaluating", record.evaluating},
                        {"selected", record.selected},
+                       {"step", record.step},
                        {"text_line", record.text_line},
                        {"tool", record.tool},
                        {"found", record.found},

@@ -24,6 +24,7 @@ struct FrameRecord {
     std::string state;   ///< Of the document: "evaluating", "good", "failed" or "gone".
     bool evaluating = false;
     std::string selected;  ///< "lid.scad:12", the call of the leaf that is selected; empty: none is.
+    int step = 0;          ///< Of $t.
     int text_line = -1;    ///< That the text panel points to, 0: all of the text; -1: it is not shown.
     std::string tool;      ///< ToolInfo::name of the one in hand.
     std::string found;     ///< Tool::text of it.

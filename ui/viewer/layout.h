@@ -22,7 +22,8 @@ struct Rectangle {
 /// What is open.
 struct Shown {
     bool panel = true;
-    bool customizer = false, text = false;  ///< One of them at most.
+    bool customizer = false, text = false, tree = false;  ///< One of them at most.
+    bool animation = false;
     bool console = true;
     bool axes = true;
     bool cube = true;
@@ -40,7 +41,7 @@ struct Shown {
 };
 
 struct Layout {
-    Rectangle picture, panel, left, console, status;  ///< Empty where not shown. `left`: customizer or text.
+    Rectangle picture, panel, left, console, status, animation;  ///< Empty where not shown. `left`: see Shown.
 };
 
 /// Lays out a window of the given size below its menu bar. `scale`: of the interface, 1 for a common display.

@@ -56,6 +56,10 @@ bool checked(const Session& session, Action tool, Action action) {
             return session.shown().text;
         case Action::ToggleCustomizer:
             return session.shown().customizer;
+        case Action::ToggleTree:
+            return session.shown().tree;
+        case Action::ToggleAnimation:
+            return session.shown().animation;
         case Action::ToggleConsole:
             return session.shown().console;
         default:
@@ -69,7 +73,8 @@ void menu(const char* name, const Session& session, Action tool, Commands& comma
     }
     for (const ActionInfo& each : actions()) {
         const bool ends_group = each.action == Action::Quit || each.action == Action::Top ||
-                                each.action == Action::ToggleProjection || each.action == Action::ClearConsole;
+                                each.action == Action::ToggleProjection || each.action == Action::ClearConsole ||
+                                each.action == Action::PlayPause;
         if (std::strcmp(each.menu, name) != 0) {
             continue;
         }

@@ -28,7 +28,7 @@ float banner(const Rectangle& place, float top, const ImVec4& color, const std::
     return height;
 }
 
-std::string explanation(const ExplainedCall& call) {
+std::string explanation(const CallAt& call) {
     const char* const colors = call.name == "intersection" ? "kept is green, lost of its operands red"
                                                            : "removed is red, the rest of what it subtracts gray";
     return fmt::format("What {}() in line {} of {} does: {}. Esc shows the model again.", call.name, call.line,

@@ -50,6 +50,11 @@ void draw_status(const Rectangle& place, const Session& session, const PictureIn
 void draw_overlay(const Rectangle& place, const Session& session, const PictureInfo& picture, const Fonts& fonts,
                   float scale);
 
+/// Over the picture: the shapes of what is selected, as they are before others cut them.
+void draw_ghost(const Rectangle& place, const Session& session, float scale);
+
+void draw_animation(const Rectangle& place, const Animation& animation, Commands& commands);
+
 /// The point that is selected, and over the lower edge of the picture what it is of and the calls that made it, each of
 /// which shows its text.
 void draw_selection(const Rectangle& place, const Session& session, const Fonts& fonts, float scale,

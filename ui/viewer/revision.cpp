@@ -5,6 +5,7 @@
 #include "base/stop.h"
 #include "csg/scad/syntax/appended_text.h"
 #include "csg/tree/explain.h"
+#include "csg/tree/left_over.h"
 #include "csg/tree/out_of_memory.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/program_runner.h"
@@ -15,7 +16,7 @@ namespace ui {
 namespace {
 
 /// The tree itself where the call is not there any more, which a message tells.
-std::shared_ptr<const csg::Tree> explained_tree(const std::shared_ptr<const csg::Tree>& tree, const ExplainedCall& call,
+std::shared_ptr<const csg::Tree> explained_tree(const std::shared_ptr<const csg::Tree>& tree, const CallAt& call,
                                                 MessageLog& messages) {
     for (const csg::Statement* statement : csg::explainable(*tree)) {
         const csg::SourceLocation& where = statement->where;
@@ -33,6 +34,28 @@ std::optional<std::vector<csg::scad::CustomizerParameter>> parameters_of(Program
     const auto program = runner.load(request, [](const auto&, const auto&) { return std::size_t{0}; });
     return program && program->well_formed() ? std::optional(program->look(csg::scad::customizer_parameters))
                                              : std::nullopt;
+}
+
+std::optional<csg::SourceLocation> place_in(const csg::Tree& tree, const CallAt& call) {
+    for (const csg::Statement& statement : tree.statements()) {
+        const csg::SourceLocation& where = statement.where;
+        if (where.line == call.line && where.column == call.column && tree.files()[where.file] == call.file) {
+            return where;
+        }
+    }
+    return std::nullopt;
+}
+
+/// What is to be seen of it; calls that are not there any more do not count.
+std::shared_ptr<const csg::Tree> shown_tree(const std::shared_ptr<const csg::Tree>& tree, const Source& source) {
+    std::vector<csg::SourceLocation> hidden;
+    for (const CallAt& call : source.hidden) {
+        if (const auto where = place_in(*tree, call)) {
+            hidden.push_back(*where);
+        }
+    }
+    const auto alone = source.alone ? place_in(*tree, *source.alone) : std::nullopt;
+    return hidden.empty() && !alone ? tree : std::make_shared<const csg::Tree>(csg::left_over(*tree, hidden, alone));
 }
 
 void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
@@ -56,6 +79,7 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     request.lazy_union = source.lazy_union;
     request.view = camera;
     request.stop = stop;
+    request.time = source.time;
     revision.parameters = parameters_of(runner, request);
     request.definitions.insert(request.definitions.end(), source.customized.begin(), source.customized.end());
     const ProgramRun run = runner.run(request, source.hard_warnings, [&](const auto& message, const auto& sources) {
@@ -75,7 +99,8 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     }
     Stopwatch watch;
     const std::shared_ptr<const csg::Tree> tree =
-        source.explained ? explained_tree(evaluation.tree, *source.explained, revision.messages) : evaluation.tree;
+        source.explained ? explained_tree(evaluation.tree, *source.explained, revision.messages)
+                         : shown_tree(evaluation.tree, source);
     builder.divide(source.parts);
     builder.cut(source.sections);
     auto model = builder.build(tree, stop, evaluation.program);

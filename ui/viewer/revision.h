@@ -12,7 +12,7 @@
 #include "csg/scad/customizer/customizer.h"
 #include "csg/scad/scad.h"
 #include "ui/pipeline/model.h"
-#include "ui/viewer/explained_call.h"
+#include "ui/viewer/call_at.h"
 #include "ui/viewer/file_watcher.h"
 #include "ui/viewer/message_log.h"
 
@@ -32,7 +32,11 @@ struct Source {
     npr::Sections sections{};               ///< Those by parts are made of the model at once.
     std::vector<std::string> customized{};  ///< name=expression, which count above the definitions.
 
-    std::optional<ExplainedCall> explained{};  ///< Shown instead of the model is what this did, while it is there.
+    std::vector<CallAt> hidden{};   ///< What these make is left out …
+    std::optional<CallAt> alone{};  ///< … and all but what this makes.
+    double time = 0;                ///< $t
+
+    std::optional<CallAt> explained{};  ///< Shown instead of the model is what this did, while it is there.
 
     [[nodiscard]] bool nothing() const { return path.empty(); }
     /// The file that is followed; empty where there is none.

@@ -23,7 +23,7 @@ SelectedSurface selected_surface(const Model& model, const csg::scad::SourceSet&
         const csg::Operation operation = step->node.operation;
         if (step->statement != nullptr &&
             (operation == csg::Operation::Difference || operation == csg::Operation::Intersection)) {
-            call.explained = ExplainedCall{step->statement->name, file.string(), where.line, where.column};
+            call.explained = CallAt{step->statement->name, file.string(), where.line, where.column};
         }
         if (auto place = call_place(model, sources, *step)) {
             call.text = {std::move(place->text), place->range};

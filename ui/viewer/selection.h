@@ -9,17 +9,17 @@
 
 #include "ui/pipeline/call_chain.h"
 #include "ui/pipeline/picture/pick.h"
-#include "ui/viewer/explained_call.h"
+#include "ui/viewer/call_at.h"
 #include "ui/viewer/text_place.h"
 
 namespace ui {
 
 /// A call on the way to a leaf.
 struct SelectedCall {
-    std::string call;                        ///< As it is written, shortened.
-    std::string place;                       ///< "lid.scad:12"
-    TextPlace text;                          ///< Its `text` is null where that is not known.
-    std::optional<ExplainedCall> explained;  ///< Of a difference or an intersection.
+    std::string call;                 ///< As it is written, shortened.
+    std::string place;                ///< "lid.scad:12"
+    TextPlace text;                   ///< Its `text` is null where that is not known.
+    std::optional<CallAt> explained;  ///< Of a difference or an intersection.
 };
 
 struct SelectedSurface {

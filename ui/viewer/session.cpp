@@ -41,7 +41,8 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
 void Session::open(const std::filesystem::path& path) {
     document_ = Document(opened(path, document_.source()));
     customizer_ = Customizer(parameter_file(document_.source()));
-    selection_.clear();
+    clear_selection();
+    animation_ = {};
     text_ = {};
     watcher_ = FileWatcher(document_.source().followed());
     camera_request_.camera.reset();  // That was for another model.
@@ -70,8 +71,8 @@ std::optional<int> Session::evaluating_for() const {
 void Session::close() {
     if (shown_.covered()) {
         shown_.uncover();
-    } else if (!selection_.empty()) {
-        selection_.clear();
+    } else if (selected_ != csg::kNoOccurrence || !selection_.empty()) {
+        clear_selection();
     } else if (document_.source().explained) {
         document_.explain(std::nullopt);
         evaluate();
@@ -103,6 +104,7 @@ void Session::customize() {
 
 bool Session::update(double now) {
     bool news = false;
+    now_ = now;
     if (auto revision = job_.take()) {
         watcher_.watch(revision->files);
         if (revision->parameters) {
@@ -111,7 +113,7 @@ bool Session::update(double now) {
         const bool other_model = revision->model != nullptr;
         document_.receive(std::move(*revision));
         if (other_model) {
-            selection_.clear();  // It names leaves of the model before.
+            clear_selection();  // It names leaves of the model before.
         }
         renew_text();
         place_camera();
@@ -122,13 +124,45 @@ bool Session::update(double now) {
         evaluate();
         news = true;
     }
+    if (animation_.plays() && !evaluating() && animation_.advance(now)) {
+        run_animation();
+        news = true;
+    }
     document_.set_gone(watcher_.main_file_gone());
     return news || was_gone != (document_.state() == DocumentState::Gone);
 }
 
 void Session::select(std::vector<SelectedSurface> surfaces, const glm::dvec2& at) {
     selection_.take(std::move(surfaces), at);
+    mark_selected();
     show_selected_text();
+}
+
+void Session::mark_selected() {
+    if (selection_.empty()) {
+        mark(csg::kNoOccurrence, {});
+        return;
+    }
+    const SelectedSurface& current = selection_.current();
+    mark(current.surface.occurrence, current.calls.empty() ? "" : current.calls[0].place);
+}
+
+void Session::mark(csg::OccurrenceId occurrence, const std::string& place) {
+    selected_ = occurrence;
+    selected_place_ = place;
+    ghost_ = document_.model() ? ghost_of(*document_.model(), occurrence) : Ghost{};
+}
+
+void Session::clear_selection() {
+    selection_.clear();
+    mark(csg::kNoOccurrence, {});
+}
+
+void Session::run_animation() {
+    document_.set_time(animation_.time());
+    job_.start_after(next_revision());
+    customizing_ = true;
+    began_ = std::chrono::steady_clock::now();
 }
 
 void Session::show_selected_text() {
@@ -140,7 +174,7 @@ void Session::show_selected_text() {
 void Session::show_text(const TextPlace& place) {
     text_ = place;
     shown_.text = true;
-    shown_.customizer = false;
+    shown_.customizer = shown_.tree = false;
 }
 
 void Session::renew_text() {

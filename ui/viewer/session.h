@@ -4,10 +4,12 @@
 #include <chrono>
 #include <functional>
 
+#include "ui/viewer/animation.h"
 #include "ui/viewer/camera_control.h"
 #include "ui/viewer/commands.h"
 #include "ui/viewer/customizer.h"
 #include "ui/viewer/document.h"
+#include "ui/viewer/ghost.h"
 #include "ui/viewer/latest_job.h"
 #include "ui/viewer/layout.h"
 #include "ui/viewer/selection.h"
@@ -44,6 +46,12 @@ class Session {
     [[nodiscard]] const Shown& shown() const { return shown_; }
     [[nodiscard]] const Customizer& customizer() const { return customizer_; }
     [[nodiscard]] const Selection& selection() const { return selection_; }
+    /// What is selected, by a click in the picture or in the tree; none: kNoOccurrence.
+    [[nodiscard]] csg::OccurrenceId selected_occurrence() const { return selected_; }
+    /// "lid.scad:12"; empty where nothing is.
+    [[nodiscard]] const std::string& selected_place() const { return selected_place_; }
+    [[nodiscard]] const Ghost& ghost() const { return ghost_; }  ///< Of that.
+    [[nodiscard]] const Animation& animation() const { return animation_; }
     [[nodiscard]] const TextPlace& text() const { return text_; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
     /// Whole seconds since the evaluation that runs was asked for; nothing where none runs.
@@ -62,7 +70,14 @@ class Session {
     void close();
     void customize();
     void show_text(const TextPlace& place);
+    /// The ghost is that of the selection.
+    void mark_selected();
+    void mark(csg::OccurrenceId occurrence, const std::string& place);
+    void clear_selection();
     void show_selected_text();
+    void run_animation();
+    bool animate(const Command& command);
+    bool look_at_tree(const Command& command);
     /// The newest texts take the place of what is shown.
     void renew_text();
     void place_camera();
@@ -78,8 +93,13 @@ class Session {
     Document document_;
     ViewState view_;
     Customizer customizer_;
-    Selection selection_;  ///< In the model that is shown.
-    TextPlace text_;       ///< That the text panel shows.
+    Selection selection_;  ///< In the model that is shown, as are …
+    csg::OccurrenceId selected_ = csg::kNoOccurrence;
+    std::string selected_place_;
+    Ghost ghost_;
+    Animation animation_;
+    double now_ = 0;  ///< Of the last update.
+    TextPlace text_;  ///< That the text panel shows.
     bool customizing_ = false;
     std::chrono::steady_clock::time_point began_;  ///< The evaluation asked for last.
     Shown shown_;

@@ -24,7 +24,7 @@ bool Session::perform(const Command& command) {
     if (const auto* action = std::get_if<Action>(&command)) {
         return act(*action);
     }
-    if (change_settings(command)) {
+    if (change_settings(command) || animate(command) || look_at_tree(command)) {
         return true;
     }
     if (const auto* style = std::get_if<SetStyle>(&command)) {
@@ -56,12 +56,13 @@ bool Session::perform(const Command& command) {
         view_.picture.camera.rotation = rotation_from(look->side, view_.picture.camera.rotation);
     } else if (const auto* explain = std::get_if<Explain>(&command)) {
         document_.explain(explain->call);
-        selection_.clear();
+        clear_selection();
         evaluate();
     } else if (const auto* text = std::get_if<ShowText>(&command)) {
         show_text(text->place);
     } else if (const auto* step = std::get_if<StepSelection>(&command)) {
         selection_.step(step->by);
+        mark_selected();
         show_selected_text();
     } else if (const auto* file = std::get_if<OpenFile>(&command)) {
         open(file->path);
@@ -80,6 +81,40 @@ bool Session::perform(const Command& command) {
         customizer_.remove(deleted->name);
     } else if (const auto* engine = std::get_if<SetEngine>(&command)) {
         view_.picture.engine = engine->engine;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool Session::animate(const Command& command) {
+    if (const auto* step = std::get_if<SetStep>(&command)) {
+        animation_.go_to(step->step);
+        run_animation();
+    } else if (const auto* steps = std::get_if<SetSteps>(&command)) {
+        animation_.set_steps(steps->steps);
+    } else if (const auto* rate = std::get_if<SetRate>(&command)) {
+        animation_.set_rate(rate->steps_per_second);
+        animation_.play(animation_.plays(), now_);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool Session::look_at_tree(const Command& command) {
+    if (const auto* selected = std::get_if<SelectCall>(&command)) {
+        clear_selection();
+        mark(selected->occurrence, selected->place);
+        if (selected->text.text) {
+            text_ = selected->text;
+        }
+    } else if (const auto* hidden = std::get_if<HideCall>(&command)) {
+        document_.hide(hidden->call, hidden->hidden);
+        evaluate();
+    } else if (const auto* alone = std::get_if<ShowAlone>(&command)) {
+        document_.show_alone(alone->call);
+        evaluate();
     } else {
         return false;
     }
@@ -192,11 +227,29 @@ bool Session::act(Action action) {
             break;
         case Action::ToggleText:
             shown_.text = !shown_.text;
-            shown_.customizer = false;
+            shown_.customizer = shown_.tree = false;
             break;
         case Action::ToggleCustomizer:
             shown_.customizer = !shown_.customizer;
-            shown_.text = false;
+            shown_.text = shown_.tree = false;
+            break;
+        case Action::ToggleTree:
+            shown_.tree = !shown_.tree;
+            shown_.text = shown_.customizer = false;
+            break;
+        case Action::ToggleAnimation:
+            shown_.animation = !shown_.animation;
+            animation_.play(false, now_);
+            break;
+        case Action::PlayPause:
+            shown_.animation = true;
+            animation_.play(!animation_.plays(), now_);
+            break;
+        case Action::StepBack:
+        case Action::StepOn:
+            shown_.animation = true;
+            animation_.go_to(animation_.step() + (action == Action::StepOn ? 1 : -1));
+            run_animation();
             break;
         case Action::Settings:
             shown_.settings_form = true;

@@ -76,6 +76,9 @@ WindowEnd WindowLoop::run() {
         } else if (!picture_.busy()) {
             rest = std::min(plan_.wait(seconds()).value_or(kPollSeconds), kPollSeconds);
         }
+        if (session_.animation().plays()) {
+            rest = std::min(rest, kAdvanceSeconds);
+        }
         Input input = window_.wait(input_.empty() ? rest : 0);
         if (input.any && !only_hovers(input)) {
             input_.add(std::move(input));
@@ -182,7 +185,11 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     draw_overlay(layout.picture, session_, info_, fonts, interface_.scale());
     draw_thickness_legend(layout.picture, session_, fonts, interface_.scale());
     draw_panel(layout.panel, session_, info_, fonts, commands);
-    if (session_.shown().text) {
+    draw_ghost(layout.picture, session_, interface_.scale());
+    draw_animation(layout.animation, session_.animation(), commands);
+    if (session_.shown().tree) {
+        tree_panel_.draw(layout.left, session_, fonts, commands);
+    } else if (session_.shown().text) {
         text_panel_.draw(layout.left, session_.text(), fonts, commands);
     } else {
         customizer_panel_.draw(layout.left, session_.customizer(), fonts, commands);
@@ -236,6 +243,29 @@ void WindowLoop::export_model(const ExportModel& what) {
     export_job_.start(source, what.path);
 }
 
+void WindowLoop::export_frames() {
+    const Source& source = session_.document().source();
+    if (source.nothing()) {
+        note_ = "There is nothing to export";
+        return;
+    }
+    const PictureRequest picture = session_.view().request(pixel_size(picture_place_));
+    const std::string camera = camera_option(picture.camera);
+    std::vector<std::string> more{"--animate", std::to_string(session_.animation().steps()),
+                                  "--style",   std::string(picture.style->name),
+                                  "--size",    fmt::format("{}x{}", picture.size.x, picture.size.y),
+                                  "--samples", std::to_string(picture.samples)};
+    const std::size_t blank = camera.find(' '), next = camera.find(" --", blank);
+    more.push_back("--camera=" + camera.substr(blank + 1, next - blank - 1));
+    if (picture.camera.projection == base::Projection::Orthographic) {
+        more.insert(more.end(), {"--projection", "o"});
+    }
+    std::filesystem::path path = source.followed().empty() ? "frame.png" : source.path;
+    path.replace_extension(".png");
+    note_ = fmt::format("Exporting {} pictures…", session_.animation().steps());
+    export_job_.start(source, path, more);
+}
+
 bool WindowLoop::receive_export() {
     const auto exported = export_job_.take();
     if (!exported) {
@@ -271,6 +301,8 @@ void WindowLoop::perform(const Command& command) {
         select(selected->at);
     } else if (const auto* exported = std::get_if<ExportModel>(&command)) {
         export_model(*exported);
+    } else if (std::holds_alternative<ExportFrames>(command)) {
+        export_frames();
     } else if (const auto* edit = std::get_if<EditText>(&command)) {
         note_ = open_editor(edit->path, edit->line, edit->column);
     } else if (const auto* write = std::get_if<WritePicture>(&command)) {

@@ -20,6 +20,7 @@
 #include "ui/viewer/settings_form.h"
 #include "ui/viewer/text_panel.h"
 #include "ui/viewer/toolbox.h"
+#include "ui/viewer/tree_panel.h"
 #include "ui/viewer/window.h"
 
 namespace ui {
@@ -54,6 +55,7 @@ class WindowLoop {
     void copy(Action action);
     void open(const OpenFile& file);
     void export_model(const ExportModel& what);
+    void export_frames();
     /// True where an export has ended.
     bool receive_export();
     void save_picture(const WritePicture& what);
@@ -86,6 +88,7 @@ class WindowLoop {
     bool advances_ = false;  ///< Something goes on without input.
     CustomizerPanel customizer_panel_;
     TextPanel text_panel_;
+    TreePanel tree_panel_;
     RecentFiles recent_;
     OpenForm open_form_;
     ExportForm export_form_;

@@ -168,9 +168,8 @@ void WindowLoop::log(double frame_ms) {
     record.engine = info_.samples > 0 ? info_.engine.engine->name : "";
     record.state = state_name(session_.document().state());
     record.evaluating = session_.evaluating();
-    if (!session_.selection().empty() && !session_.selection().current().calls.empty()) {
-        record.selected = session_.selection().current().calls[0].place;
-    }
+    record.selected = session_.selected_place();
+    record.step = session_.animation().step();
     if (session_.shown().text && session_.text().text) {
         record.text_line = static_cast<int>(session_.text().range.line);
     }

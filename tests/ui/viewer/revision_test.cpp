@@ -87,5 +87,29 @@ TEST_F(RevisionTest, AMissingFileIsAnErrorAndIsWatched) {
     EXPECT_EQ(revision.files.count(folder_.path("nothing.scad")), 1U);
 }
 
+TEST_F(RevisionTest, CallsAreHiddenAndShownAlone) {
+    Source source{folder_.write("main.scad",
+                                "difference() {\n  cube(10);\n  translate([5, 5, 5]) cube(20);\n}\n"
+                                "translate([100, 0, 0]) sphere(3);\n"),
+                  {},
+                  {},
+                  true,
+                  false};
+    const std::string file = source.path;
+    source.hidden = {{"translate", file, 5, 1}, {"gone", file, 99, 1}};
+    EXPECT_EQ(make(source).model->box.hi, glm::dvec3(10));
+    source.hidden = {{"cube", file, 2, 3}};
+    EXPECT_GT(make(source).model->box.lo.x, 90) << "a difference of nothing is nothing";
+    source.hidden.clear();
+    source.alone = CallAt{"cube", file, 3, 24};
+    const Revision cutter = make(source);
+    EXPECT_EQ(cutter.model->box.lo, glm::dvec3(5));
+    EXPECT_EQ(cutter.model->box.hi, glm::dvec3(25)) << "a cutter, where it cuts";
+    source.alone.reset();
+    source.time = 0.25;
+    folder_.write("main.scad", "cube(100 * $t);");
+    EXPECT_EQ(make(source).model->box.hi, glm::dvec3(25));
+}
+
 }  // namespace
 }  // namespace ui

@@ -1,4 +1,6 @@
 // The window's tools from outside: view cube, section handle, flying.
+#include <set>
+
 #include "tests/ui/viewer/window_fixture.h"
 
 namespace ui {
@@ -129,6 +131,58 @@ TEST_F(WindowTools, SettingsAreKept) {
     robot("mousemove 60 80 mousedown 2 mousemove_relative 60 40 mouseup 2");
     wait_for(from,
              [&](const Json& frame) { return frame.at("camera").at("rotation") != first.at("camera").at("rotation"); });
+}
+
+TEST_F(WindowTools, TheTreeSelectsHidesAndShowsAlone) {
+    open({"--camera", "0,0,0,55,0,25,140"});
+    wait_for_picture();
+    robot("key F10");
+    wait_for_picture(frames().size());
+    std::size_t from = frames().size();
+    robot("mousemove 120 129 click 1");  // The third row: the cylinder.
+    wait_for(from, [](const Json& frame) { return frame.at("selected") == "model.scad:3"; });
+    EXPECT_TRUE(shows({245, 201, 178}, 1000)) << "its ends, red and seen through, where it cuts nothing";
+    robot("key Escape");
+    wait_for(frames().size() - 1, [](const Json& frame) { return frame.at("selected") == ""; });
+    from = frames().size();
+    const Json before = frames().back();
+    robot("mousemove 395 129 click 1");  // The cylinder only.
+    wait_for(from,
+             [&](const Json& frame) { return finished(frame) && frame.at("generation") != before.at("generation"); });
+    for (int i = 0; i < 50 && count(is_cut) > 200; ++i) {
+        std::this_thread::sleep_for(100ms);
+    }
+    EXPECT_LT(count(is_cut), 200U) << "a solid by itself";
+    EXPECT_GT(count(is_face), 5'000U);
+}
+
+TEST_F(WindowTools, TimeRuns) {
+    folder_.write("model.scad", "rotate(360 * $t) translate([5, 0, 0]) cube(10, center = true);\n");
+    open();
+    const Json first = wait_for_picture();
+    robot("key F11");
+    std::size_t from = frames().size();
+    robot("key period");
+    wait_for(from, [&](const Json& frame) {
+        return finished(frame) && frame.at("step") == 1 && frame.at("generation") != first.at("generation");
+    });
+    from = frames().size();
+    robot("key ctrl+space");
+    std::this_thread::sleep_for(2s);
+    robot("key ctrl+space");
+    std::set<int> steps;
+    std::set<std::uint64_t> models;
+    const std::vector<Json> all = frames();
+    for (std::size_t i = from; i < all.size(); ++i) {
+        steps.insert(all[i].at("step").get<int>());
+        models.insert(all[i].at("generation").get<std::uint64_t>());
+        EXPECT_EQ(all[i].at("camera"), first.at("camera"));
+    }
+    EXPECT_GT(steps.size(), 5U);
+    EXPECT_GT(models.size(), 5U) << "the pictures follow";
+    const Json rested = wait_for_picture(frames().size() - 1);
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(frames().back().at("step"), rested.at("step"));
 }
 
 }  // namespace

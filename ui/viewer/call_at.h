@@ -1,4 +1,4 @@
-// A difference or an intersection whose effect is shown.
+// A call of the model's text by its place, which outlives the tree that it is known from.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,11 @@
 
 namespace ui {
 
-/// By its place, which outlives the tree that it is known from.
-struct ExplainedCall {
+struct CallAt {
     std::string name;  ///< "difference"
     std::string file;  ///< As the tree names it.
     std::uint32_t line = 0, column = 0;
+    bool operator==(const CallAt&) const = default;
 };
 
 }  // namespace ui
