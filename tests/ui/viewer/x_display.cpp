@@ -104,6 +104,13 @@ double Process::processor_seconds() const {
     return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+std::size_t Process::resident_bytes() const {
+    std::ifstream file("/proc/" + std::to_string(pid_) + "/statm");
+    std::size_t all = 0, resident = 0;
+    file >> all >> resident;
+    return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
 std::string XDisplay::missing_program() {
     for (const char* program : {"Xvfb", "xdotool", "import"}) {
         if (!in_path(program)) {

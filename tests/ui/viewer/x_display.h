@@ -27,6 +27,8 @@ class Process {
     [[nodiscard]] std::optional<int> wait(std::chrono::seconds most);
     /// Processor time it has used, in seconds.
     [[nodiscard]] double processor_seconds() const;
+    /// Main memory that it holds.
+    [[nodiscard]] std::size_t resident_bytes() const;
 
   private:
     pid_t pid_ = -1;
