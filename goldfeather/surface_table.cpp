@@ -93,6 +93,7 @@ void fill(layers::SurfaceTable& table, const csg::Scene& scene, const csg::solid
         table.planes.push_back(row_of(plane, frame.center));
     }
     table.groups = smooth_groups(geometry);
+    table.smooth = {};
 }
 
 }  // namespace
@@ -120,6 +121,7 @@ void update(layers::SurfaceTable& table, const csg::Scene& scene, const csg::sol
     if (!change.leaves.empty()) {
         table.groups = smooth_groups(geometry);
         rank_parts(table, scene, geometry);
+        table.smooth = {};
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "layers/smooth_facets.h"
 #include "layers/surface.h"
 
 namespace layers {
@@ -39,6 +40,7 @@ struct SurfaceTable {
     std::vector<glm::vec4> planes;  ///< By plane: normal in world coordinates, offset from local_center.
     /// Of planes and leaves: smooth surfaces (layers/smooth_groups.glsl).
     std::vector<std::uint32_t> groups;
+    SmoothFacets smooth;           ///< Where they were asked for.
     glm::dvec3 local_center{0.0};  ///< World coordinates.
     double diagonal = 1;           ///< Of the scene's box.
 };

@@ -1,5 +1,7 @@
 #include "layers/texture_stack.h"
 
+#include <array>
+
 namespace layers {
 namespace {
 
@@ -20,11 +22,22 @@ SurfaceBuffers::SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& tabl
       leaves(gl),
       planes(gl),
       groups(gl),
+      facet_starts(gl),
+      facets(gl),
       local_center(table.local_center),
       diagonal(table.diagonal) {
     leaves.upload<LeafRow>(table.leaves);
     planes.upload<glm::vec4>(table.planes);
     groups.upload<std::uint32_t>(table.groups);
+    take(table.smooth);
+}
+
+void SurfaceBuffers::take(const SmoothFacets& smooth) {
+    knows_facets = !smooth.starts.empty();
+    const std::vector<std::uint32_t> none(knows_facets ? 0 : planes.size() / sizeof(glm::vec4) + 1);
+    const std::array<SmoothFacet, 1> nothing{};
+    facet_starts.upload<std::uint32_t>(knows_facets ? smooth.starts : none);
+    facets.upload<SmoothFacet>(smooth.facets.empty() ? std::span<const SmoothFacet>(nothing) : smooth.facets);
 }
 
 void SurfaceBuffers::update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes) {
@@ -33,6 +46,9 @@ void SurfaceBuffers::update(const SurfaceTable& table, std::span<const std::uint
         planes.write<glm::vec4>(plane * sizeof(glm::vec4), {&table.planes[plane], 1});
     }
     groups.upload<std::uint32_t>(table.groups);
+    if (knows_facets || !table.smooth.starts.empty()) {
+        take(table.smooth);
+    }
 }
 
 void grow(const gl::Functions& gl, TextureStack& stack, int layers) {
@@ -80,6 +96,8 @@ void bind(const TextureStack& stack) {
     stack.table->leaves.bind(GL_SHADER_STORAGE_BUFFER, 0);
     stack.table->planes.bind(GL_SHADER_STORAGE_BUFFER, 1);
     stack.table->groups.bind(GL_SHADER_STORAGE_BUFFER, 10);
+    stack.table->facet_starts.bind(GL_SHADER_STORAGE_BUFFER, 12);
+    stack.table->facets.bind(GL_SHADER_STORAGE_BUFFER, 13);
 }
 
 }  // namespace layers

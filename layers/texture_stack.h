@@ -17,11 +17,14 @@ struct SurfaceBuffers {
     SurfaceBuffers(const gl::Functions& gl, const SurfaceTable& table);
     /// The table, as large as before, has other rows for these planes, and another diagonal.
     void update(const SurfaceTable& table, std::span<const std::uint32_t> changed_planes);
+    void take(const SmoothFacets& smooth);
 
     std::vector<PartLook> parts;
     gl::Buffer leaves;  ///< Of LeafRow.
     gl::Buffer planes;
     gl::Buffer groups;
+    gl::Buffer facet_starts, facets;  ///< SmoothFacets; without any they are empty.
+    bool knows_facets = false;
     glm::dvec3 local_center;
     double diagonal;
 };
@@ -45,7 +48,8 @@ void grow(const gl::Functions& gl, TextureStack& stack, int layers);
 /// The stack itself, where it is in main memory, or a copy.
 [[nodiscard]] std::shared_ptr<const HostStack> in_main_memory(const gl::Functions& gl, const Stack& stack);
 
-/// Binds `stack` for shaders that include layers/layer_stack.glsl: texture units 0 and 1, storage blocks 0, 1 and 5.
+/// Binds `stack` for shaders that include layers/layer_stack.glsl: texture units 0 and 1, storage blocks 0, 1, 10, 12
+/// and 13.
 void bind(const TextureStack& stack);
 
 /// This folder's shader files.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "npr/guard_band.h"
 #include "npr/style_pass.h"
 #include "peel/shaders.h"
 
@@ -46,15 +47,17 @@ void Accumulator::draw(Style& style, const Picture& picture, const Subject& subj
 
 layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& picture, std::size_t sample,
                                               const Subject& subject, const std::stop_token& stop) {
+    const Picture wide = with_guard_band(picture);
     if (sample == 0) {
-        resize(picture.size);
+        resize(wide.size);
+        guard_ = wide.guard;
         const std::array<float, 4> zero{};
         gl_.ClearNamedFramebufferfv(sum_target_.id(), GL_COLOR, 0, zero.data());
     }
     samples_ = static_cast<int>(sample) + 1;
-    const base::View view = sample_view(picture, sample, subject.lo, subject.hi);
+    const base::View view = sample_view(wide, sample, subject.lo, subject.hi);
     layers::TextureStack layers = subject.peel(view);
-    Frame frame{picture, view, layers, sample_target_, stop};
+    Frame frame{wide, view, layers, sample_target_, stop};
     frame.mesh = subject.mesh;
     if (picture.transparency == Transparency::ViewDependent) {
         if (!shine_) {
@@ -64,7 +67,7 @@ layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& pictu
     }
     style.draw(frame);
     sum_target_.bind();
-    gl_.Viewport(0, 0, picture.size.x, picture.size.y);
+    gl_.Viewport(0, 0, wide.size.x, wide.size.y);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Enable(GL_BLEND);
     gl_.BlendEquation(GL_FUNC_ADD);
@@ -79,14 +82,14 @@ layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& pictu
 
 void Accumulator::resolve(GLuint target, glm::ivec2 corner) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
-    gl_.Viewport(corner.x, corner.y, sum_.size().x, sum_.size().y);
+    gl_.Viewport(corner.x, corner.y, shown().x, shown().y);
     gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_BLEND);
     gl_.Disable(GL_CULL_FACE);
     gl_.Disable(GL_SCISSOR_TEST);
     sum_.bind(0);
     resolve_.set("samples", samples_);
-    resolve_.set("corner", corner);
+    resolve_.set("corner", corner - guard_);
     resolve_.use();
     empty_array_.bind();
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -96,19 +99,25 @@ std::vector<glm::vec4> Accumulator::light() const {
     std::vector<glm::vec4> mean(static_cast<std::size_t>(sum_.size().x) * static_cast<std::size_t>(sum_.size().y));
     gl_.GetTextureImage(sum_.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(mean.size() * sizeof(glm::vec4)),
                         mean.data());
-    for (glm::vec4& pixel : mean) {
-        pixel /= static_cast<float>(samples_);
+    std::vector<glm::vec4> inside;
+    inside.reserve(static_cast<std::size_t>(shown().x) * static_cast<std::size_t>(shown().y));
+    for (int y = guard_; y < sum_.size().y - guard_; ++y) {
+        for (int x = guard_; x < sum_.size().x - guard_; ++x) {
+            inside.push_back(mean[static_cast<std::size_t>(y) * static_cast<std::size_t>(sum_.size().x) +
+                                  static_cast<std::size_t>(x)] /
+                             static_cast<float>(samples_));
+        }
     }
-    return mean;
+    return inside;
 }
 
 base::Image Accumulator::image() {
-    if (!resolved_) {
-        resolved_ = gl::Texture::make_2d(gl_, GL_RGBA8, sum_.size());
+    if (!resolved_ || resolved_.size() != shown()) {
+        resolved_ = gl::Texture::make_2d(gl_, GL_RGBA8, shown());
         resolved_target_.attach({&resolved_});
     }
     resolve(resolved_target_.id(), {0, 0});
-    const glm::ivec2 size = sum_.size();
+    const glm::ivec2 size = shown();
     const auto row = static_cast<std::size_t>(size.x) * 4;
     const auto height = static_cast<std::size_t>(size.y);
     std::vector<std::uint8_t> pixels(row * height);

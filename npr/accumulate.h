@@ -47,6 +47,7 @@ class Accumulator {
 
   private:
     void resize(glm::ivec2 size);
+    [[nodiscard]] glm::ivec2 shown() const { return sum_.size() - 2 * guard_; }
 
     const gl::Functions& gl_;
     gl::Program resolve_;
@@ -56,6 +57,7 @@ class Accumulator {
     gl::Framebuffer sample_target_, sum_target_, resolved_target_;
     std::optional<ShineMap> shine_;  ///< Made when first needed.
     int samples_ = 1;                ///< In the sum.
+    int guard_ = 0;                  ///< Of its pixels, at each side not shown.
 };
 
 }  // namespace npr

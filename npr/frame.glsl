@@ -12,6 +12,19 @@ struct MediumRow {
 };
 layout(std430, binding = 11) readonly buffer MediumRows { MediumRow medium_rows[]; };
 
+// Facets of smooth surfaces (layers/smooth_facets.h).
+struct SmoothFacet {
+    vec4 first;
+    vec4 second;
+    uvec4 normals;
+};
+layout(std430, binding = 12) readonly buffer FacetStarts { uint facet_starts[]; };
+layout(std430, binding = 13) readonly buffer SmoothFacets { SmoothFacet smooth_facets[]; };
+
+uint facet_start(uint plane) {
+    return facet_starts[plane];
+}
+
 ivec2 picture_size() {
     return textureSize(layer_depths, 0).xy;
 }

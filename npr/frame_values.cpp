@@ -32,23 +32,15 @@ float section_spacing(const Sections& sections, double diagonal) {
 
 const SettingsTable<FrameValues>& FrameValues::table() {
     static const SettingsTable<FrameValues> all{
-        setting<&FrameValues::layer_count>(),
-        setting<&FrameValues::center_in_eye>(),
-        setting<&FrameValues::jitter>(),
-        setting<&FrameValues::background_color>(),
-        setting<&FrameValues::background_stop>(),
-        setting<&FrameValues::face_color>(),
-        setting<&FrameValues::cut_color>(),
-        setting<&FrameValues::highlight_color>(),
-        setting<&FrameValues::ghost_color>(),
-        setting<&FrameValues::section_spacing>(),
-        setting<&FrameValues::transparent_background>(),
-        setting<&FrameValues::transparency>(),
-        setting<&FrameValues::medium_unit>(),
-        setting<&FrameValues::medium_light>(),
-        setting<&FrameValues::door_size>(),
-        setting<&FrameValues::door_tilt>(),
-        setting<&FrameValues::gooch_shading>(),
+        setting<&FrameValues::layer_count>(),     setting<&FrameValues::center_in_eye>(),
+        setting<&FrameValues::jitter>(),          setting<&FrameValues::background_color>(),
+        setting<&FrameValues::background_stop>(), setting<&FrameValues::face_color>(),
+        setting<&FrameValues::cut_color>(),       setting<&FrameValues::highlight_color>(),
+        setting<&FrameValues::ghost_color>(),     setting<&FrameValues::section_spacing>(),
+        setting<&FrameValues::guard>(),           setting<&FrameValues::transparent_background>(),
+        setting<&FrameValues::transparency>(),    setting<&FrameValues::medium_unit>(),
+        setting<&FrameValues::medium_light>(),    setting<&FrameValues::door_size>(),
+        setting<&FrameValues::door_tilt>(),       setting<&FrameValues::gooch_shading>(),
         setting<&FrameValues::back_faces>(),
     };
     return all;
@@ -68,6 +60,7 @@ FrameValues frame_values(const Picture& picture, const base::View& view, const g
     v.highlight_color = picture.scheme.highlight;
     v.ghost_color = picture.scheme.ghost;
     v.section_spacing = section_spacing(picture.sections, diagonal);
+    v.guard = picture.guard;
     v.transparent_background = picture.transparent_background;
     v.transparency = static_cast<int>(picture.transparency);
     v.medium_light = {picture.medium_light.ambient, picture.medium_light.directional};

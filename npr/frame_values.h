@@ -17,6 +17,7 @@ struct FrameValues {
     glm::vec4 highlight_color{};
     glm::vec4 ghost_color{};
     float section_spacing{};  ///< Of hatching, in world units; 0: none.
+    int guard{};              ///< See Picture.
     bool transparent_background{};
     int transparency{};        ///< A Transparency.
     float medium_unit{};       ///< See npr/medium_rows.h.

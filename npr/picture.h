@@ -32,6 +32,7 @@ struct Picture {
     ColorScheme scheme;
     base::Camera camera;
     glm::ivec2 size{512, 512};    ///< Pixels.
+    int guard = 0;                ///< Pixels at each side that are drawn but not shown: npr/guard_band.h.
     double dots_per_inch = 0;     ///< Of the picture where it is printed; 0: not said.
     int samples = 4;              ///< Per pixel, as npr::sample_offsets takes them.
     int layers = kLayersOfStyle;  ///< The first so many, or one of the constants above.

@@ -12,7 +12,7 @@ vec3 pixel_ray(ivec2 pixel) {
 }
 
 vec3 background(ivec2 pixel) {
-    return mix(background_stop, background_color, (float(pixel.y) + 0.5f + jitter.y) / view.picture.y);
+    return mix(background_stop, background_color, (float(pixel.y - guard) + 0.5f + jitter.y) / (view.picture.y - 2.0f * float(guard)));
 }
 
 // Are they of the same part, and of the same color?

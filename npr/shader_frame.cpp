@@ -10,6 +10,8 @@ Frame::Frame(const CpuFrame& frame)
       part_looks(frame.layers.table->parts.data()),
       plane_rows(frame.layers.table->planes.data()),
       group_words(frame.layers.table->groups.data()),
+      facet_starts(frame.layers.table->smooth.starts),
+      smooth_facets(frame.layers.table->smooth.facets.data()),
       size(frame.layers.size),
       srgb(&SrgbTables::get()),
       shine(frame.shine) {
@@ -37,6 +39,19 @@ bool Frame::same_surfaces(ivec2 p, ivec2 q) const {
         }
     }
     return true;
+}
+
+bool Frame::sees_curves(ivec2 p) const {
+    for (int i = 0; i < layer_count; ++i) {
+        const uvec2 ids = surface_ids(p, i);
+        if (ids.x == kNoSurface) {
+            break;
+        }
+        if (facet_start(ids.y >> 1U) != facet_start((ids.y >> 1U) + 1)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace npr::shader

@@ -18,6 +18,8 @@ using namespace glm;  // Shader files say vec3, dot and mix.
 /// What npr/frame.glsl and the textures are to shaders, under the same names. Each thread has its own copy: members of
 /// shader files are not const. Keeps references into the frame.
 struct Frame : FrameValues, LineCode {
+    using SmoothFacet = layers::SmoothFacet;
+
     explicit Frame(const CpuFrame& frame);
 
     base::ViewValues view;
@@ -25,6 +27,8 @@ struct Frame : FrameValues, LineCode {
     const layers::PartLook* part_looks;
     const vec4* plane_rows;
     const uint* group_words;
+    std::span<const uint> facet_starts;  ///< By plane, where facets are known.
+    const layers::SmoothFacet* smooth_facets;
     ivec2 size;
     std::vector<const uvec2*> surfaces;  ///< By layer, then by pixel.
     std::vector<const float*> depths;
@@ -56,6 +60,9 @@ struct Frame : FrameValues, LineCode {
         return ids.x == kNoSurface ? no_surface()
                                    : surface_of(ids, depths[static_cast<std::size_t>(layer)][index(p)], ray);
     }
+    [[nodiscard]] uint facet_start(uint plane) const {
+        return facet_starts.empty() ? 0 : facet_starts[plane];
+    }
     [[nodiscard]] ShineRow shine_row(ivec2 p) const {
         return shine.empty() ? ShineRow{-1, 1 << 30, 1 << 30, 1, 0, 0} : shine[index(p)];
     }
@@ -74,6 +81,8 @@ struct Frame : FrameValues, LineCode {
     }
     /// Do two pixels see the same planes of the same leaves, in all layers?
     [[nodiscard]] bool same_surfaces(ivec2 p, ivec2 q) const;
+    /// Is one of the planes that a pixel sees of a smooth surface?
+    [[nodiscard]] bool sees_curves(ivec2 p) const;
 };
 
 }  // namespace npr::shader

@@ -8,12 +8,16 @@ namespace npr {
 using StyleMaker = StyleInfo();
 // Each in the file of its name in npr/styles/.
 StyleMaker shaded_style, edges_style, blueprint_style, xray_style, sketch_style, radiograph_style, lines_style,
-    gooch_style, toon_style, hatch_style, stipple_style, tech_style, ntone_style;
+    gooch_style, toon_style, hatch_style, stipple_style, tech_style, ntone_style, blueprint_lines_style, chalk_style,
+    strokes_style, sketch_blueprint_style;
 
 std::span<const StyleInfo> styles() {
-    static const std::array all{shaded_style(),     edges_style(), blueprint_style(), xray_style(), sketch_style(),
-                                radiograph_style(), lines_style(), gooch_style(),     toon_style(), hatch_style(),
-                                stipple_style(),    tech_style(),  ntone_style()};
+    static const std::array all{shaded_style(),  edges_style(),           blueprint_style(),
+                                xray_style(),    sketch_style(),          radiograph_style(),
+                                lines_style(),   gooch_style(),           toon_style(),
+                                hatch_style(),   stipple_style(),         tech_style(),
+                                ntone_style(),   blueprint_lines_style(), chalk_style(),
+                                strokes_style(), sketch_blueprint_style()};
     return all;
 }
 

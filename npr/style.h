@@ -59,6 +59,8 @@ struct StyleInfo {
     /// How many layers the style looks at: the first so many, or all (0). `translucent`: parts of the scene are not
     /// opaque (`%`, `#`, alpha below 1).
     int (*layers)(bool translucent) = all_layers;
+    /// How far from beyond the border lines and strokes reach into a picture, in pixels. None: nothing does.
+    std::function<int(const Picture& picture)> reach{};
 };
 
 /// All styles; the first is the default.

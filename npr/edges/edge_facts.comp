@@ -7,6 +7,7 @@
 uniform float crease_angle;
 uniform bool part_edges;
 uniform bool follow_borders;
+uniform bool clearances;  // are they wanted?
 uniform bool clearing;  // the first of two passes
 
 layout(local_size_x = 64) in;

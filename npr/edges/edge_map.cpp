@@ -125,6 +125,7 @@ void EdgeMap::find_facts(const Frame& frame, const EdgeSettings& settings, std::
     find_facts_->program().set("crease_angle", glm::radians(settings.crease_degrees));
     find_facts_->program().set("part_edges", settings.parts);
     find_facts_->program().set("follow_borders", settings.follow_borders);
+    find_facts_->program().set("clearances", settings.clearances);
     for (const bool clearing : {true, false}) {
         gl_.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
         gl_.BindImageTexture(0, points_.id(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_R32UI);

@@ -13,6 +13,15 @@ Parameter inner_line_width() {
 Parameter hidden_line_width() {
     return Parameter::number("hidden-width", "Width of hidden lines", 0.5F, 0, 1);
 }
+Parameter section_line_width() {
+    return Parameter::number("section-width", "Width of edges of cuts", 1.5F, 0, 4);
+}
+Parameter line_halo() {
+    return Parameter::length("halo", "Gap of lines behind others", 0, 0, 5);
+}
+Parameter line_taper() {
+    return Parameter::number("taper", "Thinner the farther", 0, 0, 1);
+}
 Parameter crease_angle() {
     return Parameter::number("crease", "Angle of creases in meshes", EdgeSettings().crease_degrees, 0, 180);
 }

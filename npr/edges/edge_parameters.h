@@ -15,6 +15,12 @@ namespace npr {
 [[nodiscard]] Parameter crease_angle();
 /// "parts": whether boundaries of parts and of colors on smooth surfaces are edges.
 [[nodiscard]] Parameter part_edges();
+/// "section-width": of the edges of faces that sections leave, times that of outlines.
+[[nodiscard]] Parameter section_line_width();
+/// "halo": how far lines stop before what hides them, beside its own line; a length, 0: not at all.
+[[nodiscard]] Parameter line_halo();
+/// "taper": how much thinner lines are at the far end of the scene, 0 to 1.
+[[nodiscard]] Parameter line_taper();
 /// "layers": the first so many are drawn, or all.
 [[nodiscard]] Parameter first_layers();
 
@@ -24,6 +30,7 @@ struct EdgeSettings {
     bool parts = true;           ///< Whether boundaries of parts and of colors on smooth surfaces are inner edges.
     bool visible_only = false;   ///< Only edges that no opaque surface hides are asked for; there may be others.
     bool follow_borders = true;  ///< Whether outlines at faces seen edge-on are where the surface's border tells.
+    bool clearances = false;     ///< Whether these are among the facts.
     bool facts = false;          ///< Whether what lines are is asked for, too (npr/edges/line_facts.glsl).
 };
 

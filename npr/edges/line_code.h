@@ -28,6 +28,7 @@ enum class LineKind : glm::uint {
     Intersection = shader::LineCode().kIntersection,
     PartBorder = shader::LineCode().kPartBorder,
     Silhouette = shader::LineCode().kSilhouette,
+    SectionEdge = shader::LineCode().kSectionEdge,
 };
 
 }  // namespace npr

@@ -15,6 +15,44 @@ int solids_before(ivec2 p, int layer) {
     return solids;
 }
 
+#include "npr/styles/remoteness.glsl"
+
+bool made_by_section(Surface s) {
+    return leaf_rows[s.leaf].part.z != 0u;
+}
+
+// How many surfaces of a pixel are before the plane of a surface that is seen at `apart` from there, and not only
+// because the two meet in between.
+int surfaces_before(Surface s, vec2 gradient, ivec2 p, ivec2 apart) {
+    float depth = s.depth + dot(gradient, vec2(apart));
+    float room = length(vec2(apart)) + 1.0f;
+    int count = 0;
+    for (int i = 0; i < layer_count; ++i) {
+        uvec2 ids = surface_ids(p, i);
+        if (ids.x == kNoSurface)
+            break;
+        vec2 other = depth_gradient(plane_of(ids));
+        if (layer_depth(p, i) > depth + room * (length(gradient) + length(other)))
+            ++count;
+    }
+    return count;
+}
+
+// Pixels from a line on `s` to where something nearer hides it: there more surfaces are before the plane of `s`.
+float clearance_at(Surface s, int layer, ivec2 p) {
+    const int reach = int(kClear);
+    vec2 gradient = depth_gradient(s.plane);
+    float nearest = kClear;
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) {
+            ivec2 apart = ivec2(x, y);
+            float far = length(vec2(apart));
+            if (far < nearest && in_picture(p + apart) && surfaces_before(s, gradient, p + apart, apart) > layer)
+                nearest = far;
+        }
+    return nearest;
+}
+
 uint kind_between(Surface s, Surface t, bool bends) {
     if (s.part != t.part)
         return kPartBorder;
@@ -156,8 +194,17 @@ LineFacts line_facts(int layer, ivec2 p, ivec2 offset, FoundEdge e) {
         if (t.plane == s.plane)
             wall = nearer_wall(nearer_wall(wall, s, p, offset), t, q, -offset);
     }
+    bool cut = made_by_section(s);
+    if (!ends)
+        cut = cut || made_by_section(layer_surface(q, e.other, pixel_ray(q)));
+    bool silhouette = f.kind == kSilhouette;
+    if (cut)
+        f.kind = kSectionEdge;
+    f.remoteness = remoteness(s);
+    if (clearances)
+        f.clearance = clearance_at(s, layer, p);
     vec2 at = vec2(p) + e.point.at * vec2(offset);
-    if (wall.plane != s.plane || f.kind == kSilhouette) {
+    if (wall.plane != s.plane || silhouette) {
         Anchor a = wall.plane == s.plane
                        ? anchor_in(plane_rows[s.plane], at, e.point.across)
                        : anchor_on(plane_rows[min(s.plane, wall.plane)], plane_rows[max(s.plane, wall.plane)], at);

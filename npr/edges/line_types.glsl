@@ -2,7 +2,7 @@
 // within a struct with the same names, in C++.
 
 // Kinds of lines, and how hidden they are: by no solid, by one, by more.
-const int kLineKinds = 5;
+const int kLineKinds = 6;
 const int kVisibilities = 3;
 
 struct LineType {
@@ -15,6 +15,17 @@ struct LineType {
 // Where in the table a line finds its type.
 int type_of_line(LineFacts f) {
     return kVisibilities * int(max(f.kind, 1u) - 1u) + min(f.solids, kVisibilities - 1);
+}
+
+// The gap that lines leave where what they are on goes behind something nearer (haloed lines: Appel, Rohlf and Stein
+// 1979). `gap`: pixels from the border of what is nearer; 0: none.
+float halo_ink(LineFacts f, float gap) {
+    return gap <= 0.0f || f.clearance >= kClear ? 1.0f : clamp(f.clearance - gap + 0.5f, 0.0f, 1.0f);
+}
+
+// A share of a line's width: less the farther it is, down to 1 - taper at the far end of the scene.
+float weight_by_distance(LineFacts f, float taper) {
+    return 1.0f - taper * f.remoteness;
 }
 
 // Is there ink at this place of the line's pattern? Dashes lie on the model: their middles are where the coordinate

@@ -38,10 +38,14 @@ struct LineTypes {
 /// and whether the surface ends there, are drawn from the edge map alone. Where the table of types tells more than
 /// that, the lines' facts are asked for, and each line is drawn as its type says.
 struct LinedSettings : EdgeSettings {
-    float width{};              ///< Pixels; that of outlines, the widest lines.
-    float inner_share = 0.7F;   ///< Of that width: inner edges.
-    float hidden_share = 0.5F;  ///< The same of hidden lines.
-    float inner_width{};        ///< Pixels, as the next.
+    float width{};               ///< Pixels; that of outlines. Where edges of cuts are wider, completed to theirs.
+    float inner_share = 0.7F;    ///< Of that width: inner edges.
+    float hidden_share = 0.5F;   ///< The same of hidden lines.
+    float section_share = 1.5F;  ///< The same of edges of faces that sections leave, where there are sections.
+    float halo = 0;              ///< Pixels; see line_halo().
+    float taper = 0;             ///< See line_taper().
+    float halo_gap = 0;          ///< From the border of what hides a line to where the line begins; 0: no gaps.
+    float inner_width{};         ///< Pixels, as the next.
     float hidden_width{};
     float profile_strength = 1, inner_strength = 1;
     bool hard = false;    ///< Without smoothing. Not with types.

@@ -18,6 +18,23 @@ uint layers_near(vec2 at, float width) {
     return (marks | marks >> kLayersApart) & ((1u << kLayersApart) - 1u);
 }
 
+#ifdef LINE_TYPES
+#include "npr/edges/line_facts.glsl"
+#include "npr/edges/line_types.glsl"
+
+layout(binding = 8) uniform usampler2DArray edge_facts;
+layout(std430, binding = 4) readonly buffer LineTypes { LineType line_types[]; };
+uniform float line_unit;   // see pattern_ink
+uniform float line_halo;   // see halo_ink
+uniform float line_taper;  // see weight_by_distance
+
+// What is known of the line on a link; there must be one.
+LineFacts facts_at(ivec2 lower, int layer, int axis) {
+    ivec3 first = ivec3(lower, 2 * edge_slice(layer, axis));
+    return unpack_facts(uvec2(texelFetch(edge_facts, first, 0).x, texelFetch(edge_facts, first + ivec3(0, 0, 1), 0).x));
+}
+#endif
+
 // Ways to draw lines: whole, lighter about what is thin, or as OpenGL does.
 const int kWhole = 0, kLight = 1, kHard = 2;
 
@@ -41,7 +58,16 @@ Edge edge_at(vec2 at, int layer, float width, float inner, int way) {
                     continue;
                 EdgePoint e = unpack_edge(texelFetch(edge_points, ivec3(x, y, edge_slice(layer, axis)), 0).x);
                 float own = e.kind == kProfileEdge ? width : inner;
-                add_piece(edge, e, way == kLight ? thin_ink(e.thickness, own) : 1.0,
+                float strength = 1.0;
+#ifdef LINE_TYPES
+                LineFacts facts = facts_at(ivec2(x, y), layer, axis);
+                LineType type = line_types[type_of_line(facts)];
+                own = type.width * width * weight_by_distance(facts, line_taper);
+                strength = pattern_ink(type, facts, line_unit) * halo_ink(facts, line_halo);
+                if (facts.kind == kSectionEdge)
+                    e.kind = kProfileEdge;
+#endif
+                add_piece(edge, e, strength * (way == kLight ? thin_ink(e.thickness, own) : 1.0),
                           at - vec2(x, y) - e.at * vec2(1 - axis, axis), own, way == kHard);
             }
         }
@@ -68,24 +94,12 @@ struct Pen {
 };
 
 #ifdef LINE_TYPES
-#include "npr/edges/line_facts.glsl"
-#include "npr/edges/line_types.glsl"
-
-layout(binding = 8) uniform usampler2DArray edge_facts;
-layout(std430, binding = 4) readonly buffer LineTypes { LineType line_types[]; };
-uniform float line_unit;  // see pattern_ink
-
-// What is known of the line on a link; there must be one.
-LineFacts facts_at(ivec2 lower, int layer, int axis) {
-    ivec3 first = ivec3(lower, 2 * edge_slice(layer, axis));
-    return unpack_facts(uvec2(texelFetch(edge_facts, first, 0).x, texelFetch(edge_facts, first + ivec3(0, 0, 1), 0).x));
-}
-
 // By the line's type. `pens`: of all lines, by the style.
 Pen pen_of(EdgePoint e, ivec2 lower, int layer, int axis, Pens pens) {
     LineFacts facts = facts_at(lower, layer, axis);
     LineType type = line_types[type_of_line(facts)];
-    return Pen(type.width * pens.width, type.strength * pattern_ink(type, facts, line_unit));
+    return Pen(type.width * pens.width * weight_by_distance(facts, line_taper),
+               type.strength * pattern_ink(type, facts, line_unit) * halo_ink(facts, line_halo));
 }
 #else
 // By layer and kind of edge.

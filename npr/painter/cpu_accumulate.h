@@ -33,7 +33,11 @@ class CpuAccumulator {
     [[nodiscard]] base::Image image() const;
 
   private:
-    glm::ivec2 size_{0};
+    /// Within the guard band.
+    [[nodiscard]] const glm::vec4* shown_row(int y) const;
+
+    glm::ivec2 size_{0};  ///< Of the sum, with the guard band.
+    int guard_ = 0;
     int samples_ = 1;  ///< In the sum.
     std::vector<glm::vec4> sum_;
 };

@@ -20,9 +20,10 @@ struct EdgeSearch : Frame {
           visible_only(settings.visible_only),
           follow_borders(settings.follow_borders),
           facts(settings.facts),
+          clearances(settings.clearances),
           crease_angle(radians(settings.crease_degrees)) {}
 
-    bool part_edges, visible_only, follow_borders, facts;
+    bool part_edges, visible_only, follow_borders, facts, clearances;
     float crease_angle;
 
 #include "npr/edges/same_surface.glsl"

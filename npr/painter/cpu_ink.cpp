@@ -29,7 +29,13 @@ TileInk::Pen TileInk::pen_of(const CpuEdge& edge, shader::Frame& rules) const {
     const LineFacts facts = rules.unpack_facts(edge.facts);
     const LineType& row = lines_.types.rows[static_cast<std::size_t>(rules.type_of_line(facts))];
     const shader::LineCode::LineType type{row.width, row.strength, row.dash, row.gap};
-    return {type.width * lines_.width, type.strength * rules.pattern_ink(type, facts, lines_.line_unit)};
+    // Styles that draw visible lines only have strengths by kinds of edges.
+    const bool outline = edge.profile || facts.kind == rules.kSectionEdge;
+    const float strength = !lines_.visible_only ? type.strength
+                           : outline            ? lines_.profile_strength
+                                                : lines_.inner_strength;
+    return {type.width * lines_.width * rules.weight_by_distance(facts, lines_.taper),
+            strength * rules.pattern_ink(type, facts, lines_.line_unit) * rules.halo_ink(facts, lines_.halo_gap)};
 }
 
 void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {

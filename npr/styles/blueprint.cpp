@@ -47,6 +47,9 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::ground_color>(),
         setting<&Settings::line_color>(),
         setting<&Settings::wash_color>(),
+        setting<&Settings::section_share>(section_line_width()),
+        setting<&Settings::halo>(line_halo()),
+        setting<&Settings::taper>(line_taper()),
     };
     return all;
 }

@@ -81,8 +81,10 @@ struct SketchPixels : shader::Frame, SketchSettings {
 
 class SketchPainter {
   public:
+    explicit SketchPainter(const Hand& hand) : hand_(hand) {}
+
     void paint(const CpuFrame& frame) {
-        const auto settings = settings_of<SketchSettings>(frame.picture);
+        const SketchSettings settings = hand_.settings(frame.picture);
         noise_.draw(frame, settings);
         const CpuEdges edges = find_edges(frame, settings);
         const EdgeIndex index(frame.layers, edges);
@@ -91,14 +93,15 @@ class SketchPainter {
     }
 
   private:
+    Hand hand_;
     CpuSketchNoise noise_;
     CpuOvershoot overshoot_;
 };
 
 }  // namespace
 
-Paint make_sketch_paint() {
-    return [painter = std::make_shared<SketchPainter>()](const CpuFrame& frame) { painter->paint(frame); };
+Paint make_sketch_paint(const Hand& hand) {
+    return [painter = std::make_shared<SketchPainter>(hand)](const CpuFrame& frame) { painter->paint(frame); };
 }
 
 }  // namespace npr

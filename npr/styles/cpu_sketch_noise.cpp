@@ -43,8 +43,9 @@ struct NoisePixels : shader::Frame, SketchSettings {
 
 void CpuSketchNoise::draw(const CpuFrame& frame, const SketchSettings& settings) {
     const ivec2 size = frame.layers.size;
-    const NoiseKey key = noise_key(
-        settings, size, {frame.view.camera(), frame.layers.table->local_center, frame.layers.table->diagonal});
+    const NoiseKey key =
+        noise_key(settings, size, frame.picture.guard,
+                  {frame.view.camera(), frame.layers.table->local_center, frame.layers.table->diagonal});
     if (key_ == key) {
         return;
     }
@@ -59,7 +60,8 @@ void CpuSketchNoise::draw(const CpuFrame& frame, const SketchSettings& settings)
                 const std::size_t row = static_cast<std::size_t>(y) * width;
                 for (int x = 0; x < size.x; ++x) {
                     strokes_[row + static_cast<std::size_t>(x)] = rules.sketch_noise({x, y});
-                    grain_[row + static_cast<std::size_t>(x)] = rules.paper_grain({x, y}, settings.seed);
+                    grain_[row + static_cast<std::size_t>(x)] =
+                        rules.paper_grain({x - rules.guard, y - rules.guard}, settings.seed);
                 }
             };
         },

@@ -1,4 +1,5 @@
 // Surface colors with edges drawn.
+#include "npr/smooth_shading.h"
 #include "npr/styles/lined_style.h"
 
 namespace npr {
@@ -9,6 +10,7 @@ struct Settings : LinedSettings {
     float shade{};           ///< 0: paper, 1: surface colors.
     float light_strength{};  ///< 0: as they are, 1: lit.
     bool smooth_lines{};
+    bool smooth_shading{};
 
     void complete(const Picture& picture) {
         visible_only = true;
@@ -30,7 +32,9 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::light_strength>(Parameter::number("light", "Strength of light on surfaces", 1, 0, 1)),
         setting<&Settings::smooth_lines>(Parameter::toggle("smooth", "Smooth lines", true)),
         setting<&Settings::inner_share>(inner_line_width()),
+        setting<&Settings::smooth_shading>(smooth_surfaces("smooth-surfaces", false)),
         setting<&Settings::inner_width>(),
+        setting<&Settings::section_share>(section_line_width()),
     };
     return all;
 }
@@ -44,6 +48,9 @@ struct EdgesPixels : LinedPixels<Settings> {
     glm::vec4 pixel(glm::ivec2 p) {
         at = p;
         return edges(p);
+    }
+    [[nodiscard]] bool as_left(glm::ivec2 p) const {
+        return LinedPixels::as_left(p) && !(smooth_shading && sees_curves(p));
     }
 };
 

@@ -1,4 +1,7 @@
 // Surface colors with profile and inner edges. Valid in shaders and, within a struct with the same names, in C++.
+
+#include "npr/smooth_normal.glsl"
+
 vec4 edges(ivec2 pixel) {
     vec3 ray = pixel_ray(pixel);
     Composite seen = nothing_seen();
@@ -7,7 +10,7 @@ vec4 edges(ivec2 pixel) {
         Surface s = seen_surface(pixel, seen.layer, ray);
         seen = reached(seen, media, s, ray);
         media = beyond(media, s);
-        vec4 c = s.hit ? mix(seen_color(s), surface_color(s), light_strength) : vec4(0.0f);
+        vec4 c = s.hit ? mix(seen_color(s), surface_color(rounded(s, pixel)), light_strength) : vec4(0.0f);
         c = vec4(mix(vec3(1.0f), vec3(c), shade), c.a);
         if (s.hit)
             c = hatched(c, s.leaf, s.plane, pixel);

@@ -1,4 +1,5 @@
 // Technical illustration (Gooch et al. 1998; Nienhaus 2005, listing 3-2 and 4.6).
+#include "npr/smooth_shading.h"
 #include "npr/styles/gooch_light.h"
 #include "npr/styles/two_inks.h"
 
@@ -8,6 +9,7 @@ namespace {
 struct Settings : VisibleLines, GoochLight {
     glm::vec3 inner_color{};
     glm::vec3 profile_color{};
+    bool smooth_shading{};
 
     static const SettingsTable<Settings>& table();
 };
@@ -26,6 +28,10 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 0.9F, 0, 1)),
         setting<&Settings::inner_color>(Parameter::color("inner-color", "Color of inner edges", {1, 1, 1})),
         setting<&Settings::profile_color>(Parameter::color("profile-color", "Color of profile edges", {0, 0, 0})),
+        setting<&Settings::smooth_shading>(smooth_surfaces()),
+        setting<&Settings::section_share>(section_line_width()),
+        setting<&Settings::halo>(line_halo()),
+        setting<&Settings::taper>(line_taper()),
     };
     return all;
 }

@@ -1,4 +1,5 @@
 // Hatching (Nienhaus 2005, 4.6).
+#include "npr/smooth_shading.h"
 #include "npr/styles/lined_style.h"
 
 namespace npr {
@@ -11,6 +12,7 @@ struct Settings : VisibleLines {
     float crossed_from{};
     glm::vec3 ink_color{};
     glm::vec3 paper_color{};
+    bool smooth_shading{};
 
     static const SettingsTable<Settings>& table();
 };
@@ -29,6 +31,10 @@ const SettingsTable<Settings>& Settings::table() {
             Parameter::number("crossed", "Tone from which strokes are crossed", 0.4F, 0, 0.95F)),
         setting<&Settings::ink_color>(Parameter::color("ink", "Color of strokes", {0.1F, 0.09F, 0.09F})),
         setting<&Settings::paper_color>(Parameter::color("paper", "Color of the paper", {1, 1, 1})),
+        setting<&Settings::smooth_shading>(smooth_surfaces()),
+        setting<&Settings::section_share>(section_line_width()),
+        setting<&Settings::halo>(line_halo()),
+        setting<&Settings::taper>(line_taper()),
     };
     return all;
 }

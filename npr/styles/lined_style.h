@@ -5,6 +5,7 @@
 
 #include "npr/edges/edge_map.h"
 #include "npr/edges/line_types.h"
+#include "npr/guard_band.h"
 #include "npr/styles/pixel_style.h"
 
 namespace npr {
@@ -60,6 +61,8 @@ class LinedStyle : public Style {
         types_.upload<LineType>(settings.types.rows, GL_DYNAMIC_DRAW);
         types_.bind(GL_SHADER_STORAGE_BUFFER, 4);
         typed_pass_->program().set("line_unit", settings.line_unit);
+        typed_pass_->program().set("line_halo", settings.halo_gap);
+        typed_pass_->program().set("line_taper", settings.taper);
         return *typed_pass_;
     }
 
@@ -87,7 +90,11 @@ template <typename Settings, typename Pixels>
                     paint_tiles(frame, [&] { return Pixels(frame, edges, settings); });
                 });
             },
-            names.layers};
+            names.layers,
+            [](const Picture& picture) {
+                const Settings settings = settings_of<Settings>(picture);
+                return settings.hard ? 0 : reach_of_lines(settings.width);
+            }};
 }
 
 }  // namespace npr

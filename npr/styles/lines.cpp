@@ -20,6 +20,9 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::inner_strength>(Parameter::number("inner", "Strength of inner edges", 1, 0, 1)),
         setting<&Settings::ink_color>(Parameter::color("ink", "Color of lines", {0, 0, 0})),
         setting<&Settings::paper_color>(Parameter::color("paper", "Color of the paper", {1, 1, 1})),
+        setting<&Settings::section_share>(section_line_width()),
+        setting<&Settings::halo>(line_halo()),
+        setting<&Settings::taper>(line_taper()),
     };
     return all;
 }

@@ -1,6 +1,7 @@
 // n-tone shading with saturation as depth cue, as for illustrative city models (Nienhaus 2005, 4.8). Valid in shaders
 // and, within a struct with the same names, in C++.
 
+#include "npr/smooth_normal.glsl"
 #include "npr/styles/remoteness.glsl"
 
 // One of `steps` tints of the surface's color: by the angle to the light the darker ones are cooler, too.
@@ -27,7 +28,7 @@ vec4 ntone(ivec2 pixel) {
         if (s.hit)
             c = seen_color(s);
         if (c.a > 0.0f) {
-            vec3 tint = less_saturated(tint_of(vec3(c), s), cue * remoteness(s));
+            vec3 tint = less_saturated(tint_of(vec3(c), rounded(s, pixel)), cue * remoteness(s));
             c = hatched(vec4(tint, c.a), s.leaf, s.plane, pixel);
         }
         if (line_near(seen.layer) && !(s.hit && c.a == 0.0f && !bounds_medium(s)))

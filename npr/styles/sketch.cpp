@@ -3,9 +3,10 @@
 
 #include "npr/edges/edge_map.h"
 #include "npr/edges/overshoot.h"
-#include "npr/style.h"
+#include "npr/guard_band.h"
 #include "npr/style_pass.h"
 #include "npr/styles/cpu_sketch.h"
+#include "npr/styles/sketch.h"
 #include "npr/styles/sketch_settings.h"
 
 namespace npr {
@@ -14,19 +15,19 @@ namespace {
 /// The noise of a picture, kept while it stays the same.
 class Noise {
   public:
-    explicit Noise(const gl::Functions& gl)
-        : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag", {SketchSettings::table().declarations()}), target_(gl) {}
+    Noise(const gl::Functions& gl, const Hand& hand)
+        : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag", {hand.table->declarations()}), target_(gl) {}
 
     void draw(const Frame& frame, const SketchSettings& settings) {
         const auto& tables = *frame.layers.table;
-        const NoiseKey key =
-            noise_key(settings, frame.layers.size, {frame.view.camera(), tables.local_center, tables.diagonal});
+        const NoiseKey key = noise_key(settings, frame.layers.size, frame.picture.guard,
+                                       {frame.view.camera(), tables.local_center, tables.diagonal});
         if (!(texture_ && texture_.size() == key.size)) {
             texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
         }
         if (!(key_ && *key_ == key)) {
             target_.attach({&texture_});
-            pass_.set(settings);
+            SketchSettings::table().set_uniforms(pass_.program(), settings);
             pass_.draw(frame, target_);
             key_ = key;
         }
@@ -43,14 +44,15 @@ class Noise {
 
 class Sketch : public Style {
   public:
-    explicit Sketch(const gl::Functions& gl)
-        : edges_(gl),
+    Sketch(const gl::Functions& gl, const Hand& hand)
+        : hand_(hand),
+          edges_(gl),
           overshoot_(gl),
-          noise_(gl),
-          pass_(gl, "npr/styles/sketch.frag", {SketchSettings::table().declarations(), {}, {{"OVERSHOOT", "1"}}}) {}
+          noise_(gl, hand),
+          pass_(gl, "npr/styles/sketch.frag", {hand.table->declarations(), {}, {{"OVERSHOOT", "1"}}}) {}
 
     void draw(const Frame& frame) override {
-        const auto settings = settings_of<SketchSettings>(frame.picture);
+        const SketchSettings settings = hand_.settings(frame.picture);
         noise_.draw(frame, settings);
         edges_.draw(frame, settings);
         overshoot_.draw(frame, edges_, settings.overshoot_length);
@@ -59,6 +61,7 @@ class Sketch : public Style {
     }
 
   private:
+    Hand hand_;
     EdgeMap edges_;
     Overshoot overshoot_;
     Noise noise_;
@@ -67,10 +70,24 @@ class Sketch : public Style {
 
 }  // namespace
 
+StyleInfo drawn_by_hand(std::string_view name, std::string_view label, const SettingsTable<SketchSettings>& table,
+                        void (*set)(SketchSettings&)) {
+    const Hand hand{&table, set};
+    return {name,
+            label,
+            table.parameters(),
+            [hand](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Sketch>(gl, hand); },
+            [hand] { return make_sketch_paint(hand); },
+            all_layers,
+            [hand](const Picture& picture) {
+                const SketchSettings settings = hand.settings(picture);
+                // Noise sets strokes off by twice the deviation at most.
+                return reach_of_lines(widest_stroke(settings)) + static_cast<int>(2 * settings.wobble);
+            }};
+}
+
 StyleInfo sketch_style() {
-    return {"sketch", "Sketch", SketchSettings::table().parameters(),
-            [](const gl::Functions& gl) -> std::unique_ptr<Style> { return std::make_unique<Sketch>(gl); },
-            make_sketch_paint};
+    return drawn_by_hand("sketch", "Sketch", SketchSettings::table(), [](SketchSettings&) {});
 }
 
 }  // namespace npr

@@ -13,5 +13,5 @@ out vec4 result;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    result = sketch(pixel, texelFetch(noise_of_picture, pixel, 0), paper_grain(pixel, seed));
+    result = sketch(pixel, texelFetch(noise_of_picture, pixel, 0), paper_grain(pixel - guard, seed));
 }

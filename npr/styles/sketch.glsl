@@ -3,6 +3,8 @@
 // noise, so that a sketched blueprint keeps together (6.8). Valid in shaders and, within a struct with the same names,
 // in C++.
 
+#include "npr/smooth_normal.glsl"
+
 mat2 stroke_turn(int j) {
     if (j == 0)
         return mat2(1.0f, 0.1f, -0.1f, 1.0f);
@@ -55,12 +57,15 @@ float visible_lines(vec2 at, uint lines, float thick) {
 // Of all layers but the first.
 float hidden_lines(vec2 at, float thick) {
     float ink = 0.0f;
+    float strength = 1.0f;
     uint lines = layers_near(at, thick);
-    for (int i = 1; i < min(layer_count, kLayersApart) && lines >> i != 0u; ++i)
+    for (int i = 1; i < min(layer_count, kLayersApart) && lines >> i != 0u; ++i) {
         if ((lines >> i & 1u) != 0u) {
             Edge edge = edge_at(at, i, thick);
-            ink = max(ink, max(edge.profile, hidden_inner * edge.inner));
+            ink = max(ink, strength * max(edge.profile, hidden_inner * edge.inner));
         }
+        strength *= hidden_falloff;
+    }
     return ink;
 }
 
@@ -117,12 +122,13 @@ Shade shade_of(ivec2 pixel, vec4 noise, float grain) {
         if (s.hit)
             tint = seen_color(s);
         if (tint.a > 0.0f) {
-            float lit = sketch_light(s);
+            Surface lit_surface = rounded(s, shade_at);
+            float lit = sketch_light(lit_surface);
             vec3 lit_tint = light_on_dark ? vec3(tint) * (0.35f + 0.75f * lit)
                                           : mix(vec3(tint), vec3(1.0f), 0.15f) * (0.62f + 0.42f * lit);
             float shadow = light_on_dark ? lit : 1.0f - lit;
-            vec2 at = vec2(pixel) + 0.5f + jitter + 0.5f * wobble * vec2(noise.z, noise.w);
-            float strokes_here = hatch > 0.0f ? hatching(at, s.normal, shadow) : 0.0f;
+            vec2 at = vec2(pixel - guard) + 0.5f + jitter + 0.5f * wobble * vec2(noise.z, noise.w);
+            float strokes_here = hatch > 0.0f ? hatching(at, lit_surface.normal, shadow) : 0.0f;
             shade.ink = max(shade.ink, seen.through * hatch * deposit(strokes_here, 0.75f + 0.35f * noise.w, grain));
             tint = hatched(vec4(min(lit_tint, 1.0f), tint.a), s.leaf, s.plane, shade_at);
         }
@@ -139,6 +145,13 @@ vec4 sketch(ivec2 pixel, vec4 noise, float grain) {
     vec3 color = paper_color * (1.0f - (medium == 1 ? 0.0f : 0.03f) * (grain - 0.5f));
     float cover = clamp(wash * (0.86f + 0.2f * noise.w + 0.12f * (grain - 0.5f)), 0.0f, 1.0f);
     color = mix(color, shade.tone + shade.through * color, cover);
+    if (layer_tone > 0.0f) {
+        ivec2 under = nearest_pixel(displaced(pixel, stroke_turn(0), noise));
+        float clear = 1.0f;
+        for (int i = 0; i < layer_count && in_picture(under) && surface_ids(under, i).x != kNoSurface; ++i)
+            clear *= 1.0f - layer_tone;
+        color = mix(ink_color, color, clear);
+    }
     float bare = 1.0f - shade.ink;
     for (int j = 0; j < strokes; ++j)
         bare *= 1.0f - stroke_ink(j, pixel, noise, grain);

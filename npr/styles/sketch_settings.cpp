@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "npr/smooth_shading.h"
+
 namespace npr {
 
 const SettingsTable<SketchSettings>& SketchSettings::table() {
@@ -19,20 +21,23 @@ const SettingsTable<SketchSettings>& SketchSettings::table() {
         setting<&S::hatch>(Parameter::number("hatch", "Strength of hatching", 0.75F, 0, 1)),
         setting<&S::wash>(Parameter::number("color", "Strength of surface colors", 0.55F, 0, 1)),
         setting<&S::hidden>(Parameter::number("hidden", "Strength of hidden edges", 0, 0, 1)),
-        setting<&S::on_model>(Parameter::choice("anchor", "Noise anchored to", 0, {"picture", "model"})),
+        setting<&S::on_model>(Parameter::choice("anchor", "Noise anchored to", 1, {"picture", "model"})),
         setting<&S::ink_color>(Parameter::color("ink", "Color of strokes", {0.16F, 0.15F, 0.17F})),
         setting<&S::paper_color>(Parameter::color("paper", "Color of the paper", {0.975F, 0.957F, 0.915F})),
+        setting<&S::smooth_shading>(smooth_surfaces()),
         setting<&S::unit>(),
         setting<&S::hidden_width>(),
         setting<&S::inner_strength>(),
         setting<&S::hidden_inner>(),
         setting<&S::correlated>(),
+        setting<&S::hidden_falloff>(),
+        setting<&S::layer_tone>(),
     };
     return all;
 }
 
 void SketchSettings::complete(const Picture& picture) {
-    unit = static_cast<float>(picture.size.y) / 512.0F;
+    unit = static_cast<float>(picture.size.y - 2 * picture.guard) / 512.0F;
     width = width * std::sqrt(std::max(unit, 1.0F));
     hidden_width = 0.75F * width;
     inner_strength = 0.72F;
@@ -41,10 +46,11 @@ void SketchSettings::complete(const Picture& picture) {
     overshoot_length = unit * overshoot_length;
     correlated = medium != 2;
     visible_only = hidden == 0.0F;
+    hidden_falloff = hidden_falloff > 0 ? hidden_falloff : 1;
 }
 
-NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, const NoiseKey::Anchor& anchor) {
-    return {size, settings.seed, settings.correlated,
+NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, int guard, const NoiseKey::Anchor& anchor) {
+    return {size, guard, settings.seed, settings.correlated,
             settings.on_model ? std::optional(anchor) : std::optional<NoiseKey::Anchor>()};
 }
 

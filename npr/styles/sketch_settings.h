@@ -23,12 +23,16 @@ struct SketchSettings : LinedSettings {
     float hatch{};
     float wash{};
     float hidden{};
+    float hidden_falloff{};  ///< From one hidden layer to the next.
+    float layer_tone{};      ///< Of each surface behind a pixel.
+    bool smooth_shading{};
     bool on_model{};    ///< The noise is anchored to the model, else to the picture.
     bool correlated{};  ///< Perlin noise, else every pixel has its own (chalk).
     glm::vec3 ink_color{};
     glm::vec3 paper_color{};
 
     void complete(const Picture& picture);
+    /// Of the style `sketch`.
     static const SettingsTable<SketchSettings>& table();
 };
 
@@ -47,12 +51,14 @@ struct NoiseKey {
         bool operator==(const Anchor&) const = default;
     };
     glm::ivec2 size{0};
+    int guard = 0;
     glm::uint seed = 0;
     bool correlated = true;
     std::optional<Anchor> anchor;
     bool operator==(const NoiseKey&) const = default;
 };
 
-[[nodiscard]] NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, const NoiseKey::Anchor& anchor);
+[[nodiscard]] NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, int guard,
+                                 const NoiseKey::Anchor& anchor);
 
 }  // namespace npr

@@ -1,4 +1,5 @@
 // Stippling.
+#include "npr/smooth_shading.h"
 #include "npr/styles/lined_style.h"
 
 namespace npr {
@@ -11,6 +12,7 @@ struct Settings : VisibleLines {
     glm::uint seed{};
     glm::vec3 ink_color{};
     glm::vec3 paper_color{};
+    bool smooth_shading{};
 
     static const SettingsTable<Settings>& table();
 };
@@ -28,6 +30,10 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::seed>(Parameter::integer("seed", "Seed", 1, 0, 9999)),
         setting<&Settings::ink_color>(Parameter::color("ink", "Color of strokes", {0.1F, 0.09F, 0.09F})),
         setting<&Settings::paper_color>(Parameter::color("paper", "Color of the paper", {1, 1, 1})),
+        setting<&Settings::smooth_shading>(smooth_surfaces()),
+        setting<&Settings::section_share>(section_line_width()),
+        setting<&Settings::halo>(line_halo()),
+        setting<&Settings::taper>(line_taper()),
     };
     return all;
 }

@@ -1,6 +1,8 @@
 // Places on surfaces, for what is anchored on the model. Valid in shaders and, within a struct with the same names, in
 // C++.
 
+#include "npr/smooth_normal.glsl"
+
 // Where a pixel's sample and its neighbors to the right and above see one plane: world coordinates from local_center.
 struct Place {
     vec3 here;

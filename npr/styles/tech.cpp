@@ -1,4 +1,5 @@
 // Technical illustration, seen through (Nienhaus 2005, 5.3).
+#include "npr/smooth_shading.h"
 #include "npr/styles/gooch_light.h"
 #include "npr/styles/lined_style.h"
 
@@ -10,6 +11,7 @@ struct Settings : LinedSettings, GoochLight {
     float falloff{};
     glm::vec3 edge_color{};
     int most_layers{};  ///< 0: all.
+    bool smooth_shading{};
 
     void complete(const Picture& picture) { complete_lines(picture); }
     static const SettingsTable<Settings>& table();
@@ -34,6 +36,10 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::dashes>(line_dashes()),
         setting<&Settings::inner_width>(),
         setting<&Settings::hidden_width>(),
+        setting<&Settings::smooth_shading>(smooth_surfaces()),
+        setting<&Settings::section_share>(section_line_width()),
+        setting<&Settings::halo>(line_halo()),
+        setting<&Settings::taper>(line_taper()),
     };
     return all;
 }

@@ -1,6 +1,7 @@
 // Edge-enhanced transparency with Gooch's light (Nienhaus 2005, 5.3): each layer is colored by it, times what its edges
 // leave, and laid over the next. Valid in shaders and, within a struct with the same names, in C++.
 
+#include "npr/smooth_normal.glsl"
 #include "npr/styles/gooch_light.glsl"
 
 vec4 tech(ivec2 pixel) {
@@ -14,7 +15,7 @@ vec4 tech(ivec2 pixel) {
         vec4 c = vec4(0.0f);
         if (s.hit) {
             vec4 base = base_color(s);
-            c = hatched(vec4(gooch_color(vec3(base), s, direction), base.a * opacity), s.leaf, s.plane, pixel);
+            c = hatched(vec4(gooch_color(vec3(base), rounded(s, pixel), direction), base.a * opacity), s.leaf, s.plane, pixel);
         }
         if (line_near(seen.layer))
             c = with_line(c, edge_color, strength * line_ink(seen.layer));

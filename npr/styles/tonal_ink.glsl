@@ -11,7 +11,7 @@ vec4 ink_on_paper(ivec2 pixel) {
             c = vec4(mix(paper_color, vec3(c), wash), c.a);
         }
         if (c.a > 0.0f) {
-            float ink = tonal_ink(s, pixel, ink_tone(s, darkest));
+            float ink = tonal_ink(s, pixel, ink_tone(rounded(s, pixel), darkest));
             if (is_section(s.leaf))
                 ink = section_lines(s.leaf, s.plane, pixel);
             c = vec4(mix(vec3(c), ink_color, ink), c.a);

@@ -2,6 +2,8 @@
 // are smoothed as there, by blurring the map of tones. Valid in shaders and, within a struct with the same names, in
 // C++.
 
+#include "npr/smooth_normal.glsl"
+
 // Of the palette: 0 to steps - 1; `steps` where a highlight lightens the lightest.
 int toon_tone(Surface s, vec3 direction) {
     mat3 turn = mat3(view.eye_from_world);
@@ -10,6 +12,15 @@ int toon_tone(Surface s, vec3 direction) {
     if (highlight > 0.0f && mirrored > 0.94f)
         return steps;
     return clamp(int(float(steps) * max(dot(n, kLightDirection), 0.0f)), 0, steps - 1);
+}
+
+// May a neighbor on the same smooth surface have another tone?
+bool near_a_step(Surface s, vec3 direction) {
+    mat3 turn = mat3(view.eye_from_world);
+    vec3 n = turn * s.normal;
+    float value = float(steps) * max(dot(n, kLightDirection), 0.0f);
+    float mirrored = max(dot(reflect(kLightDirection, n), turn * direction), 0.0f);
+    return abs(value - floor(value + 0.5f)) < 0.25f || (highlight > 0.0f && abs(mirrored - 0.94f) < 0.05f);
 }
 
 vec3 toon_color(vec3 base, int tone) {
@@ -23,15 +34,18 @@ vec3 toon_beside(ivec2 pixel, int layer, Surface s, vec3 base, vec3 own) {
     if (!in_picture(pixel))
         return own;
     uvec2 ids = surface_ids(pixel, layer);
-    if (ids.x == kNoSurface || (leaf_of(ids) == s.leaf && plane_of(ids) == s.plane && highlight == 0.0f))
+    if (ids.x == kNoSurface || (leaf_of(ids) == s.leaf && plane_of(ids) == s.plane && highlight == 0.0f && !smooth_shading))
         return own;
     vec3 ray = pixel_ray(pixel);
     Surface t = layer_surface(pixel, layer, ray);
-    return t.leaf == s.leaf && t.leaving == s.leaving ? toon_color(base, toon_tone(t, normalize(ray))) : own;
+    return t.leaf == s.leaf && t.leaving == s.leaving ? toon_color(base, toon_tone(rounded(t, pixel), normalize(ray))) : own;
 }
 
 vec3 toon_blurred(ivec2 pixel, int layer, Surface s, vec3 base, vec3 direction) {
-    vec3 own = toon_color(base, toon_tone(s, direction));
+    Surface lit = rounded(s, pixel);
+    vec3 own = toon_color(base, toon_tone(lit, direction));
+    if (smooth_shading && !near_a_step(lit, direction))
+        return own;
     vec3 sum = 4.0f * own;
     sum += toon_beside(pixel + ivec2(1, 0), layer, s, base, own);
     sum += toon_beside(pixel - ivec2(1, 0), layer, s, base, own);

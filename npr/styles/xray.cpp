@@ -1,4 +1,5 @@
 // All layers, translucent, with their edges (Nienhaus 2005, 5.3).
+#include "npr/smooth_shading.h"
 #include "npr/styles/lined_style.h"
 
 namespace npr {
@@ -11,6 +12,7 @@ struct Settings : LinedSettings {
     float cue{};
     int colors{};       ///< 0: of the model, 1: by layer, 2: none.
     int most_layers{};  ///< 0: all.
+    bool smooth_shading{};
 
     void complete(const Picture& picture) { complete_lines(picture); }
     static const SettingsTable<Settings>& table();
@@ -34,6 +36,10 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::hidden_share>(hidden_line_width()),
         setting<&Settings::inner_width>(),
         setting<&Settings::hidden_width>(),
+        setting<&Settings::smooth_shading>(smooth_surfaces()),
+        setting<&Settings::section_share>(section_line_width()),
+        setting<&Settings::halo>(line_halo()),
+        setting<&Settings::taper>(line_taper()),
     };
     return all;
 }

@@ -10,6 +10,7 @@ vec4 layer_color(Surface s, int layer) {
     return model;
 }
 
+#include "npr/smooth_normal.glsl"
 #include "npr/styles/remoteness.glsl"
 
 // A thin wall is crossed on a longer way where it is seen at a slant. `direction`: unit vector.
@@ -33,6 +34,7 @@ vec4 xray(ivec2 pixel) {
             vec4 base = layer_color(s, seen.layer);
             fog = cue * remoteness(s);
             ink = 0.22f * vec3(base);
+            s = rounded(s, pixel);
             c = vec4(mix(min(vec3(base) * light(s.normal), 1.0f), background_color, fog),
                      base.a * wall_opacity(s, direction));
             c = hatched(c, s.leaf, s.plane, pixel);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "goldfeather/lists_cpu/lists_cpu.h"
+#include "goldfeather/smooth_facets.h"
 #include "goldfeather/surface_table.h"
 #include "npr/painter/cpu_accumulate.h"
 #include "tests/npr/scene.h"
@@ -15,7 +16,9 @@ class Easel {
   public:
     explicit Easel(const Model& model)
         : subject_(random_tree::make_tree(model)), lists_(subject_.scene, subject_.geometry) {
-        layers_.table = goldfeather::surface_table(subject_.scene, subject_.geometry);
+        const auto table = goldfeather::surface_table(subject_.scene, subject_.geometry);
+        table->smooth = goldfeather::smooth_facets(subject_.geometry);
+        layers_.table = table;
     }
 
     [[nodiscard]] const csg::Box& box() const { return subject_.geometry.box; }

@@ -260,8 +260,8 @@ TEST(LineFacts, AreNothingWhereNobodyAsks) {
 
 TEST(LineFacts, WordsComeBack) {
     npr::shader::LineCode code;
-    for (const LineFacts& f : {LineFacts{1, 0, 0, false, 0, 1}, LineFacts{5, 77, 12, true, -3.25F, 0.6F},
-                               LineFacts{4, code.kMostHiding, code.kMostHiding, true, 1e9F, 1}}) {
+    for (const LineFacts& f : {LineFacts{1, 0, 0, false, 0, 1, 0, 0}, LineFacts{5, 77, 12, true, -3.25F, 0.6F, 3, 1},
+                               LineFacts{4, code.kMostHiding, code.kMostHiding, true, 1e9F, 1, 7, 0}}) {
         const LineFacts back = code.unpack_facts(code.pack_facts(f));
         EXPECT_EQ(back.kind, f.kind);
         EXPECT_EQ(back.surfaces, f.surfaces);
@@ -269,10 +269,13 @@ TEST(LineFacts, WordsComeBack) {
         EXPECT_EQ(back.anchored, f.anchored);
         EXPECT_EQ(back.along, f.along);
         EXPECT_NEAR(back.slope, f.slope, 0.002);
+        EXPECT_EQ(back.clearance, f.clearance);
+        EXPECT_EQ(back.remoteness, f.remoteness);
     }
-    const LineFacts most = code.unpack_facts(code.pack_facts({1, 1 << 20, 1 << 20, false, 0, 1}));
+    const LineFacts most = code.unpack_facts(code.pack_facts({1, 1 << 20, 1 << 20, false, 0, 1, 99, 0}));
     EXPECT_EQ(most.surfaces, code.kMostHiding);
     EXPECT_EQ(most.solids, code.kMostHiding);
+    EXPECT_EQ(most.clearance, code.kClear);
     EXPECT_EQ(most.kind, 1U);
 }
 

@@ -64,6 +64,103 @@ TEST(LineTypes, ATableRowIsOfItsKindAndVisibility) {
     EXPECT_EQ(strength(7), 1);
 }
 
+TEST(LineTypes, PatternsInMillimetersAreThoseOfIso128) {
+    npr::Picture picture = picture_of({{0, 0, 0}, {1, 1, 1}}, {100, 100});
+    picture.draw_as(*npr::find_style("blueprint"));
+    picture.parameters.read("width", "0.5mm");
+    LinedSettings settings;
+    settings.width = 6;
+    settings.dashes = true;
+    settings.complete_lines(picture);
+    const LineType hidden = settings.types.of(LineKind::Crease, Visibility::Hidden),
+                   deep = settings.types.of(LineKind::Crease, Visibility::DeeplyHidden);
+    EXPECT_FLOAT_EQ(hidden.dash, 12 * 3);
+    EXPECT_FLOAT_EQ(hidden.gap, 3 * 3);
+    EXPECT_FLOAT_EQ(deep.dash, 0.5F * 3);
+    EXPECT_FLOAT_EQ(deep.gap, 3 * 3);
+}
+
+TEST(LineTypes, EdgesOfCutsAreTheWidest) {
+    npr::Picture picture = picture_of({{0, 0, 0}, {1, 1, 1}}, {100, 100});
+    picture.sections.cuts.push_back({npr::PlaneSection(), "z=0"});
+    LinedSettings settings;
+    settings.width = 2;
+    settings.section_share = 1.5F;
+    settings.complete_lines(picture);
+    EXPECT_TRUE(settings.facts);
+    const auto pixels = [&](LineKind kind) {
+        return settings.width * settings.types.of(kind, Visibility::Visible).width;
+    };
+    EXPECT_FLOAT_EQ(pixels(LineKind::SectionEdge), 3);
+    EXPECT_FLOAT_EQ(pixels(LineKind::Silhouette), 2);
+    EXPECT_FLOAT_EQ(pixels(LineKind::Crease), 1.4F);
+    EXPECT_FLOAT_EQ(settings.inner_width, 1.4F);
+}
+
+/// Seen from the front: a bar that goes behind a post.
+scene::Model crossing() {
+    return scene::combine(csg::Operation::Union,
+                          {scene::box({-20, 5, -2}, {40, 2, 4}), scene::box({-3, -5, -12}, {6, 4, 24})});
+}
+
+npr::Picture from_the_front(const csg::Box& box, const char* halo, const char* taper) {
+    npr::Picture p = picture_of(box, {120, 120});
+    p.camera.rotation = {90, 0, 0};
+    p.camera.projection = base::Projection::Orthographic;
+    p.draw_as(*npr::find_style("lines"));
+    p.parameters.read("halo", halo);
+    p.parameters.read("taper", taper);
+    return p;
+}
+
+/// Columns of the picture in which any pixel differs.
+std::vector<int> columns_that_differ(const base::Image& a, const base::Image& b) {
+    std::vector<int> columns;
+    for (int x = 0; x < a.width; ++x) {
+        for (int y = 0; y < a.height; ++y) {
+            if (std::abs(a.pixel(x, y)[0] - b.pixel(x, y)[0]) > 2) {
+                columns.push_back(x);
+                break;
+            }
+        }
+    }
+    return columns;
+}
+
+TEST(LineTypes, HalosAreGapsBesideWhatIsNearer) {
+    scene::Easel easel(crossing());
+    const npr::Picture plain = from_the_front(easel.box(), "0", "0");
+    const base::Image without = easel.paint(plain), with = easel.paint(from_the_front(easel.box(), "3", "0"));
+    const double half = plain.camera.distance * std::tan(glm::radians(plain.camera.fov) / 2);
+    const double post = 3 / half * 60;  // Pixels from the middle to its border.
+    const std::vector<int> columns = columns_that_differ(with, without);
+    ASSERT_GE(columns.size(), 4U);
+    for (const int x : columns) {
+        const double from_post = std::abs(x + 0.5 - 60) - post;
+        EXPECT_GT(from_post, -2.5) << x;
+        EXPECT_LT(from_post, 6) << x;
+        for (int y = 0; y < with.height; ++y) {
+            EXPECT_GE(with.pixel(x, y)[0] + 2, without.pixel(x, y)[0]) << "only lighter";
+        }
+    }
+}
+
+TEST(LineTypes, TaperedLinesAreThinnerFarAway) {
+    scene::Easel easel(crossing());
+    const auto ink_in = [](const base::Image& image, int x) {
+        int sum = 0;
+        for (int y = 0; y < image.height; ++y) {
+            sum += 255 - image.pixel(x, y)[0];
+        }
+        return sum;
+    };
+    const base::Image without = easel.paint(from_the_front(easel.box(), "0", "0")),
+                      with = easel.paint(from_the_front(easel.box(), "0", "0.8"));
+    const auto left = [&](int x) { return static_cast<double>(ink_in(with, x)) / ink_in(without, x); };
+    EXPECT_LT(left(20), 0.6) << "the bar";
+    EXPECT_GT(left(60), left(20) + 0.1) << "the post";
+}
+
 /// The ink of all tiles, in layers 0 to 3.
 std::vector<float> ink(const layers::HostStack& stack, const npr::Picture& picture, const base::View& view,
                        const LinedSettings& settings) {

@@ -1,5 +1,6 @@
 #include "tests/npr/scene.h"
 
+#include "goldfeather/smooth_facets.h"
 #include "goldfeather/surface_table.h"
 #include "layers/upload.h"
 
@@ -40,8 +41,9 @@ layers::TextureStack peel(const gl::Functions& gl, const comparison::Subject& su
     goldfeather::WalkStats ignored;
     layers::Upload upload(gl);
     layers::TextureStack stack = upload.textures(prepared.draw(view, max_layers, ignored));
-    stack.table =
-        std::make_shared<layers::SurfaceBuffers>(gl, *goldfeather::surface_table(subject.scene, subject.geometry));
+    const auto table = goldfeather::surface_table(subject.scene, subject.geometry);
+    table->smooth = goldfeather::smooth_facets(subject.geometry);
+    stack.table = std::make_shared<layers::SurfaceBuffers>(gl, *table);
     return stack;
 }
 

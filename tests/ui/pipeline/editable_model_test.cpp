@@ -92,6 +92,31 @@ TEST_P(EditableModels, AreDrawnAsTheyAreNow) {
     EXPECT_EQ(told->render(*model, request).rgba, first.rgba);
 }
 
+TEST_P(EditableModels, KeepTheirSmoothSurfaces) {
+    csg::Fineness fine;
+    fine.fn = 24;
+    const auto model = ModelBuilder().build(std::make_shared<const csg::Tree>(random_tree::make_tree(
+        random_tree::combine(csg::Operation::Union, {random_tree::leaf(csg::Cylinder{20, 8, 8, true, fine}),
+                                                     random_tree::box({10, 0, 0}, {4, 4, 4})}))));
+    EditableModel edited(*model);
+    const auto told = renderer();
+    if (!told) {
+        return;
+    }
+    PictureRequest request;
+    request.draw_as(*npr::find_style("gooch"));
+    request.size = {64, 64};
+    request.samples = 1;
+    base::view_all(request.camera, model->box.lo, model->box.hi, true);
+    const base::Image first = told->render(edited.model(), request);
+    request.parameters.read("smooth", "off");
+    EXPECT_NE(told->render(edited.model(), request).rgba, first.rgba);
+    request.parameters.read("smooth", "on");
+    edited.scene().move(0, glm::rotate(glm::dmat4(1.0), 0.4, glm::dvec3(1, 2, 0)));
+    told->update(edited.model(), edited.commit());
+    EXPECT_EQ(told->render(edited.model(), request).rgba, renderer()->render(edited.model(), request).rgba);
+}
+
 TEST(EditableModel, KeepsProductsTrue) {
     const auto model = row_of_holes();
     EditableModel edited(*model);

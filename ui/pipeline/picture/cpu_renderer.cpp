@@ -1,7 +1,9 @@
 #include "ui/pipeline/picture/cpu_renderer.h"
 
+#include "goldfeather/smooth_facets.h"
 #include "goldfeather/surface_table.h"
 #include "npr/shine/view_dependent_settings.h"
+#include "npr/smooth_shading.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -46,6 +48,9 @@ void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, c
     begin(sample);
     Stopwatch watch;
     hold(model, engine);
+    if (npr::shades_smoothly(picture) && table_->smooth.starts.empty()) {
+        table_->smooth = goldfeather::smooth_facets(model.geometry);
+    }
     statistics_.upload_ms += watch.lap();
     const int layers = layers_to_peel(picture, model);
     paint_sample(
@@ -63,6 +68,9 @@ void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, i
                               const std::stop_token& stop) {
     begin(sample);
     const auto table = goldfeather::surface_table(model.scene, model.geometry);
+    if (npr::shades_smoothly(picture)) {
+        table->smooth = goldfeather::smooth_facets(model.geometry);
+    }
     layers::HostStack stack;
     paint_sample(
         model, picture, sample,

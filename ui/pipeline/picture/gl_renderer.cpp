@@ -1,7 +1,9 @@
 #include "ui/pipeline/picture/gl_renderer.h"
 
+#include "goldfeather/smooth_facets.h"
 #include "goldfeather/surface_table.h"
 #include "npr/shine/view_dependent_settings.h"
+#include "npr/smooth_shading.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
@@ -74,6 +76,9 @@ void GlRenderer::draw_sample(const Model& model, const npr::Picture& picture, co
     Stopwatch watch;
     const bool held = holds(model, *engine.engine);
     hold(model, *engine.engine);
+    if (npr::shades_smoothly(picture) && !table_->knows_facets) {
+        table_->take(goldfeather::smooth_facets(model.geometry));
+    }
     npr::Style& style = this->style(*picture.style);
     gl_.Finish();
     const double upload = watch.lap();

@@ -1,0 +1,96 @@
+#include "goldfeather/smooth_facets.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "csg/solid/corner_normals.h"
+#include "goldfeather/local_frame.h"
+
+namespace goldfeather {
+namespace {
+
+using csg::solid::CornerNormals;
+
+constexpr double kSameNormal = 1 - 1e-9;  // Cosine.
+
+/// In 16 bits each, the coordinates of an octahedron; 0 for none.
+std::uint32_t packed(const glm::dvec3& n) {
+    const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (sum == 0) {
+        return 0;
+    }
+    glm::dvec2 at = glm::dvec2(n) / sum;
+    if (n.z < 0) {
+        at = (1.0 - glm::abs(glm::dvec2(at.y, at.x))) * glm::dvec2(at.x < 0 ? -1 : 1, at.y < 0 ? -1 : 1);
+    }
+    const glm::uvec2 bits(glm::round(at * 32767.0) + 32768.0);
+    return bits.x | bits.y << 16U;
+}
+
+/// How much of the corner opposite to the side from `a` to `b` there is at a point.
+glm::vec4 share(const glm::dvec3& across, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 gradient = glm::cross(across, b - a) / glm::dot(across, across);
+    return {glm::vec3(gradient), static_cast<float>(-glm::dot(gradient, a))};
+}
+
+struct Row {
+    std::uint32_t plane;
+    layers::SmoothFacet facet;
+};
+
+std::vector<Row> rows_of(const csg::solid::PlacedLeaf& leaf, std::uint32_t number, const glm::dvec3& center) {
+    const std::vector<CornerNormals> normals = csg::solid::corner_normals(leaf);
+    std::vector<Row> rows;
+    for (std::size_t t = 0; t < normals.size(); ++t) {
+        const glm::uvec3& corners = leaf.triangles[t];
+        const glm::dvec3 a = leaf.points[corners.x] - center, b = leaf.points[corners.y] - center,
+                         c = leaf.points[corners.z] - center;
+        const glm::dvec3 across = glm::cross(b - a, c - a);
+        const double area = glm::length(across);
+        const bool flat = std::all_of(normals[t].begin(), normals[t].end(),
+                                      [&](const glm::dvec3& n) { return glm::dot(n, across) >= kSameNormal * area; });
+        const bool none =
+            std::all_of(normals[t].begin(), normals[t].end(), [](const glm::dvec3& n) { return n == glm::dvec3(0); });
+        if (area > 0 && !flat && !none) {
+            rows.push_back({leaf.planes[t].index,
+                            {share(across, b, c),
+                             share(across, c, a),
+                             {packed(normals[t][0]), packed(normals[t][1]), packed(normals[t][2]), number}}});
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+layers::SmoothFacets smooth_facets(const csg::solid::Geometry& geometry) {
+    const glm::dvec3 center = local_frame(geometry).center;
+    std::vector<std::vector<Row>> by_leaf(geometry.leaves.size());
+    base::for_each_index(static_cast<int>(by_leaf.size()), [&] {
+        return [&](int leaf) {
+            const auto i = static_cast<std::size_t>(leaf);
+            by_leaf[i] = rows_of(geometry.leaves[i], static_cast<std::uint32_t>(i), center);
+        };
+    });
+    layers::SmoothFacets smooth;
+    smooth.starts.assign(geometry.planes.planes().size() + 1, 0);
+    for (const std::vector<Row>& rows : by_leaf) {
+        for (const Row& row : rows) {
+            ++smooth.starts[row.plane + 1];
+        }
+    }
+    for (std::size_t plane = 1; plane < smooth.starts.size(); ++plane) {
+        smooth.starts[plane] += smooth.starts[plane - 1];
+    }
+    smooth.facets.resize(smooth.starts.back());
+    std::vector<std::uint32_t> next(smooth.starts.begin(), smooth.starts.end() - 1);
+    for (std::vector<Row>& rows : by_leaf) {
+        for (const Row& row : rows) {
+            smooth.facets[next[row.plane]++] = row.facet;
+        }
+        rows = {};
+    }
+    return smooth;
+}
+
+}  // namespace goldfeather
