@@ -201,6 +201,10 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--margin", raw.margin,
          "The same as near as leaves so much of the picture at each side empty, 0 to 45 (OpenSCAD's distance)",
          "PERCENT", camera);
+    text("--plan", raw.plan,
+         "Several views in one picture at one scale, with lines between them and a scale bar: top, front, side (from "
+         "the right) or iso",
+         "VIEW[,VIEW...]", camera);
     flag("--autocenter", o.autocenter, "Look at the center of the model", camera);
 
     const char* const engine = "Engine";

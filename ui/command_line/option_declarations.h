@@ -15,7 +15,7 @@ struct RawOptions {
     std::string export_format, camera, size, layers, samples, view, csg_limit, backend, render, preview, scheme;
     std::string check_parameters, check_ranges, trace_parameters, trace_depth, time_limit, memory_limit, memory_budget,
         minimal_fraction, precision, thickness, parts, at, format, hatching, transparency, blend, medium_light, dpi,
-        margin;
+        margin, plan;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
     std::string animate, sharding, turntable, time, frame_rate;
     std::vector<std::string> depictions;

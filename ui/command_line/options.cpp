@@ -171,6 +171,25 @@ void interpret_motion(Options& o, const RawOptions& raw) {
     }
 }
 
+/// After all else that a plan does not go with.
+void interpret_plan(Options& o, const RawOptions& raw) {
+    if (raw.plan.empty()) {
+        return;
+    }
+    try {
+        o.plan = read_plan(raw.plan);
+    } catch (const std::invalid_argument& e) {
+        throw UsageError(fmt::format("--plan: {}", e.what()));
+    }
+    if (o.camera || o.turntable || o.thickness || o.pick || o.marks.any()) {
+        throw UsageError("--plan has views of its own; leave out --camera, --turntable, --thickness, --view and pick");
+    }
+    if (o.outputs.empty() ||
+        std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.format == Format::Exr; })) {
+        throw UsageError("--plan is of pictures, -o FILE.png");
+    }
+}
+
 /// OpenSCAD's view options.
 void interpret_view(Options& o, const RawOptions& raw) {
     for (std::size_t begin = 0; begin < raw.view.size();) {
@@ -327,6 +346,7 @@ void interpret(Options& o, const RawOptions& raw) {
     interpret_animation(o, raw);
     interpret_motion(o, raw);
     interpret_view(o, raw);
+    interpret_plan(o, raw);
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);
     o.summary_file = given(raw.summary_file);

@@ -16,6 +16,7 @@
 #include "ui/command_line/summary_parts.h"
 #include "ui/command_line/usage_error.h"
 #include "ui/pipeline/motion/depiction.h"
+#include "ui/pipeline/picture/plan.h"
 #include "ui/pipeline/picture/thickness_request.h"
 #include "ui/pipeline/picture/view_marks.h"
 
@@ -44,6 +45,7 @@ struct Options {
     std::optional<base::Camera> camera;    ///< Absent: the file's $vp… variables, or everything in view.
     bool view_all = false;
     std::optional<double> margin;  ///< See CameraRequest.
+    std::vector<PlanView> plan;    ///< None: the one view of the camera.
     bool autocenter = false;
     base::Projection projection = base::Projection::Perspective;
     npr::Picture picture;  ///< But for its camera, and for what `style` says; see picture_of.

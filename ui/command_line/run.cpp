@@ -38,6 +38,7 @@
 #include "ui/pipeline/picture/exact_bounds.h"
 #include "ui/pipeline/picture/flat_lines.h"
 #include "ui/pipeline/picture/legend.h"
+#include "ui/pipeline/picture/plan.h"
 #include "ui/pipeline/picture/radiograph.h"
 #include "ui/pipeline/picture/renderer.h"
 #include "ui/pipeline/picture/thickness_map.h"
@@ -234,7 +235,8 @@ class Run {
         const bool framed =
             needs_box(request, language_.evaluation().view) || options_.summary || options_.summary_file;
         // As OpenSCAD: previews go by the boxes of products, results by what is left.
-        box_ = framed && !options_.preview ? exact_bounds(*model_, limit_.token()) : model_->box;
+        box_ = (framed && !options_.preview) || !options_.plan.empty() ? exact_bounds(*model_, limit_.token())
+                                                                       : model_->box;
         picture_.camera = choose_camera(request, language_.evaluation().view, box_);
         cut();
         first_rotation_ = picture_.camera.rotation.z;
@@ -337,6 +339,11 @@ class Run {
         return image;
     }
 
+    base::Image plan_image(Renderer& renderer, const PictureRequest& request) {
+        return draw_plan(options_.plan, request, box_,
+                         [&](const PictureRequest& view) { return renderer.render(*shown_, view, limit_.token()); });
+    }
+
     void draw() {
         begin("Drawing…", "drawing");
         Stopwatch watch;
@@ -358,9 +365,10 @@ class Run {
             language_.progress().say("");
             return;
         }
-        base::Image image =
-            options_.thickness ? thickness_image(renderer, request) : renderer.render(*shown_, request, limit_.token());
-        if (lines) {
+        base::Image image = options_.thickness      ? thickness_image(renderer, request)
+                            : options_.plan.empty() ? renderer.render(*shown_, request, limit_.token())
+                                                    : plan_image(renderer, request);
+        if (lines && options_.plan.empty()) {
             draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), picture_.camera,
                             picture_.scheme.edge_2d);
         }

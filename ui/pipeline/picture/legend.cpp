@@ -143,4 +143,23 @@ void draw_legend(base::Image& image, double full, const std::function<glm::vec3(
     }
 }
 
+int bar_strip(glm::ivec2 size) {
+    return (kGlyphHeight + 14) * std::max(1, std::min(size.x, size.y) / 320);
+}
+
+void draw_scale_bar(base::Image& image, double pixels_per_millimeter, const glm::vec3& ink) {
+    constexpr int kTallOfOne = 320;
+    const int scale = std::max(1, std::min(image.width, image.height) / kTallOfOne);
+    // Steps of a range are a fifth of it or more: this one is a tenth of the width to a quarter.
+    const double length = legend_step(image.width / pixels_per_millimeter / 2);
+    const int pixels = static_cast<int>(std::lround(length * pixels_per_millimeter));
+    const glm::ivec2 lo(6 * scale, image.height - 8 * scale);
+    Canvas canvas(image, scale);
+    canvas.fill(lo, {pixels, scale}, ink);
+    for (const int end : {0, pixels - scale}) {
+        canvas.fill(lo + glm::ivec2(end, -2 * scale), {scale, 5 * scale}, ink);
+    }
+    canvas.write(fmt::format("{:g} mm", length), lo - glm::ivec2(0, (kGlyphHeight + 4) * scale), ink);
+}
+
 }  // namespace ui

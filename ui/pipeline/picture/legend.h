@@ -24,6 +24,13 @@ void draw_ring(base::Image& image, const glm::dvec2& at, std::string_view text, 
 /// Between the numbers of a legend: 1, 2 or 5 times a power of ten, the least of which `full` holds at most five.
 [[nodiscard]] double legend_step(double full);
 
+/// Draws a bar of a round length, a quarter of the picture's width at most, into the lower left corner, with the length
+/// in millimeters above it.
+void draw_scale_bar(base::Image& image, double pixels_per_millimeter, const glm::vec3& ink);
+
+/// Pixels at the lower border that the bar takes.
+[[nodiscard]] int bar_strip(glm::ivec2 size);
+
 /// The nearest number above that has two digits.
 [[nodiscard]] double round_up(double thickness);
 
