@@ -128,7 +128,7 @@ TEST(LineFacts, KindsOfAKnownModel) {
     EXPECT_EQ(kind(sight.at({0, 0, 5})), LineKind::Silhouette);
     EXPECT_EQ(kind(sight.at(kRim)), LineKind::Intersection);
     EXPECT_EQ(kind(sight.at({10, 5, 10}, 0)), LineKind::PartBorder);
-    EXPECT_EQ(kind(sight.at({10, 0, 5})), LineKind::PartBorder);
+    EXPECT_EQ(kind(sight.at({10, 0, 5}, 0)), LineKind::PartBorder);
 
     Sight as_one(two_blocks());
     as_one.look(flat_camera(as_one.box()), {200, 200});

@@ -68,8 +68,9 @@ TEST_P(StyleTest, SamePictureTwice) {
 TEST_P(StyleTest, EmptySceneIsBackground) {
     for (const npr::StyleInfo& info : npr::styles()) {
         const base::Image image = draw(nothing(), {.style = info.name});
-        // A sketch's paper has a grain.
-        const int grain = info.name == "sketch" ? 8 : 0;
+        // Paper that is drawn on by hand has a grain.
+        const bool by_hand = info.name.starts_with("sketch") || info.name == "chalk" || info.name == "strokes";
+        const int grain = by_hand ? 8 : 0;
         for (std::size_t i = 0; i < image.rgba.size(); ++i) {
             ASSERT_NEAR(image.rgba[i], image.rgba[i % 4], grain) << info.name;
         }
@@ -245,7 +246,7 @@ TEST_P(StyleTest, StrokesOvershootAndStrayFromTheEdge) {
     };
     const base::Image plain = sketch("0", "0"), beyond = sketch("30", "0");
     // 30 pixels of a 512th are 15 here, on each side; the last third is faint.
-    EXPECT_GT(breadth(beyond), breadth(plain) + 16);
+    EXPECT_GE(breadth(beyond), breadth(plain) + 16);
     EXPECT_LE(breadth(beyond), breadth(plain) + 30);
     EXPECT_GT(differing(plain, sketch("0", "12"), 24), 300U);
 }
