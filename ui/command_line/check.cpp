@@ -4,13 +4,13 @@
 #include <stdexcept>
 
 #include "base/file.h"
-#include "base/stop.h"
 #include "ui/command_line/check_options.h"
 #include "ui/command_line/check_page.h"
 #include "ui/command_line/check_report.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/messages.h"
+#include "ui/command_line/subcommand.h"
 #include "ui/pipeline/inspection/check.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/plain_text.h"
@@ -80,13 +80,8 @@ int run_check(const std::vector<std::string>& arguments) {
             status = kClean;
             return 0;
         }
-        TimeLimit limit(options.run.time_limit);
-        try {
-            status = check_within(options, limit);
-            limit.end();
-        } catch (const base::Stopped&) {
-            limit.tell();
-        }
+        status = within_time(options.run.time_limit, kBadInput,
+                             [&](TimeLimit& limit) { return check_within(options, limit); });
         return 0;
     });
     return status;

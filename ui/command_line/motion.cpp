@@ -1,11 +1,11 @@
 #include "ui/command_line/motion.h"
 
-#include "base/stop.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/motion_options.h"
 #include "ui/command_line/motion_report.h"
+#include "ui/command_line/subcommand.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/statistics.h"
@@ -36,15 +36,7 @@ int run_motion(const std::vector<std::string>& arguments) {
         if (options.help) {
             return 0;
         }
-        TimeLimit limit(options.run.time_limit);
-        try {
-            const int status = motion_within(options, limit);
-            limit.end();
-            return status;
-        } catch (const base::Stopped&) {
-            limit.tell();
-            return 1;
-        }
+        return within_time(options.run.time_limit, 1, [&](TimeLimit& limit) { return motion_within(options, limit); });
     });
 }
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "ui/command_line/files.h"
 #include "ui/command_line/option_table.h"
 #include "ui/command_line/option_values.h"
+#include "ui/command_line/subcommand.h"
 
 namespace ui {
 
@@ -31,13 +31,7 @@ void declare(OptionTable& table, MotionOptions& o, RawMotion& raw) {
               raw.format, {"text", "json"});
     table.add({"-o,--o", "Write to FILE instead of standard output", "FILE", tell}, o.output);
     const char* const model = "The model";
-    table.add_each({"-D,--D", "Put a statement behind the file: -D 'size=[1,2]'", "STATEMENT", model},
-                   o.run.definitions);
-    table.add({"-p,--p", "A file of parameter sets", "FILE", model}, o.run.parameter_file);
-    table.add({"-P,--P", "The parameter set of that file to take", "NAME", model}, o.run.parameter_set);
-    table.add_positive({"--time-limit", "End with an error after so many seconds", "SECONDS", model}, raw.time_limit,
-                       kLargest);
-    table.add_flag({"--preview", "Evaluate with $preview true (false)", "", model}, o.run.preview);
+    declare_model(table, o.run, raw.time_limit, model);
     table.add_flag({"-q,--quiet", "Print errors and the motion only", "", model}, o.run.quiet);
 }
 
@@ -68,20 +62,7 @@ MotionOptions read_motion_options(const std::vector<std::string>& arguments) {
                       "csgscope motion");
     table.lay_out_help("How to tell it", 34);
     declare(table, o, raw);
-    try {
-        if (!table.read(arguments)) {
-            write_output("-", table.help());
-            o.help = true;
-            return o;
-        }
-        table.refuse_empty_values();
-        interpret(o, raw);
-    } catch (const UnknownOption& unknown) {
-        throw UsageError(fmt::format("motion: unknown option {}.{}", unknown.name(),
-                                     suggestion(unknown.name(), table.long_names(), " See csgscope motion --help.")));
-    } catch (const UsageError& error) {
-        throw UsageError(fmt::format("motion: {}", error.what()));
-    }
+    o.help = !read_subcommand(table, arguments, "motion", [&] { interpret(o, raw); });
     return o;
 }
 

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "base/stop.h"
 #include "ui/command_line/call_place.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/messages.h"
 #include "ui/command_line/option_table.h"
 #include "ui/command_line/option_values.h"
+#include "ui/command_line/subcommand.h"
 #include "ui/pipeline/editing/move_leaf.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/plain_text.h"
@@ -50,26 +50,15 @@ MoveOptions read_move_options(const std::vector<std::string>& arguments) {
                "FILE", what},
               o.output);
     const char* const model = "The model";
-    table.add_positive({"--time-limit", "End with an error after so many seconds", "SECONDS", model}, time_limit, 1e9);
+    declare_model(table, o.run, time_limit, model);
     table.add_flag({"-q,--quiet", "Print errors only", "", model}, o.run.quiet);
-    try {
-        if (!table.read(arguments)) {
-            write_output("-", table.help());
-            o.help = true;
-            return o;
-        }
-        table.refuse_empty_values();
+    o.help = !read_subcommand(table, arguments, "move", [&] {
         const auto n = read_numbers("--by", by, {3}, "x,y,z");
         o.by = {n[0], n[1], n[2]};
         if (o.by == glm::dvec3(0.0)) {
             throw UsageError("--by 0,0,0 moves nothing");
         }
-    } catch (const UnknownOption& unknown) {
-        throw UsageError(fmt::format("move: unknown option {}.{}", unknown.name(),
-                                     suggestion(unknown.name(), table.long_names(), " See csgscope move --help.")));
-    } catch (const UsageError& error) {
-        throw UsageError(fmt::format("move: {}", error.what()));
-    }
+    });
     o.run.time_limit = time_limit;
     return o;
 }
@@ -164,15 +153,7 @@ int run_move(const std::vector<std::string>& arguments) {
         if (options.help) {
             return 0;
         }
-        TimeLimit limit(options.run.time_limit);
-        try {
-            const int status = move_within(options, limit);
-            limit.end();
-            return status;
-        } catch (const base::Stopped&) {
-            limit.tell();
-            return 1;
-        }
+        return within_time(options.run.time_limit, 1, [&](TimeLimit& limit) { return move_within(options, limit); });
     });
 }
 
