@@ -118,7 +118,9 @@ void LanguageRun::read() {
     if (!options_.parameter_file.empty() && !options_.parameter_set.empty()) {
         take_parameter_set();
     }
+    const std::size_t own = request_.text->size();
     csg::scad::append_statements(*request_.text, request_.definitions);
+    appended_ = request_.text->substr(own);
     if (options_.camera) {
         request_.view = scad_view(*options_.camera);
     }
@@ -219,7 +221,7 @@ std::shared_ptr<const csg::Tree> LanguageRun::evaluate_at(double time) {
 
 std::shared_ptr<const csg::Tree> LanguageRun::evaluate_text(const std::string& text) {
     csg::scad::Request request = request_;
-    request.text = text;
+    request.text = text + appended_;
     const ProgramRun run =
         runner_.run(std::move(request), false, [this](const auto&, const auto&) { return messages_.warnings(); });
     base::end_if_asked(limit_.token());

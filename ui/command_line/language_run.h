@@ -49,7 +49,8 @@ class LanguageRun {
     /// The tree at another $t, once there has been a run; null where there is none, and an error has been told. Makes
     /// no outputs.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_at(double time);
-    /// The tree with another text of the main file; null where that has an error, which is not told.
+    /// The tree with another text of the main file, definitions as they are; null where that has an error, which is not
+    /// told.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_text(const std::string& text);
     /// The tree of another file, evaluated in the same way, once the source has been; null where an error ended that.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_other(const std::string& path);
@@ -78,6 +79,7 @@ class LanguageRun {
     Messages messages_;
     Progress progress_;
     csg::scad::Request request_;
+    std::string appended_;  ///< To the main file's text, by definitions that are statements.
     ProgramRunner runner_;
     bool loaded_ = false;  ///< It is looked at before it runs.
     ProgramRun run_;

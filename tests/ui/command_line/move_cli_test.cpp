@@ -37,6 +37,12 @@ TEST_F(MoveProgram, WritesTheText) {
     const Result second = run("move box.scad --call 3 --by 0,5,0 --choice 2 -o -");
     EXPECT_EQ(second.status, 0);
     EXPECT_NE(second.out, folder_.read("box.scad"));
+    // Definitions count, and stay out of the text.
+    for (const char* const definition : {"-D 'wall=3'", "-D 'sphere(1);'"}) {
+        const Result defined = run(std::string("move back.scad --call 3 --by 0,5,0 -o - ") + definition);
+        EXPECT_EQ(defined.status, 0) << defined.err;
+        EXPECT_EQ(defined.out, folder_.read("box.scad"));
+    }
 }
 
 TEST_F(MoveProgram, RefusesWhatItCannotDo) {
