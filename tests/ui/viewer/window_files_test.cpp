@@ -11,10 +11,10 @@ TEST_F(WindowFiles, BeginsWithNothingAndOpensWhatIsTyped) {
     ASSERT_TRUE(shows(kPanel, 10'000)) << "how to begin, in the middle";
     EXPECT_EQ(count(is_face), 0U);
     robot("key ctrl+o");
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     robot("type --delay 40 '" + folder_.path("nothing.scad") + "'");
     robot("key Return");
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     EXPECT_EQ(count(is_face), 0U) << "the form says that there is no such file";
     robot("key ctrl+a");
     robot("type --delay 40 '" + folder_.path("model.scad") + "'");
@@ -209,7 +209,7 @@ TEST_F(WindowFiles, ExportsWhatIsShown) {
     open({"-D", "size=7"});
     wait_for_picture();
     robot("key ctrl+e");
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     robot("key ctrl+a");
     robot("type --delay 40 '" + folder_.path("cube.off") + "'");
     robot("key Return");

@@ -23,7 +23,7 @@ TEST_F(WindowTools, TheViewCubeTurnsTheCamera) {
     EXPECT_EQ(frames().back().at("selected"), "") << "the click was the cube's";
     from = frames().size();
     robot("key b mousemove 914 81 click 1");  // Now it is not there.
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     EXPECT_EQ(frames().back().at("camera").at("rotation"), Json({0, 0, 0}));
 }
 
@@ -33,7 +33,7 @@ TEST_F(WindowTools, ASectionIsDraggedInThePicture) {
     robot("mousemove 1174 339 click 1");  // Z
     std::size_t from = frames().size();
     wait_for_picture(from);
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     const std::size_t half = count(is_face);
     from = frames().size();
     const Json camera = frames().back().at("camera");
@@ -91,7 +91,7 @@ TEST_F(WindowTools, MeasuresWhatIsClicked) {
 TEST_F(WindowTools, GridAndScalesAreInTheScene) {
     open();
     wait_for_picture();
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     const std::size_t ground = count(kCornfield);
     const auto drawn_over = [&] {
         for (int i = 0; i < 50 && count(kCornfield) > ground - 5000; ++i) {
@@ -116,7 +116,7 @@ TEST_F(WindowTools, SettingsAreKept) {
     open();
     wait_for_picture();
     robot("key ctrl+comma");
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     robot("key Escape");
     folder_.write(".local/state/csgscope/settings", "theme = light\nmouse = Blender\nkey Grid = J\n");
     robot("key ctrl+q");
@@ -126,7 +126,7 @@ TEST_F(WindowTools, SettingsAreKept) {
     EXPECT_TRUE(shows({240, 241, 242}, 50'000)) << "panels of the light theme";
     std::size_t from = frames().size();
     robot("mousemove 60 80 mousedown 1 mousemove_relative 60 40 mouseup 1");
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     EXPECT_EQ(frames().back().at("camera"), first.at("camera")) << "the left button moves nothing";
     robot("mousemove 60 80 mousedown 2 mousemove_relative 60 40 mouseup 2");
     wait_for(from,
@@ -181,7 +181,7 @@ TEST_F(WindowTools, TimeRuns) {
     EXPECT_GT(steps.size(), 5U);
     EXPECT_GT(models.size(), 5U) << "the pictures follow";
     const Json rested = wait_for_picture(frames().size() - 1);
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(1500ms);
     EXPECT_EQ(frames().back().at("step"), rested.at("step"));
 }
 
