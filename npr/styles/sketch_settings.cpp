@@ -7,32 +7,49 @@
 
 namespace npr {
 
-const SettingsTable<SketchSettings>& SketchSettings::table() {
+SettingsTable<SketchSettings> hand_table(const HandParameters& hand) {
     using S = SketchSettings;
-    static const SettingsTable<S> all{
-        setting<&S::width>(line_width(1.4F)),
+    return {
+        setting<&S::width>(line_width(hand.width)),
         setting<&S::crease_degrees>(crease_angle()),
         setting<&S::parts>(part_edges()),
         setting<&S::seed>(Parameter::integer("seed", "Seed", 1, 0, 9999)),
-        setting<&S::wobble>(Parameter::number("wobble", "Deviation of strokes", 3, 0, 20)),
-        setting<&S::strokes>(Parameter::integer("strokes", "Strokes per edge", 2, 1, 4)),
-        setting<&S::overshoot_length>(Parameter::number("overshoot", "Length drawn beyond corners", 16, 0, 60)),
-        setting<&S::medium>(Parameter::choice("medium", "Medium", 0, {"pencil", "ink", "chalk"})),
-        setting<&S::hatch>(Parameter::number("hatch", "Strength of hatching", 0.75F, 0, 1)),
-        setting<&S::wash>(Parameter::number("color", "Strength of surface colors", 0.55F, 0, 1)),
-        setting<&S::hidden>(Parameter::number("hidden", "Strength of hidden edges", 0, 0, 1)),
+        setting<&S::wobble>(Parameter::number("wobble", "Deviation of strokes", hand.wobble, 0, 20)),
+        setting<&S::strokes>(Parameter::integer("strokes", "Strokes per edge", hand.strokes, 1, 4)),
+        setting<&S::overshoot_length>(
+            Parameter::number("overshoot", "Length drawn beyond corners", hand.overshoot, 0, 60)),
+        Setting<&S::medium>{hand.medium},
+        Setting<&S::hatch>{hand.hatch},
+        Setting<&S::wash>{hand.wash},
+        Setting<&S::hidden>{hand.hidden},
+        Setting<&S::hidden_falloff>{hand.hidden_falloff},
+        Setting<&S::layer_tone>{hand.layer_tone},
         setting<&S::on_model>(Parameter::choice("anchor", "Noise anchored to", 1, {"picture", "model"})),
-        setting<&S::ink_color>(Parameter::color("ink", "Color of strokes", {0.16F, 0.15F, 0.17F})),
-        setting<&S::paper_color>(Parameter::color("paper", "Color of the paper", {0.975F, 0.957F, 0.915F})),
-        setting<&S::smooth_shading>(smooth_surfaces()),
+        setting<&S::ink_color>(Parameter::color("ink", "Color of strokes", hand.ink)),
+        setting<&S::paper_color>(Parameter::color("paper", "Color of the paper", hand.paper)),
+        Setting<&S::smooth_shading>{hand.smooth_shading},
         setting<&S::unit>(),
         setting<&S::hidden_width>(),
         setting<&S::inner_strength>(),
         setting<&S::hidden_inner>(),
         setting<&S::correlated>(),
-        setting<&S::hidden_falloff>(),
-        setting<&S::layer_tone>(),
     };
+}
+
+const SettingsTable<SketchSettings>& SketchSettings::table() {
+    static const SettingsTable<SketchSettings> all = hand_table({
+        .width = 1.4F,
+        .wobble = 3,
+        .strokes = 2,
+        .overshoot = 16,
+        .ink = {0.16F, 0.15F, 0.17F},
+        .paper = {0.975F, 0.957F, 0.915F},
+        .medium = Parameter::choice("medium", "Medium", 0, {"pencil", "ink", "chalk"}),
+        .hatch = Parameter::number("hatch", "Strength of hatching", 0.75F, 0, 1),
+        .wash = Parameter::number("color", "Strength of surface colors", 0.55F, 0, 1),
+        .hidden = Parameter::number("hidden", "Strength of hidden edges", 0, 0, 1),
+        .smooth_shading = smooth_surfaces(),
+    });
     return all;
 }
 

@@ -36,6 +36,16 @@ struct SketchSettings : LinedSettings {
     static const SettingsTable<SketchSettings>& table();
 };
 
+/// What styles drawn by hand differ in: initial values, and parameters that not all of them have.
+struct HandParameters {
+    float width = 1, wobble = 0;
+    int strokes = 1;
+    float overshoot = 0;
+    glm::vec3 ink{}, paper{};
+    std::optional<Parameter> medium{}, hatch{}, wash{}, hidden{}, hidden_falloff{}, layer_tone{}, smooth_shading{};
+};
+[[nodiscard]] SettingsTable<SketchSettings> hand_table(const HandParameters& hand);
+
 /// The widest stroke.
 [[nodiscard]] constexpr float widest_stroke(const SketchSettings& settings) {
     return 2 * settings.width;

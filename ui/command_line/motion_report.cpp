@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ui/pipeline/motion/character.h"
+#include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
@@ -17,12 +18,8 @@ double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
-std::string number(double value, double scale) {
-    return fmt::format("{:.6g}", std::abs(value) < 1e-9 * scale ? 0.0 : value);
-}
-
 std::string point(const glm::dvec3& p, double scale) {
-    return fmt::format("[{}, {}, {}]", number(p.x, scale), number(p.y, scale), number(p.z, scale));
+    return fmt::format("[{}, {}, {}]", number_text(p.x, scale), number_text(p.y, scale), number_text(p.z, scale));
 }
 
 std::string place(const Motion& motion, const MovingBody& body) {
@@ -37,7 +34,8 @@ std::string axis(const Character& c) {
 }
 
 std::string net(double value, double whole, const char* unit) {
-    return std::abs(value) < whole * (1 - 1e-9) ? fmt::format(", {}{} of it one way", number(value, whole), unit) : "";
+    return std::abs(value) < whole * (1 - 1e-9) ? fmt::format(", {}{} of it one way", number_text(value, whole), unit)
+                                                : "";
 }
 
 std::string course(const Character& c) {
@@ -46,18 +44,19 @@ std::string course(const Character& c) {
         case Character::Kind::Stays:
             return "stays where it is";
         case Character::Kind::Turns:
-            return fmt::format("turns by {}° {}{}", number(turned, 1), axis(c), net(turned_net, turned, "°"));
+            return fmt::format("turns by {}° {}{}", number_text(turned, 1), axis(c), net(turned_net, turned, "°"));
         case Character::Kind::Slides:
-            return fmt::format("slides {} along {}{}", number(c.way, 1), point(c.axis, 1), net(c.way_net, c.way, ""));
+            return fmt::format("slides {} along {}{}", number_text(c.way, 1), point(c.axis, 1),
+                               net(c.way_net, c.way, ""));
         case Character::Kind::Screws:
-            return fmt::format("turns by {}° {} and slides {} along it", number(turned, 1), axis(c),
-                               number(c.way_net, c.way));
+            return fmt::format("turns by {}° {} and slides {} along it", number_text(turned, 1), axis(c),
+                               number_text(c.way_net, c.way));
         case Character::Kind::Travels:
-            return fmt::format("travels {} on a curve, without turning; its ends are {} apart", number(c.way, 1),
-                               number(c.way_net, c.way));
+            return fmt::format("travels {} on a curve, without turning; its ends are {} apart", number_text(c.way, 1),
+                               number_text(c.way_net, c.way));
         case Character::Kind::Moves:
             return fmt::format("turns by {}° in all, while its middle goes {}; its ends are {} apart",
-                               number(turned, 1), number(c.way, 1), number(c.way_net, c.way));
+                               number_text(turned, 1), number_text(c.way, 1), number_text(c.way_net, c.way));
         case Character::Kind::Deforms:
             return "is scaled or sheared";
     }

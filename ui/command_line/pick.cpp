@@ -1,7 +1,6 @@
 #include "ui/command_line/pick.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -14,11 +13,6 @@
 namespace ui {
 
 namespace {
-
-/// With six digits; what is but rounding is 0.
-std::string number_text(double value, double scale) {
-    return fmt::format("{:.6g}", std::abs(value) < 1e-9 * scale ? 0.0 : value);
-}
 
 std::string materials_text(const csg::Scene& scene, const std::vector<csg::PartId>& parts) {
     std::vector<std::string_view> names;

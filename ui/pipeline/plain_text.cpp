@@ -1,6 +1,9 @@
 #include "ui/pipeline/plain_text.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 namespace ui {
 
@@ -74,6 +77,10 @@ std::string printable(std::string_view text) {
         }
     }
     return result;
+}
+
+std::string number_text(double value, double scale) {
+    return fmt::format("{:.6g}", std::abs(value) < 1e-9 * scale ? 0.0 : value);
 }
 
 std::size_t character_count(std::string_view text) {

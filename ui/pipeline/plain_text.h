@@ -15,6 +15,9 @@ namespace ui {
 /// are no UTF-8 become "\x1b".
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// A number with six digits; what is but rounding beside `scale` is 0.
+[[nodiscard]] std::string number_text(double value, double scale);
+
 /// How many characters a text in UTF-8 has.
 [[nodiscard]] std::size_t character_count(std::string_view text);
 

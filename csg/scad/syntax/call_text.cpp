@@ -42,22 +42,29 @@ void add_parts(const Program& program, const Expr& e, std::vector<ExprId>& left)
     }
 }
 
-std::vector<LiteralText> literals_in(const Program& program, ExprId value, std::uint32_t file) {
-    std::vector<LiteralText> literals;
+/// Calls `visit` with the expression and all that it consists of; it says whether to go into one.
+template <typename Visit>
+void walk(const Program& program, ExprId value, const Visit& visit) {
     std::vector<ExprId> left{value};
     while (!left.empty()) {
         const ExprId id = left.back();
         left.pop_back();
-        if (id == kNone) {
-            continue;
-        }
-        const Expr& e = program[id];
-        if (!is_literal_text(program, e)) {
-            add_parts(program, e, left);
-        } else if (e.where.file == file) {
-            literals.push_back({id, program.sources.bytes_of(e.where)});
+        if (id != kNone && visit(id)) {
+            add_parts(program, program[id], left);
         }
     }
+}
+
+std::vector<LiteralText> literals_in(const Program& program, ExprId value, std::uint32_t file) {
+    std::vector<LiteralText> literals;
+    walk(program, value, [&](ExprId id) {
+        const Expr& e = program[id];
+        const bool literal = is_literal_text(program, e);
+        if (literal && e.where.file == file) {
+            literals.push_back({id, program.sources.bytes_of(e.where)});
+        }
+        return !literal;
+    });
     std::sort(literals.begin(), literals.end(),
               [](const LiteralText& a, const LiteralText& b) { return a.bytes.begin < b.bytes.begin; });
     return literals;
@@ -65,19 +72,20 @@ std::vector<LiteralText> literals_in(const Program& program, ExprId value, std::
 
 /// Adds the names of variables in an expression, each once.
 void add_names(const Program& program, ExprId value, std::vector<Symbol>& names) {
-    std::vector<ExprId> left{value};
-    while (!left.empty()) {
-        const ExprId id = left.back();
-        left.pop_back();
-        if (id == kNone) {
-            continue;
-        }
+    walk(program, value, [&](ExprId id) {
         const Expr& e = program[id];
         if (e.kind == ExprKind::Identifier && std::find(names.begin(), names.end(), e.name) == names.end()) {
             names.push_back(e.name);
         }
-        add_parts(program, e, left);
-    }
+        return true;
+    });
+}
+
+/// Null where no call begins there.
+const Instantiation* instantiation_at(const Program& program, const SourceLocation& place) {
+    const auto found = std::find_if(program.instantiations.begin(), program.instantiations.end(),
+                                    [&](const Instantiation& each) { return each.where.begin() == place; });
+    return found == program.instantiations.end() ? nullptr : &*found;
 }
 
 void add_numbers(const Program& program, ExprId value, std::vector<LiteralText>& numbers) {
@@ -93,9 +101,8 @@ void add_numbers(const Program& program, ExprId value, std::vector<LiteralText>&
 
 std::vector<NumberSource> numbers_behind(const Program& program, const SourceLocation& place) {
     std::vector<NumberSource> sources;
-    const auto call = std::find_if(program.instantiations.begin(), program.instantiations.end(),
-                                   [&](const Instantiation& each) { return each.where.begin() == place; });
-    if (call == program.instantiations.end()) {
+    const Instantiation* const call = instantiation_at(program, place);
+    if (call == nullptr) {
         return sources;
     }
     std::vector<Symbol> names;
@@ -121,9 +128,8 @@ std::vector<NumberSource> numbers_behind(const Program& program, const SourceLoc
 }
 
 std::optional<CallText> call_at(const Program& program, const SourceLocation& place) {
-    const auto i = std::find_if(program.instantiations.begin(), program.instantiations.end(),
-                                [&](const Instantiation& each) { return each.where.begin() == place; });
-    if (i == program.instantiations.end()) {
+    const Instantiation* const i = instantiation_at(program, place);
+    if (i == nullptr) {
         return std::nullopt;
     }
     CallText call{place.file, program.symbols.text(i->name), program.sources.bytes_of(i->where), {}};

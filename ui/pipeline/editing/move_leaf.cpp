@@ -64,9 +64,10 @@ class MoveFinder {
         std::vector<csg::OccurrenceId> path = path_to(scene_, scene_.leaves[leaf_].occurrence);
         csg::SourceLocation last;
         for (std::size_t i = path.size(); i-- > 0;) {
-            const csg::SourceLocation where = tree_.node(scene_.occurrences[path[i]].node).where;
+            const csg::NodeId node = scene_.occurrences[path[i]].node;
+            const csg::SourceLocation where = tree_.node(node).where;
             if (where.known() && where != last && of_main_file(where)) {
-                try_numbers(where);
+                try_numbers(node);
                 try_wrap(where, std::span(path).first(i));
             }
             last = where;
@@ -90,7 +91,8 @@ class MoveFinder {
         return where;
     }
 
-    void try_numbers(const csg::SourceLocation& where) {
+    void try_numbers(csg::NodeId node) {
+        const csg::SourceLocation where = tree_.node(node).where;
         const csg::SourceLocation place = in_program(where);
         const auto sources =
             program_.look([&](const csg::scad::Program& p) { return csg::scad::numbers_behind(p, place); });
@@ -104,18 +106,12 @@ class MoveFinder {
             tried_.push_back(source.numbers.front().bytes.begin);
             if (auto way = solved(source.numbers)) {
                 way->kind = source.variable.empty() ? MoveWay::Kind::Call : MoveWay::Kind::Variable;
-                const csg::Statement* call = statement(where);
+                const csg::Statement* call = tree_.statement(node);
                 way->name = !source.variable.empty() ? source.variable : call != nullptr ? call->name : "";
                 way->where = where;
                 ways_.push_back(std::move(*way));
             }
         }
-    }
-
-    [[nodiscard]] const csg::Statement* statement(const csg::SourceLocation& where) const {
-        const auto found = std::find_if(tree_.statements().begin(), tree_.statements().end(),
-                                        [&](const csg::Statement& s) { return s.where == where; });
-        return found == tree_.statements().end() ? nullptr : &*found;
     }
 
     /// Newton's method on the numbers, since how they lead to the place is not known: the program tells.
