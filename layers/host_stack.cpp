@@ -34,18 +34,24 @@ std::vector<Surface> HostStack::surfaces() const {
 }
 
 void HostStack::count() {
+    for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
+        int& of_pixel = counts[pixel];
+        of_pixel = 0;
+        while (of_pixel < layers && planes[static_cast<std::size_t>(of_pixel)].surface[pixel].x != kNoSurface) {
+            ++of_pixel;
+        }
+    }
+    count_tiles();
+}
+
+void HostStack::count_tiles() {
     const int across = (size.x + kTileSide - 1) / kTileSide;
     std::fill(held.begin(), held.end(), 0);
     std::size_t pixel = 0;
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x, ++pixel) {
-            int& of_pixel = counts[pixel];
-            of_pixel = 0;
-            while (of_pixel < layers && planes[static_cast<std::size_t>(of_pixel)].surface[pixel].x != kNoSurface) {
-                ++of_pixel;
-            }
             int& of_tile = held[static_cast<std::size_t>(y / kTileSide * across + x / kTileSide)];
-            of_tile = std::max(of_tile, of_pixel);
+            of_tile = std::max(of_tile, counts[pixel]);
         }
     }
 }

@@ -44,6 +44,8 @@ struct HostStack {
     [[nodiscard]] std::vector<Surface> surfaces() const;
     /// Sets `held` and `counts` by what the planes hold.
     void count();
+    /// Sets `held` by `counts`.
+    void count_tiles();
 };
 
 /// Leaves out the layers, from the last on, in which fewer than this share of the pixels hold a surface (Nienhaus 2005,

@@ -21,6 +21,16 @@ struct SmoothFacet {
 layout(std430, binding = 12) readonly buffer FacetStarts { uint facet_starts[]; };
 layout(std430, binding = 13) readonly buffer SmoothFacets { SmoothFacet smooth_facets[]; };
 
+#include "npr/table_rows.glsl"
+
+vec4 eye_plane(uint plane) {
+    return plane_in_eye(plane);
+}
+
+CornerNormals corner_normals(uint facet) {
+    return normals_of_corners(facet);
+}
+
 uint facet_start(uint plane) {
     return facet_starts[plane];
 }

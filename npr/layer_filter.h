@@ -38,7 +38,10 @@ void filter_layers(const layers::HostStack& all, const MakeFilter& make_filter, 
                             kept.planes[to++].depth[pixel] = s.depth;
                         }
                     }
-                    for (const auto before = static_cast<std::size_t>(kept.counts[pixel]); to < before; ++to) {
+                    int& count = kept.counts[pixel];
+                    const auto before = static_cast<std::size_t>(count);
+                    count = static_cast<int>(to);
+                    for (; to < before; ++to) {
                         kept.planes[to].surface[pixel] = {layers::kNoSurface, 0};
                         kept.planes[to].depth[pixel] = 0;
                     }
@@ -46,7 +49,7 @@ void filter_layers(const layers::HostStack& all, const MakeFilter& make_filter, 
             };
         },
         0, stop);
-    kept.count();
+    kept.count_tiles();
     kept.layers = std::max(1, kept.held.empty() ? 1 : *std::max_element(kept.held.begin(), kept.held.end()));
 }
 

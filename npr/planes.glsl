@@ -1,23 +1,18 @@
-// Surfaces continued by their planes: on a plane, depth is an affine function of the pixel. Valid in shaders and,
-// within a struct with the same names, in C++.
-
-// Derivative of depth by the pixel's coordinates, on the plane.
-vec2 depth_gradient(uint plane) {
-    vec4 row = plane_rows[plane];
-    vec3 n = mat3(view.eye_from_world) * vec3(row);
-    float offset = row.w + dot(n, center_in_eye);
-    float scale = 2.0f * view.picture.z / view.picture.y;
-    if (view.depth_range.z > 0.5f)  // t = (n.xy * at - offset) / n.z, depth = (far - t) / (far - near)
-        return -scale * vec2(n) / (n.z * (view.depth_range.y - view.depth_range.x));
-    return scale * view.depth_range.x * vec2(n) / offset;  // 1 / t = dot(n, vec3(at, -1)) / offset, depth = near / t
-}
+// Surfaces continued by their planes: on a plane, depth is an affine function of the pixel (npr/plane_lookup.glsl).
+// Valid in shaders and, within a struct with the same names, in C++.
 
 const float kSmooth = 0.83f;  // cosine between the normals of neighboring facets of a smooth surface, at least
 
-// How much nearer the plane of `s` is than that of `t`: at the pixel of `s` (x), and at that of `t`, at `offset` from it
-// (y). Where the planes meet between the two pixels the signs differ.
-vec2 nearer(Surface s, vec2 gradient, Surface t, vec2 other, ivec2 offset) {
-    return vec2(s.depth - (t.depth - dot(other, vec2(offset))), s.depth + dot(gradient, vec2(offset)) - t.depth);
+// How much nearer a surface's plane is than another's that is seen at `offset`: at its own pixel (x), and there (y).
+// Where the planes meet between the two pixels the signs differ.
+vec2 nearer(float depth, vec2 gradient, float other_depth, vec2 other, ivec2 offset) {
+    return vec2(depth - (other_depth - dot(other, vec2(offset))), depth + dot(gradient, vec2(offset)) - other_depth);
+}
+
+// Are planes so far apart that their surfaces do not meet, however they are turned to each other? See meet.
+bool far_apart(vec2 gap, float depth, vec2 gradient, vec2 other) {
+    vec2 steps = abs(gradient - other);
+    return gap.x * gap.y > 0.0f && min(abs(gap.x), abs(gap.y)) - 1e-6f * depth > 3.0f * (steps.x + steps.y);
 }
 
 // Do the surfaces meet where they are seen? Planes of a curved surface's facets may meet a little outside, or beside,
@@ -26,18 +21,6 @@ bool meet(vec2 gap, Surface s, vec2 gradient, vec2 other, float cosine) {
     float apart = min(abs(gap.x), abs(gap.y)) - 1e-6f * s.depth;
     float slack = cosine > kSmooth ? 3.0f * length(gradient - other) : abs(gap.y - gap.x);
     return gap.x * gap.y <= 0.0f || apart <= slack;
-}
-
-// The first layer of a pixel that lies in a plane, seen from one side (`key`: plane_word); -1: none.
-int layer_of(ivec2 p, uint key) {
-    for (int j = 0; j < layer_count; ++j) {
-        uvec2 ids = surface_ids(p, j);
-        if (ids.x == kNoSurface)
-            break;
-        if (ids.y == key)
-            return j;
-    }
-    return -1;
 }
 
 // How a surface goes on in a neighboring pixel.
@@ -78,14 +61,19 @@ Continuation round_the_bend(Surface s, ivec2 pixel, ivec2 offset) {
     vec2 gradient = depth_gradient(s.plane);
     vec3 ray = pixel_ray(p);
     for (int j = 0; j < layer_count; ++j) {
-        Surface t = layer_surface(p, j, ray);
-        if (!t.hit)
+        uvec2 ids = surface_ids(p, j);
+        if (ids.x == kNoSurface)
             break;
-        float cosine = dot(s.normal, t.normal);
-        if (t.leaving != s.leaving || cosine <= c.cosine)
+        if (is_leaving(ids) != s.leaving)
             continue;
-        vec2 other = depth_gradient(t.plane);
-        vec2 gap = nearer(s, gradient, t, other, offset);
+        vec2 other = depth_gradient(plane_of(ids));
+        vec2 gap = nearer(s.depth, gradient, layer_depth(p, j), other, offset);
+        if (far_apart(gap, s.depth, gradient, other))
+            continue;
+        Surface t = layer_surface(p, j, ray);
+        float cosine = dot(s.normal, t.normal);
+        if (cosine <= c.cosine)
+            continue;
         // A plane that is seen on both sides goes on, and is no continuation of another.
         if (meet(gap, s, gradient, other, cosine) && layer_of(pixel, plane_word(t.plane, t.leaving)) < 0) {
             float sum = abs(gap.x) + abs(gap.y);

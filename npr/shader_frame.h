@@ -9,6 +9,7 @@
 #include "npr/frame_values.h"
 #include "npr/medium_rows.h"
 #include "npr/painter/cpu_frame.h"
+#include "npr/painter/memo.h"
 #include "npr/srgb.h"
 
 namespace npr::shader {
@@ -39,6 +40,15 @@ struct Frame : FrameValues, LineCode {
 #include "gl/view_distance.glsl"
 #include "layers/surface.glsl"
 #include "npr/pixel.glsl"
+
+#include "npr/table_rows.glsl"
+
+    vec4 eye_plane(uint plane) {
+        return eye_planes.of(plane, [&] { return plane_in_eye(plane); });
+    }
+    CornerNormals corner_normals(uint facet) {
+        return corners.of(facet, [&] { return normals_of_corners(facet); });
+    }
 
     [[nodiscard]] ivec2 picture_size() const {
         return size;
@@ -83,6 +93,10 @@ struct Frame : FrameValues, LineCode {
     [[nodiscard]] bool same_surfaces(ivec2 p, ivec2 q) const;
     /// Is one of the planes that a pixel sees of a smooth surface?
     [[nodiscard]] bool sees_curves(ivec2 p) const;
+
+  private:
+    Memo<vec4, 10> eye_planes;        ///< By plane.
+    Memo<CornerNormals, 10> corners;  ///< By facet.
 };
 
 }  // namespace npr::shader

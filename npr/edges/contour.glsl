@@ -23,14 +23,14 @@ EndLink next_end(EndLink link, ivec2 on) {
     if (!in_picture(beside) || !in_picture(ahead))
         return next;
     next.found = true;
-    Continuation c = continuation(layer_surface(link.pixel, link.layer, pixel_ray(link.pixel)), link.pixel, on);
+    Continuation c = continuation_at(link.pixel, link.layer, on);
     next.offset = on;
     if (!c.found)
         return next;
     next.pixel = beside;
     next.layer = c.layer;
     next.offset = link.offset;
-    c = continuation(layer_surface(beside, next.layer, pixel_ray(beside)), beside, link.offset);
+    c = continuation_at(beside, next.layer, link.offset);
     if (!c.found)
         return next;
     next.pixel = ahead;
@@ -42,43 +42,51 @@ EndLink next_end(EndLink link, ivec2 on) {
 const int kContour = 7;  // links to either side, at most
 const int kContourNear = 4;
 
-
 // Links on the border of a surface; the one that was asked for is number kContour.
 struct Contour {
     vec2 at[15];  // their middles
-    int first;               // of those that are known
+    int first;    // of those that are known
     int last;
+    EndLink begin;  // the first of them
+    EndLink end;    // the last
+    uint facet;
     bool one_facet;  // Is it one plane that ends there?
 };
 
-// So many to either side.
-Contour contour_about(EndLink link, int links) {
+Contour contour_at(EndLink link) {
     Contour c;
     c.at[kContour] = middle_of(link);
     c.first = kContour;
     c.last = kContour;
+    c.begin = link;
+    c.end = link;
+    c.facet = surface_ids(link.pixel, link.layer).y;
     c.one_facet = true;
-    uint plane = surface_ids(link.pixel, link.layer).y;
-    for (int way = -1; way <= 1; way += 2) {
-        EndLink end = link;
-        for (int i = 1; i <= links; ++i) {
-            // To the left of the way out, or to the right.
-            end = next_end(end, way * ivec2(-end.offset.y, end.offset.x));
-            if (!end.found)
-                break;
-            c.at[kContour + way * i] = middle_of(end);
-            c.one_facet = c.one_facet && surface_ids(end.pixel, end.layer).y == plane;
-            if (way < 0)
-                c.first = kContour - i;
-            else
-                c.last = kContour + i;
+    return c;
+}
+
+// So many to either side, if the border goes on so far.
+Contour longer_contour(Contour c, int links) {
+    // To the left of the way out, and to the right.
+    while (c.begin.found && c.first > kContour - links) {
+        c.begin = next_end(c.begin, ivec2(c.begin.offset.y, -c.begin.offset.x));
+        if (c.begin.found) {
+            c.at[--c.first] = middle_of(c.begin);
+            c.one_facet = c.one_facet && surface_ids(c.begin.pixel, c.begin.layer).y == c.facet;
+        }
+    }
+    while (c.end.found && c.last < kContour + links) {
+        c.end = next_end(c.end, ivec2(-c.end.offset.y, c.end.offset.x));
+        if (c.end.found) {
+            c.at[++c.last] = middle_of(c.end);
+            c.one_facet = c.one_facet && surface_ids(c.end.pixel, c.end.layer).y == c.facet;
         }
     }
     return c;
 }
 
-// How far links lie to either side of the straight line through the first and the last of them.
-vec2 beside_chord(Contour c, int first, int last) {
+// Do the links lie in a band along the straight line through the first and the last of them that is as wide as a pixel?
+bool in_band(Contour c, int first, int last) {
     vec2 chord = c.at[last] - c.at[first];
     vec2 across = vec2(-chord.y, chord.x) / max(length(chord), 1e-6f);
     vec2 range = vec2(0.0f);
@@ -86,7 +94,7 @@ vec2 beside_chord(Contour c, int first, int last) {
         float beside = dot(c.at[i] - c.at[first], across);
         range = vec2(min(range.x, beside), max(range.y, beside));
     }
-    return range;
+    return range.y - range.x <= 1.05f;
 }
 
 // A straight line that crosses a link.
@@ -103,11 +111,9 @@ Straight straight_border(Contour c, EndLink link) {
     bool back = true;
     bool on = true;
     while (back || on) {
-        vec2 range = beside_chord(c, first, min(last + 1, c.last));
-        on = on && last < c.last && range.y - range.x <= 1.05f;
+        on = on && last < c.last && in_band(c, first, last + 1);
         last += on ? 1 : 0;
-        range = beside_chord(c, max(first - 1, c.first), last);
-        back = back && first > c.first && range.y - range.x <= 1.05f;
+        back = back && first > c.first && in_band(c, first - 1, last);
         first -= back ? 1 : 0;
     }
     Straight s;

@@ -26,6 +26,7 @@ void add(uint link, int layer, uint end) {
 
 layout(std430, binding = 10) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
 
+#include "npr/plane_lookup.glsl"
 #include "npr/planes.glsl"
 
 #include "npr/edges/creases.glsl"

@@ -18,9 +18,12 @@ layout(r32ui, binding = 2) uniform uimage2D edge_tiles;
 
 layout(std430, binding = 10) readonly buffer SmoothGroups { uint group_words[]; };  // layers/smooth_groups.glsl
 
+#include "npr/plane_lookup.glsl"
 #include "npr/planes.glsl"
 
 #include "npr/edges/creases.glsl"
+
+#include "npr/edges/continuation_at.glsl"
 
 #include "npr/edges/contour.glsl"
 

@@ -8,7 +8,7 @@ float angle_between(float cosine) {
 float bend_ahead(ivec2 pixel, int layer, ivec2 offset) {
     if (!in_picture(pixel + offset))
         return 0.0f;
-    Continuation c = continuation(layer_surface(pixel, layer, pixel_ray(pixel)), pixel, offset);
+    Continuation c = continuation_at(pixel, layer, offset);
     return c.found ? angle_between(c.cosine) : 0.0f;
 }
 
@@ -37,10 +37,16 @@ bool bends_by_crease(Surface s, Surface t) {
 // Is the surface of a pixel what is left of a face that is hidden but for the difference of two tessellations? It lies
 // between curved surfaces of two leaves that go on in each other.
 bool is_sliver(Surface u, ivec2 p, int layer, ivec2 axis) {
+    if (!in_picture(p - axis) || !in_picture(p + axis))
+        return false;
+    uvec2 before = surface_ids(p - axis, layer);
+    uvec2 after = surface_ids(p + axis, layer);
+    if (before.x == kNoSurface || after.x == kNoSurface || leaf_of(before) == leaf_of(after) ||
+        is_leaving(before) != is_leaving(after) || plane_of(before) == u.plane || plane_of(after) == u.plane)
+        return false;
     Surface s = layer_surface(p - axis, layer, pixel_ray(p - axis));
     Surface t = layer_surface(p + axis, layer, pixel_ray(p + axis));
-    return s.hit && t.hit && s.leaf != t.leaf && s.leaving == t.leaving && u.plane != s.plane && u.plane != t.plane &&
-           bend_of(groups_of(s.plane, s.leaf)) > 0.0f && bend_of(groups_of(t.plane, t.leaf)) > 0.0f &&
+    return bend_of(groups_of(s.plane, s.leaf)) > 0.0f && bend_of(groups_of(t.plane, t.leaf)) > 0.0f &&
            !bends_by_crease(s, t) && bends_by_crease(s, u) && bends_by_crease(t, u);
 }
 
@@ -52,7 +58,7 @@ bool is_overhang(Surface s, ivec2 p, int layer) {
         return false;
     vec2 gradient = depth_gradient(s.plane);
     vec2 other = depth_gradient(t.plane);
-    return meet(nearer(s, gradient, t, other, ivec2(0)), s, gradient, other, dot(s.normal, t.normal));
+    return meet(nearer(s.depth, gradient, t.depth, other, ivec2(0)), s, gradient, other, dot(s.normal, t.normal));
 }
 
 bool at_sliver(Surface s, ivec2 p, int layer, ivec2 q, int other) {
@@ -91,18 +97,18 @@ struct Outline {
 };
 
 // A surface that ends does so where it meets the other side of the solid, or of the gap, which is the next or the last
-// layer: the silhouette is where front meets back. Where it meets a face seen edge-on, or so nearly that no ray hits
-// it, its own border tells where.
-Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
+// layer: the silhouette is where front meets back.
+Outline other_side(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
     Outline o;
     o.partner = -1;
     o.at = 0.5f;
     o.across = vec2(offset);
     o.beside = 1e30f;
     for (int other = max(layer - 1, 0); other <= layer + 1; ++other) {
-        Surface t = layer_surface(p, other, ray);
-        if (other == layer || !t.hit || t.leaving == s.leaving)
+        uvec2 ids = surface_ids(p, other);
+        if (other == layer || ids.x == kNoSurface || is_leaving(ids) == s.leaving)
             continue;
+        Surface t = layer_surface(p, other, ray);
         Meeting m = meeting(s, t, offset);
         if (m.beside < o.beside) {
             o.beside = m.beside;
@@ -111,6 +117,11 @@ Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
             o.across = normalize(m.apart);
         }
     }
+    return o;
+}
+
+// The same, and where it meets a face seen edge-on, or so nearly that no ray hits it, its own border tells where.
+Outline outline(Outline o, Surface s, int layer, ivec2 p, ivec2 offset) {
     if (!follow_borders) {
         o.at = o.at < -0.1f || o.at > 2.0f ? 0.5f : clamp(o.at, 0.0f, 1.0f);
         return o;
@@ -128,9 +139,13 @@ Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
     Straight exact;
     exact.at = o.at;
     exact.across = o.across;
-    if (crosses && follows(contour_about(link, kContourNear), link, exact))
-        return o;
-    Straight border = straight_border(contour_about(link, kContour), link);
+    Contour contour = contour_at(link);
+    if (crosses) {
+        contour = longer_contour(contour, kContourNear);
+        if (follows(contour, link, exact))
+            return o;
+    }
+    Straight border = straight_border(longer_contour(contour, kContour), link);
     o.at = border.at;
     if (o.beside > 3.0f || abs(dot(border.across, o.across)) < 0.8f)
         o.beside = 1e30f;
@@ -139,14 +154,14 @@ Outline outline(Surface s, int layer, ivec2 p, vec3 ray, ivec2 offset) {
 }
 
 // How thick what ends there is across the line, as a share of kThick.
-float thickness_at(Surface s, ivec2 p, ivec2 offset, vec2 across) {
+float thickness_at(int layer, ivec2 p, ivec2 offset, vec2 across) {
     float most = kThick / max(abs(dot(across, vec2(offset))), 0.25f);
     float count = 1.0f;
     for (ivec2 q = p; count < most && in_picture(q - offset); q -= offset, count += 1.0f) {
-        Continuation c = continuation(s, q, -offset);
+        Continuation c = continuation_at(q, layer, -offset);
         if (!c.found)
             return count / most;
-        s = layer_surface(q - offset, c.layer, pixel_ray(q - offset));
+        layer = c.layer;
     }
     return 1.0f;
 }
@@ -165,20 +180,23 @@ FoundEdge edge_of(int layer, ivec2 p, ivec2 offset) {
     FoundEdge e;
     e.found = true;
     e.layer = layer;
+    e.other = -1;
     e.bends = false;
+    e.point = edge_point(kInnerEdge, 1.0f, 0.5f, vec2(offset));
     vec3 ray = pixel_ray(p);
     Surface s = layer_surface(p, layer, ray);
-    Continuation c = continuation(s, p, offset);
+    Continuation c = continuation_at(p, layer, offset);
     if (!c.found) {
-        Outline o = outline(s, layer, p, ray, offset);
+        Outline o = other_side(s, layer, p, ray, offset);
         // Both sides of an outline end together, in one edge: that of the nearer layer.
-        if (o.partner >= 0 && o.partner < layer && !continuation(layer_surface(p, o.partner, ray), p, offset).found)
-            e.found = false;
-        if (is_overhang(s, p, layer))
-            e.found = false;
+        e.found = !(o.partner >= 0 && o.partner < layer && !continuation_at(p, o.partner, offset).found) &&
+                  !is_overhang(s, p, layer);
+        if (!e.found)
+            return e;
+        o = outline(o, s, layer, p, offset);
         e.point = edge_point(kProfileEdge, 1.0f, o.at, o.across);
-        if (e.found && follow_borders)
-            e.point.thickness = thickness_at(s, p, offset, o.across);
+        if (follow_borders)
+            e.point.thickness = thickness_at(layer, p, offset, o.across);
         e.other = o.beside < 3.0f ? o.partner : -1;
         return e;
     }

@@ -1,22 +1,6 @@
 // The search where edges may be: surfaces of neighboring pixels, compared by their planes. Valid in shaders and, within
 // a struct with the same names, in C++.
 
-uint bit_of(uvec2 ids) {
-    return 1u << (ids.y * 2654435769u >> 27);
-}
-
-// The surfaces of a pixel, one bit each; different ones may share a bit.
-uint surface_bits(ivec2 p) {
-    uint bits = 0u;
-    for (int i = 0; i < layer_count; ++i) {
-        uvec2 ids = surface_ids(p, i);
-        if (ids.x == kNoSurface)
-            break;
-        bits |= bit_of(ids);
-    }
-    return bits;
-}
-
 bool in_pixel(uvec2 a, ivec2 q, uint bits) {
     if ((bits & bit_of(a)) == 0u)
         return false;
@@ -32,13 +16,15 @@ bool in_pixel(uvec2 a, ivec2 q, uint bits) {
 
 // Two neighboring facets of a curved surface, most often: no edge.
 bool smooth_joint(ivec2 p, ivec2 q, int layer) {
+    if (is_leaving(surface_ids(p, layer)) != is_leaving(surface_ids(q, layer)))
+        return false;
     Surface s = layer_surface(p, layer, pixel_ray(p));
     Surface t = layer_surface(q, layer, pixel_ray(q));
     float cosine = dot(s.normal, t.normal);
     vec2 gradient = depth_gradient(s.plane);
     vec2 other = depth_gradient(t.plane);
-    return s.leaving == t.leaving && !(part_edges && !look_alike(s.leaf, t.leaf)) &&
-           meet(nearer(s, gradient, t, other, q - p), s, gradient, other, cosine) &&
+    return !(part_edges && !look_alike(s.leaf, t.leaf)) &&
+           meet(nearer(s.depth, gradient, t.depth, other, q - p), s, gradient, other, cosine) &&
            acos(clamp(cosine, -1.0f, 1.0f)) <= crease_limit(s, t);
 }
 

@@ -160,7 +160,7 @@ Surface touched(Surface s, ivec2 p, ivec2 q) {
         if (t.part == s.part || t.leaving != s.leaving)
             continue;
         vec2 other = depth_gradient(t.plane);
-        if (meet(nearer(s, gradient, t, other, q - p), s, gradient, other, dot(s.normal, t.normal)))
+        if (meet(nearer(s.depth, gradient, t.depth, other, q - p), s, gradient, other, dot(s.normal, t.normal)))
             return t;
     }
     return no_surface();

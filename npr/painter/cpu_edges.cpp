@@ -7,15 +7,21 @@
 
 #include "base/parallel.h"
 #include "npr/painter/cpu_tiles.h"
+#include "npr/painter/memo.h"
 #include "npr/shader_frame.h"
 
 namespace npr {
 namespace shader {
 
+struct PlaneFrame : Frame {
+    using Frame::Frame;
+#include "npr/plane_lookup.glsl"
+};
+
 /// The compute shaders of the edge map, for one link after the other.
-struct EdgeSearch : Frame {
+struct EdgeSearch : PlaneFrame {
     EdgeSearch(const CpuFrame& frame, const EdgeSettings& settings)
-        : Frame(frame),
+        : PlaneFrame(frame),
           part_edges(settings.parts),
           visible_only(settings.visible_only),
           follow_borders(settings.follow_borders),
@@ -27,7 +33,38 @@ struct EdgeSearch : Frame {
     float crease_angle;
 
 #include "npr/edges/same_surface.glsl"
+
+    vec2 depth_gradient(uint plane) {
+        return gradients.of(plane, [&] { return PlaneFrame::depth_gradient(plane); });
+    }
+    uint surface_bits(ivec2 p) {
+        return bits.of(index(p), [&] { return PlaneFrame::surface_bits(p); });
+    }
+    int layer_of(ivec2 p, uint key) {
+        return (surface_bits(p) & bit_of(uvec2(0, key))) == 0U ? -1 : PlaneFrame::layer_of(p, key);
+    }
+
+    /// All pixels that are asked for are in the picture.
+    Surface layer_surface(ivec2 p, int layer, vec3 ray) {
+        const uvec2 ids = surface_ids(p, layer);
+        return ids.x == kNoSurface ? no_surface()
+                                   : surface_of(ids, depths[static_cast<std::size_t>(layer)][index(p)], ray);
+    }
+
 #include "npr/planes.glsl"
+
+    /// Planes go on in the same layer most often; what does not is asked for again, since links follow the same
+    /// borders.
+    Continuation continuation_at(ivec2 pixel, int layer, ivec2 offset) {
+        if (const uvec2 there = surface_ids(pixel + offset, layer);
+            there.x != kNoSurface && there.y == surface_ids(pixel, layer).y) {
+            return {true, layer, 1, 0.5F, vec2(offset)};
+        }
+        const auto way = static_cast<std::size_t>(offset.x + 2 * offset.y + 2);
+        return continuations.of((index(pixel) << 19U) + (static_cast<std::size_t>(layer) << 3U) + way, [&] {
+            return continuation(layer_surface(pixel, layer, pixel_ray(pixel)), pixel, offset);
+        });
+    }
 
 #include "npr/edges/creases.glsl"
 
@@ -96,6 +133,9 @@ struct EdgeSearch : Frame {
     }
 
     std::vector<Candidate> candidates;
+    Memo<vec2, 10> gradients;              ///< By plane.
+    Memo<uint, 12> bits;                   ///< By pixel.
+    Memo<Continuation, 12> continuations;  ///< By pixel, layer and way on.
 };
 
 }  // namespace shader
@@ -162,7 +202,7 @@ class TileSearch {
         return links;
     }
 
-    static std::uint64_t bits(const glm::uvec2& ids) { return std::uint64_t{ids.x} << 32 | ids.y; }
+    static std::uint64_t bits(const glm::uvec2& ids) { return std::bit_cast<std::uint64_t>(ids); }
 
     Tiles tiles_;
     shader::EdgeSearch search_;

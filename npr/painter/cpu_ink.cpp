@@ -13,7 +13,9 @@ void TileInk::draw(int tile, shader::Frame& rules) {
     drawn_ = 0;
     tiles_.for_each_about(tile, [&](int other) {
         for (const CpuEdge& edge : edges_[static_cast<std::size_t>(other)]) {
-            spread(edge, rules);
+            if (reaches(edge)) {
+                spread(edge, rules);
+            }
         }
     });
 }
@@ -39,12 +41,7 @@ TileInk::Pen TileInk::pen_of(const CpuEdge& edge, shader::Frame& rules) const {
 }
 
 void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {
-    // A pixel looks as far as this for links: the other way round as in links_near of npr/edges/lines.glsl.
-    const int reach = static_cast<int>(0.5F * lines_.width + 0.5F);
-    const glm::ivec2 lo = glm::max(edge.lower - reach, box_.lo), hi = glm::min(edge.lower + reach + 2, box_.hi);
-    if (lo.x >= hi.x || lo.y >= hi.y) {
-        return;
-    }
+    const glm::ivec2 lo = glm::max(edge.lower - reach_, box_.lo), hi = glm::min(edge.lower + reach_ + 2, box_.hi);
     if ((drawn_ >> edge.layer & 1U) == 0) {
         drawn_ |= 1U << edge.layer;
         std::fill_n(ink_.begin() + static_cast<std::ptrdiff_t>(at(edge.layer, {0, 0})), kPixels, 0.0F);

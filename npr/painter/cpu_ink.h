@@ -19,7 +19,11 @@ class TileInk {
   public:
     /// `edges` must outlive the object; found with the same settings.
     TileInk(const CpuFrame& frame, const CpuEdges& edges, const LinedSettings& lines)
-        : tiles_(frame.layers), edges_(edges), lines_(lines), ink_(layers::kLayersApart * kPixels) {}
+        : tiles_(frame.layers),
+          edges_(edges),
+          lines_(lines),
+          reach_(static_cast<int>(0.5F * lines.width + 0.5F)),
+          ink_(layers::kLayersApart * kPixels) {}
 
     /// Draws the lines of a tile, and forgets those of the tile before. `rules`: any of the frame.
     void draw(int tile, shader::Frame& rules);
@@ -42,12 +46,18 @@ class TileInk {
         return static_cast<std::size_t>(layer) * kPixels +
                static_cast<std::size_t>(in_tile.y * Tiles::kSide + in_tile.x);
     }
+    /// Any pixel of the tile.
+    [[nodiscard]] bool reaches(const CpuEdge& edge) const {
+        return edge.lower.x - reach_ < box_.hi.x && edge.lower.y - reach_ < box_.hi.y &&
+               edge.lower.x + reach_ + 2 > box_.lo.x && edge.lower.y + reach_ + 2 > box_.lo.y;
+    }
     void spread(const CpuEdge& edge, shader::Frame& rules);
     [[nodiscard]] Pen pen_of(const CpuEdge& edge, shader::Frame& rules) const;
 
     Tiles tiles_;
     const CpuEdges& edges_;
     LinedSettings lines_;
+    int reach_;  ///< A pixel looks so far for links, as in links_near of npr/edges/line_ink.glsl.
     TileBounds box_;
     std::vector<float> ink_;
     std::array<std::uint32_t, Tiles::kSide> near_{};  ///< By row, a bit for each pixel.

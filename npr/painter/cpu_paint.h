@@ -33,7 +33,12 @@ template <typename Painter>
 void note_tile(const CpuFrame& frame, const TileBounds& box, Painter& painter, TileNotes& page) {
     const WholeNotes whole(frame);
     for (int y = box.lo.y; y < box.hi.y; ++y) {
+        bool empty = false;
         for (int x = box.lo.x; x < box.hi.x; ++x) {
+            if (empty && painter.as_left({x, y})) {
+                page.end_pixel();
+                continue;
+            }
             if constexpr (std::is_base_of_v<PixelFrame, Painter>) {
                 painter.page = &page;
                 painter.noted = {x, y};
@@ -42,6 +47,7 @@ void note_tile(const CpuFrame& frame, const TileBounds& box, Painter& painter, T
             if (color.a > 0 && page.pixel_is_empty()) {
                 page.add(whole.note({x, y}, color));
             }
+            empty = page.pixel_is_empty();
             page.end_pixel();
         }
     }

@@ -10,6 +10,7 @@ namespace shader {
 
 struct ShineFrame : Frame {
     using Frame::Frame;
+#include "npr/plane_lookup.glsl"
 #include "npr/planes.glsl"
 
 #include "npr/shine/shine_rules.glsl"

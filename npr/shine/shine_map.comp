@@ -2,6 +2,7 @@
 #include "npr/frame.glsl"
 #include "npr/color.glsl"
 #include "npr/surface_color.glsl"
+#include "npr/plane_lookup.glsl"
 #include "npr/planes.glsl"
 
 layout(local_size_x = 64) in;

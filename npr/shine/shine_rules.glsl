@@ -31,7 +31,7 @@ bool part_goes_on(Surface s, ivec2 pixel, ivec2 offset) {
         if (t.leaving != s.leaving || t.part != s.part)
             continue;
         vec2 other = depth_gradient(t.plane);
-        vec2 gap = nearer(s, gradient, t, other, offset);
+        vec2 gap = nearer(s.depth, gradient, t.depth, other, offset);
         if (meet(gap, s, gradient, other, dot(s.normal, t.normal)) &&
             !part_is_in(pixel, s.part, plane_word(t.plane, t.leaving)))
             return true;

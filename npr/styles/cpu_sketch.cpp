@@ -1,5 +1,6 @@
 #include "npr/styles/cpu_sketch.h"
 
+#include <array>
 #include <memory>
 
 #include "npr/painter/cpu_overshoot.h"
@@ -24,20 +25,24 @@ struct SketchPixels : shader::Frame, SketchSettings {
         return beyond.marks().near(at) & ((1U << kLayersApart) - 1);
     }
 
+    /// Hidden lines of all layers are asked for at one place.
     Edge edge_at(vec2 at, int layer, float thick) {
-        Edge edge = no_edge();
-        const ivec4 links = links_near(at, thick);
-        for (int y = links.y; y <= links.w; ++y) {
-            for (int x = links.x; x <= links.z; ++x) {
-                for (const CpuEdge& e : index.at({x, y})) {
-                    if (e.layer == edge_layer(layer)) {
-                        float& kind = e.profile ? edge.profile : edge.inner;
-                        kind = max(kind, piece(at - e.at, e.across, thick));
-                    }
+        if (layer == 0) {
+            Edge edge = no_edge();
+            for_each_edge(at, thick, [&](const CpuEdge& e) {
+                if (e.layer == 0) {
+                    add_to(edge, e, at, thick);
                 }
-            }
+            });
+            return edge;
         }
-        return edge;
+        if (at != gathered_at_ || thick != gathered_width_) {
+            gathered_at_ = at;
+            gathered_width_ = thick;
+            gathered_.fill(no_edge());
+            for_each_edge(at, thick, [&](const CpuEdge& e) { add_to(gathered_[e.layer], e, at, thick); });
+        }
+        return gathered_[static_cast<std::size_t>(edge_layer(layer))];
     }
 
     Edge overshoot_at(vec2 at, float thick) {
@@ -77,6 +82,27 @@ struct SketchPixels : shader::Frame, SketchSettings {
     [[nodiscard]] static bool as_left(ivec2 /*p*/) {
         return false;
     }
+
+  private:
+    template <typename Action>
+    void for_each_edge(vec2 at, float thick, const Action& action) {
+        const ivec4 links = links_near(at, thick);
+        for (int y = links.y; y <= links.w; ++y) {
+            for (int x = links.x; x <= links.z; ++x) {
+                for (const CpuEdge& e : index.at({x, y})) {
+                    action(e);
+                }
+            }
+        }
+    }
+    void add_to(Edge& edge, const CpuEdge& e, vec2 at, float thick) {
+        float& kind = e.profile ? edge.profile : edge.inner;
+        kind = max(kind, piece(at - e.at, e.across, thick));
+    }
+
+    vec2 gathered_at_{-1e9F};
+    float gathered_width_ = 0;
+    std::array<Edge, layers::kLayersApart> gathered_{};  ///< There, by layer.
 };
 
 class SketchPainter {

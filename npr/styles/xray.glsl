@@ -13,10 +13,11 @@ vec4 layer_color(Surface s, int layer) {
 #include "npr/smooth_normal.glsl"
 #include "npr/styles/remoteness.glsl"
 
-// A thin wall is crossed on a longer way where it is seen at a slant. `direction`: unit vector.
-float wall_opacity(Surface s, vec3 direction) {
+// A thin wall is crossed on a longer way where it is seen at a slant. `direction`: unit vector; `absorption`: the binary
+// logarithm of what a wall lets through that faces the eye.
+float wall_opacity(Surface s, vec3 direction, float absorption) {
     float facing = max(abs(dot(s.normal, direction)), 0.05f);
-    return 1.0f - pow(1.0f - opacity, pow(facing, -rim));
+    return 1.0f - exp2(absorption * pow(facing, -rim));
 }
 
 vec4 xray(ivec2 pixel) {
@@ -25,6 +26,7 @@ vec4 xray(ivec2 pixel) {
     int layers = most_layers > 0 ? min(most_layers, layer_count) : layer_count;
     Composite seen = nothing_seen();
     float strength = 1.0f;
+    float absorption = log2(max(1.0f - opacity, 1e-30f));
     vec3 ink = vec3(0.12f);
     while (goes_on(seen, layers, 0.004f)) {
         Surface s = layer_surface(pixel, seen.layer, ray);
@@ -36,7 +38,7 @@ vec4 xray(ivec2 pixel) {
             ink = 0.22f * vec3(base);
             s = rounded(s, pixel);
             c = vec4(mix(min(vec3(base) * light(s.normal), 1.0f), background_color, fog),
-                     base.a * wall_opacity(s, direction));
+                     base.a * wall_opacity(s, direction, absorption));
             c = hatched(c, s.leaf, s.plane, pixel);
         }
         if (line_near(seen.layer))
