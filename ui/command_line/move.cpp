@@ -1,6 +1,7 @@
 #include "ui/command_line/move.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "ui/command_line/option_table.h"
 #include "ui/command_line/option_values.h"
 #include "ui/command_line/subcommand.h"
+#include "ui/pipeline/editing/movable_survey.h"
 #include "ui/pipeline/editing/move_leaf.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/plain_text.h"
@@ -26,6 +28,7 @@ struct MoveOptions {
     int number = 1;    ///< Of the solids that come from there.
     glm::dvec3 by{0.0};
     int choice = 1;
+    int survey = 0;      ///< Of so many solids it is told whether they can be moved; 0: of none.
     std::string output;  ///< Empty: the ways are told.
     bool help = false;
 };
@@ -42,17 +45,28 @@ MoveOptions read_move_options(const std::vector<std::string>& arguments) {
     table.add({"file", "The .scad file"}, o.run.input, true);
     const char* const what = "What to do";
     table.add({"--call", "The solid that the call on that line makes, or is part of", "[FILE:]LINE[:COLUMN]", what},
-              o.call, true);
+              o.call);
     table.add({"--number", "Of several solids that come from there, which (1)", "N", what}, o.number, 1, 1'000'000'000);
-    table.add({"--by", "How far, in the world", "X,Y,Z", what}, by, true);
+    table.add({"--by", "How far, in the world", "X,Y,Z", what}, by);
     table.add({"--choice", "Which of the ways (1)", "N", what}, o.choice, 1, 1'000'000);
     table.add({"-o,--o", "Write the text after the first way, or the one chosen, to FILE; it may be the model's",
                "FILE", what},
               o.output);
+    table.add({"--survey", "Instead: tell of N solids of the model, evenly spread, whether and how they can be moved",
+               "N", what},
+              o.survey, 1, 1'000'000'000);
     const char* const model = "The model";
     declare_model(table, o.run, time_limit, model);
     table.add_flag({"-q,--quiet", "Print errors only", "", model}, o.run.quiet);
     o.help = !read_subcommand(table, arguments, "move", [&] {
+        if (o.survey > 0) {
+            if (!o.call.empty() || !o.output.empty()) {
+                throw UsageError("--survey goes without --call and -o");
+            }
+            by = by.empty() ? "1.25,-0.75,0" : by;
+        } else if (o.call.empty() || by.empty()) {
+            throw UsageError("--call and --by are needed, or --survey");
+        }
         const auto n = read_numbers("--by", by, {3}, "x,y,z");
         o.by = {n[0], n[1], n[2]};
         if (o.by == glm::dvec3(0.0)) {
@@ -77,19 +91,21 @@ std::vector<csg::LeafId> leaves_of(const csg::Tree& tree, const csg::Scene& scen
     return leaves;
 }
 
-std::string text_of_way(const csg::Tree& tree, const MoveWay& way, const std::string& text) {
-    std::string out;
+/// What the way is, without its edits.
+std::string name_of_way(const MoveWay& way) {
     switch (way.kind) {
         case MoveWay::Kind::Call:
-            out = fmt::format("change {}()", way.name);
-            break;
+            return fmt::format("change {}()", way.name);
         case MoveWay::Kind::Variable:
-            out = fmt::format("change the variable {}", way.name);
-            break;
+            return fmt::format("change the variable {}", way.name);
         case MoveWay::Kind::Wrap:
-            out = fmt::format("put a translate() before {}()", way.name);
             break;
     }
+    return fmt::format("put a translate() before {}()", way.name);
+}
+
+std::string text_of_way(const csg::Tree& tree, const MoveWay& way, const std::string& text) {
+    std::string out = name_of_way(way);
     out += fmt::format(" ({}:{}:{}): moves {} thing{}", tree.files()[way.where.file], way.where.line, way.where.column,
                        way.moved, way.moved == 1 ? "" : "s");
     if (way.changed > 0) {
@@ -103,6 +119,28 @@ std::string text_of_way(const csg::Tree& tree, const MoveWay& way, const std::st
     return out + '\n';
 }
 
+std::string text_of_survey(const csg::Tree& tree, const MovableSurvey& survey) {
+    std::string out;
+    std::map<MoveWay::Kind, std::size_t> kinds;
+    std::size_t movable = 0;
+    for (const auto& [leaf, way, why] : survey.solids) {
+        out += fmt::format("{:>6}  ", leaf + 1);
+        if (way) {
+            out += fmt::format("{} ({}:{}:{}): moves {}\n", name_of_way(*way), tree.files()[way->where.file],
+                               way->where.line, way->where.column, way->moved);
+            ++kinds[way->kind];
+            ++movable;
+        } else {
+            out += fmt::format("not moved: {}\n", why);
+        }
+    }
+    return out + fmt::format(
+                     "{} of {} solids ({} in all) can be moved: {} by numbers of a call, {} of a variable, {} by a "
+                     "translate()\n",
+                     movable, survey.solids.size(), survey.all, kinds[MoveWay::Kind::Call],
+                     kinds[MoveWay::Kind::Variable], kinds[MoveWay::Kind::Wrap]);
+}
+
 int move_within(const MoveOptions& o, TimeLimit& limit) {
     LanguageRun language(o.run, limit, make_measures());
     language.read();
@@ -111,6 +149,14 @@ int move_within(const MoveOptions& o, TimeLimit& limit) {
     }
     const std::shared_ptr<const csg::Tree> tree = language.evaluation().tree;
     const csg::Scene scene = csg::make_scene(*tree);
+    const TreeOfText tree_of = [&](const std::string& changed) { return language.evaluate_text(changed); };
+    if (o.survey > 0) {
+        const MovableSurvey survey =
+            survey_movable(*tree, scene, *language.evaluation().program, read_source(o.run.input),
+                           static_cast<std::size_t>(o.survey), o.by, tree_of, limit.token());
+        write_output("-", printable(text_of_survey(*tree, survey)));
+        return 0;
+    }
     const auto call = call_at(*tree, all_calls(*tree), "--call", o.call, "call");
     const std::vector<csg::LeafId> leaves = leaves_of(*tree, scene, call);
     if (static_cast<std::size_t>(o.number) > leaves.size()) {
@@ -119,9 +165,9 @@ int move_within(const MoveOptions& o, TimeLimit& limit) {
                                                       leaves.size() == 1 ? " comes" : "s come"));
     }
     const std::string text = read_source(o.run.input);
-    std::vector<MoveWay> ways = ways_to_move(
-        *tree, scene, *language.evaluation().program, text, leaves[static_cast<std::size_t>(o.number) - 1], o.by,
-        [&](const std::string& changed) { return language.evaluate_text(changed); }, limit.token());
+    std::vector<MoveWay> ways =
+        ways_to_move(*tree, scene, *language.evaluation().program, text, leaves[static_cast<std::size_t>(o.number) - 1],
+                     o.by, tree_of, limit.token());
     // Of ways that do alike, the one at the call that was named.
     std::stable_sort(ways.begin(), ways.end(), [&](const MoveWay& a, const MoveWay& b) {
         return std::tuple(a.changed, a.moved, a.kind, a.where != call) <

@@ -45,14 +45,41 @@ TEST_F(MoveProgram, WritesTheText) {
     }
 }
 
+TEST_F(MoveProgram, TellsHowManyCanBeMoved) {
+    const Result all = run("move box.scad --survey 9");
+    EXPECT_EQ(all.status, 0) << all.err;
+    EXPECT_EQ(all.out,
+              "     1  change translate() (box.scad:2:14): moves 1\n"
+              "     2  change for() and translate() (box.scad:4:1): moves 2\n"
+              "     3  change for() and translate() (box.scad:4:1): moves 2\n"
+              "3 of 3 solids (3 in all) can be moved: 3 by numbers of a call, 0 of a variable, 0 by a translate()\n");
+    folder_.write("shapes.scad", "sphere(1); module two() { cube(1); translate([3, 0, 0]) cube(1); }");
+    folder_.write("uses.scad",
+                  "include <shapes.scad>\n"
+                  "two();\n"
+                  "translate(rands(0, 9, 3)) cube(1);\n");
+    const Result some = run("move uses.scad --survey 9");
+    EXPECT_EQ(some.status, 0) << some.err;
+    EXPECT_EQ(some.out,
+              "     1  not moved: no call of this file leads to it\n"
+              "     2  put a translate() before two() (uses.scad:2:1): moves 2\n"
+              "     3  put a translate() before two() (uses.scad:2:1): moves 2\n"
+              "     4  put a translate() before cube() (uses.scad:3:27): moves 1\n"
+              "3 of 4 solids (4 in all) can be moved: 0 by numbers of a call, 0 of a variable, 3 by a translate()\n");
+    EXPECT_NE(run("move uses.scad --survey 2").out.find("of 2 solids (4 in all)"), std::string::npos);
+}
+
 TEST_F(MoveProgram, RefusesWhatItCannotDo) {
-    for (const auto& [bad, part] : {std::pair("move box.scad --call 3 --by 0,0,0", "moves nothing"),
-                                    std::pair("move box.scad --call 9 --by 1,0,0", "nearest"),
-                                    std::pair("move box.scad --call 4 --number 3 --by 1,0,0", "2 solids come"),
-                                    std::pair("move box.scad --call 3 --by 1,0,0 --choice 99", "there are"),
-                                    std::pair("move box.scad --call 3 --by 1,0", "x,y,z"),
-                                    std::pair("move box.scad --cal 3 --by 1,0,0", "--call"),
-                                    std::pair("move none.scad --call 3 --by 1,0,0", "none.scad")}) {
+    for (const auto& [bad, part] :
+         {std::pair("move box.scad --call 3 --by 0,0,0", "moves nothing"),
+          std::pair("move box.scad --call 9 --by 1,0,0", "nearest"),
+          std::pair("move box.scad --call 4 --number 3 --by 1,0,0", "2 solids come"),
+          std::pair("move box.scad --call 3 --by 1,0,0 --choice 99", "there are"),
+          std::pair("move box.scad --call 3 --by 1,0", "x,y,z"),
+          std::pair("move box.scad --cal 3 --by 1,0,0", "--call"), std::pair("move box.scad --by 1,0,0", "--survey"),
+          std::pair("move box.scad --survey 3 --call 3", "without --call"),
+          std::pair("move box.scad --survey 0", "--survey"),
+          std::pair("move none.scad --call 3 --by 1,0,0", "none.scad")}) {
         const Result result = run(bad);
         EXPECT_EQ(result.status, 1) << bad;
         EXPECT_NE(result.err.find(part), std::string::npos) << bad << ": " << result.err;

@@ -1,5 +1,6 @@
 // Solids moved by hand: the text changes in the bytes that are responsible, and the solid lies where it was put.
 #include "ui/pipeline/editing/move_leaf.h"
+#include "ui/pipeline/editing/sparse_step.h"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,40 @@ TEST(MoveLeaf, SolvesWhatIsComputed) {
     const Moved bent = move("translate([10 * sin(30), 0, 0]) cube(1);", 0, {1, 0, 0});
     ASSERT_FALSE(bent.ways.empty());
     EXPECT_EQ(bent.ways.front().kind, Kind::Call);
+}
+
+TEST(MoveLeaf, ChangesAsFewNumbersAsDo) {
+    // Of the three, the one that gets the shortest decimals.
+    EXPECT_EQ(moved_text("translate([2 * 3 + 1, 0, 0]) cube(1);", {0.5, 0, 0}),
+              "translate([2 * 3 + 1.5, 0, 0]) cube(1);");
+    EXPECT_EQ(moved_text("module m(a) translate(a) cube(1);\nm([1 + 1, 2 * 4, 0]);", {0, 1, 0}),
+              "module m(a) translate(a) cube(1);\nm([1 + 1, 2 * 4.5, 0]);");
+    // An axis by a loop's list, another by the call within it.
+    const Moved both = move("for (x = [5, 35]) translate([x, 5, 0]) cube(1);", 1, {3, 2, 0});
+    EXPECT_EQ(both.text, "for (x = [5, 38]) translate([x, 7, 0]) cube(1);");
+    ASSERT_FALSE(both.ways.empty());
+    EXPECT_EQ(both.ways.front().name, "for() and translate");
+    EXPECT_EQ(both.ways.front().kind, Kind::Call);
+}
+
+TEST(SparseStep, ReachesWithTheFewest) {
+    const std::vector<glm::dvec3> columns{{1, 0, 0}, {0, 2, 0}, {1, 2, 0}, {0, 0, 0}, {3, 0, 0}};
+    const std::vector<double> values{0.1, 0, 1, 0, 0};
+    const auto one = sparse_step(columns, {1.5, 3, 0}, values, 1e-9);
+    ASSERT_TRUE(one);
+    ASSERT_EQ(one->size(), 1u);
+    EXPECT_EQ(one->front().first, 2u);
+    EXPECT_NEAR(one->front().second, 1.5, 1e-12);
+    const auto two = sparse_step(columns, {1, 4, 0}, values, 1e-9);
+    ASSERT_TRUE(two);
+    ASSERT_EQ(two->size(), 2u);
+    glm::dvec3 reached(0.0);
+    for (const auto& [column, x] : *two) {
+        reached += x * columns[column];
+    }
+    EXPECT_LE(glm::distance(reached, glm::dvec3(1, 4, 0)), 1e-12);
+    EXPECT_FALSE(sparse_step(columns, {0, 0, 1}, values, 1e-9));
+    EXPECT_FALSE(sparse_step({}, {0, 0, 1}, {}, 1e-9));
 }
 
 TEST(MoveLeaf, WrapsWhatHasNoPlaceOfItsOwn) {

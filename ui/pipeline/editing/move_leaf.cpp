@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "base/stop.h"
 #include "csg/scad/program/loaded_program.h"
 #include "csg/scad/syntax/call_text.h"
+#include "ui/pipeline/editing/sparse_step.h"
 
 namespace ui {
 
@@ -18,30 +20,23 @@ namespace {
 /// World units: how near to where it was put the leaf must lie.
 constexpr double kNear = 1e-6;
 /// Numbers of one place that are tried together.
-constexpr std::size_t kMostNumbers = 12;
+constexpr std::size_t kMostNumbers = 12, kMostTogether = 24;
 
 using csg::scad::LiteralText;
 
-/// x of least norm with J x = r for the columns J, by J^T (J J^T)^-1; nothing where r is not to be reached.
-std::optional<std::vector<double>> solve(const std::vector<glm::dvec3>& columns, const glm::dvec3& r) {
-    glm::dmat3 square(0.0);
-    for (const glm::dvec3& c : columns) {
-        square += glm::outerProduct(c, c);
+double apart(const glm::dmat4& a, const glm::dmat4& b) {
+    double most = 0;
+    for (int k = 0; k < 4; ++k) {
+        const glm::dvec4 d = glm::abs(a[k] - b[k]);
+        most = std::max({most, d.x, d.y, d.z});
     }
-    // Directions that nothing moves along are given a little, so that there is an inverse; whether r has a part along
-    // them is told by what is left.
-    const double size = std::max({square[0][0], square[1][1], square[2][2]});
-    if (!(size > 0) || !std::isfinite(size)) {
-        return {};
-    }
-    const glm::dvec3 y = glm::inverse(square + 1e-9 * size * glm::dmat3(1.0)) * r;
-    std::vector<double> x;
-    glm::dvec3 reached(0.0);
-    for (const glm::dvec3& c : columns) {
-        x.push_back(glm::dot(c, y));
-        reached += c * x.back();
-    }
-    return glm::distance(reached, r) <= 1e-3 * glm::length(r) ? std::optional(x) : std::nullopt;
+    return most;
+}
+
+bool of_main_file(const csg::Tree& tree, const csg::scad::LoadedProgram& program, const csg::SourceLocation& where) {
+    return where.known() && where.file < tree.files().size() && program.look([&](const csg::scad::Program& p) {
+        return tree.files()[where.file] == p.sources[p.units[0].file].name();
+    });
 }
 
 class MoveFinder {
@@ -60,17 +55,28 @@ class MoveFinder {
         target_[3] += glm::dvec4(by, 0);
     }
 
-    std::vector<MoveWay> find() {
+    std::vector<MoveWay> find(Ways wanted) {
         std::vector<csg::OccurrenceId> path = path_to(scene_, scene_.leaves[leaf_].occurrence);
+        std::vector<std::size_t> calls;  // Of the main file on that path, from the leaf upward.
         csg::SourceLocation last;
         for (std::size_t i = path.size(); i-- > 0;) {
-            const csg::NodeId node = scene_.occurrences[path[i]].node;
-            const csg::SourceLocation where = tree_.node(node).where;
-            if (where.known() && where != last && of_main_file(where)) {
-                try_numbers(node);
-                try_wrap(where, std::span(path).first(i));
+            const csg::SourceLocation where = tree_.node(scene_.occurrences[path[i]].node).where;
+            if (where != last && of_main_file(tree_, program_, where)) {
+                calls.push_back(i);
             }
             last = where;
+        }
+        const auto enough = [&] { return wanted == Ways::First && !ways_.empty(); };
+        for (std::size_t i = 0; i < calls.size() && !enough(); ++i) {
+            try_numbers(scene_.occurrences[path[calls[i]]].node);
+        }
+        // An axis by one call, another by the next.
+        if (numbers_.size() > 1 && numbers_.size() <= kMostTogether && !by_a_call_) {
+            try_together();
+        }
+        for (std::size_t i = 0; i < calls.size() && !enough(); ++i) {
+            const csg::SourceLocation where = tree_.node(scene_.occurrences[path[calls[i]]].node).where;
+            try_wrap(where, std::span(path).first(calls[i]));
         }
         std::stable_sort(ways_.begin(), ways_.end(), [](const MoveWay& a, const MoveWay& b) {
             return std::tuple(a.changed, a.moved, a.kind) < std::tuple(b.changed, b.moved, b.kind);
@@ -79,12 +85,6 @@ class MoveFinder {
     }
 
   private:
-    [[nodiscard]] bool of_main_file(const csg::SourceLocation& where) const {
-        return program_.look([&](const csg::scad::Program& p) {
-            const std::string& name = p.sources[p.units[0].file].name();
-            return where.file < tree_.files().size() && tree_.files()[where.file] == name;
-        });
-    }
     /// The same place as the program's sources have it.
     [[nodiscard]] csg::SourceLocation in_program(csg::SourceLocation where) const {
         where.file = program_.look([](const csg::scad::Program& p) { return p.units[0].file; });
@@ -104,17 +104,45 @@ class MoveFinder {
                 continue;
             }
             tried_.push_back(source.numbers.front().bytes.begin);
+            if (source.variable.empty()) {
+                numbers_.insert(numbers_.end(), source.numbers.begin(), source.numbers.end());
+                const csg::Statement* call = tree_.statement(node);
+                names_.resize(numbers_.size(), call != nullptr ? call->name : "");
+                places_.resize(numbers_.size(), where);
+            }
             if (auto way = solved(source.numbers)) {
                 way->kind = source.variable.empty() ? MoveWay::Kind::Call : MoveWay::Kind::Variable;
                 const csg::Statement* call = tree_.statement(node);
                 way->name = !source.variable.empty() ? source.variable : call != nullptr ? call->name : "";
                 way->where = where;
+                by_a_call_ |= way->kind == MoveWay::Kind::Call;
                 ways_.push_back(std::move(*way));
             }
         }
     }
 
-    /// Newton's method on the numbers, since how they lead to the place is not known: the program tells.
+    /// Numbers of all calls at once.
+    void try_together() {
+        auto way = solved(numbers_);
+        if (!way) {
+            return;
+        }
+        std::sort(way->edits.begin(), way->edits.end(),
+                  [](const TextEdit& a, const TextEdit& b) { return a.bytes.begin < b.bytes.begin; });
+        for (const TextEdit& edit : way->edits) {
+            const auto at = std::find_if(numbers_.begin(), numbers_.end(),
+                                         [&](const LiteralText& n) { return n.bytes.begin == edit.bytes.begin; });
+            const auto i = static_cast<std::size_t>(at - numbers_.begin());
+            if (way->where != places_[i]) {
+                way->name += (way->name.empty() ? "" : "() and ") + names_[i];
+                way->where = way->where.known() ? way->where : places_[i];
+            }
+        }
+        ways_.push_back(std::move(*way));
+    }
+
+    /// Newton's method on as few of the numbers as do, since how they lead to the place is not known: the program
+    /// tells.
     std::optional<MoveWay> solved(const std::vector<LiteralText>& numbers) {
         std::vector<double> x;
         x.reserve(numbers.size());
@@ -122,24 +150,31 @@ class MoveFinder {
             x.push_back(std::strtod(text_.substr(n.bytes.begin, n.bytes.end - n.bytes.begin).c_str(), nullptr));
         }
         const std::vector<double> first = x;
+        std::vector<std::size_t> used(x.size());  // Which of them, from the first step on.
+        std::iota(used.begin(), used.end(), std::size_t{0});
         std::optional<glm::dvec3> at = glm::dvec3(scene_.leaves[leaf_].to_world[3]);
         const glm::dvec3 wanted(target_[3]);
         for (int round = 0; round < 8 && glm::distance(*at, wanted) > 0.05 * kNear; ++round) {
             std::vector<glm::dvec3> columns;
-            for (std::size_t i = 0; i < x.size(); ++i) {
+            std::vector<double> values;
+            for (const std::size_t i : used) {
                 std::vector<double> moved = x;
                 const double h = 1e-5 * std::max(1.0, std::abs(x[i]));
                 moved[i] += h;
                 const auto there = place(edits_to(numbers, moved, first, 0));
                 columns.push_back(there ? (*there - *at) / h : glm::dvec3(0.0));
+                values.push_back(x[i]);
             }
-            const auto step = solve(columns, wanted - *at);
+            const auto step = sparse_step(columns, wanted - *at, values, 0.2 * kNear);
             if (!step) {
                 return {};
             }
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                x[i] += (*step)[i];
+            std::vector<std::size_t> chosen;
+            for (const auto& [column, change] : *step) {
+                chosen.push_back(used[column]);
+                x[chosen.back()] += change;
             }
+            used = std::move(chosen);
             at = place(edits_to(numbers, x, first, 0));
             if (!at) {
                 return {};
@@ -207,15 +242,6 @@ class MoveFinder {
                apart(scene.leaves[leaf_].to_world, target_) <= kNear;
     }
 
-    static double apart(const glm::dmat4& a, const glm::dmat4& b) {
-        double most = 0;
-        for (int k = 0; k < 4; ++k) {
-            const glm::dvec4 d = glm::abs(a[k] - b[k]);
-            most = std::max({most, d.x, d.y, d.z});
-        }
-        return most;
-    }
-
     void try_wrap(const csg::SourceLocation& where, std::span<const csg::OccurrenceId> above) {
         const csg::SourceLocation place = in_program(where);
         const auto call = program_.look([&](const csg::scad::Program& p) { return csg::scad::call_at(p, place); });
@@ -250,6 +276,11 @@ class MoveFinder {
     const std::stop_token& stop_;
     glm::dmat4 target_;
     std::vector<std::size_t> tried_;  ///< Where numbers begin that have been tried.
+    /// Those of calls, with the names and places of the calls.
+    std::vector<LiteralText> numbers_;
+    std::vector<std::string> names_;
+    std::vector<csg::SourceLocation> places_;
+    bool by_a_call_ = false;  ///< There is a way by numbers of one.
     std::vector<MoveWay> ways_;
 };
 
@@ -257,8 +288,27 @@ class MoveFinder {
 
 std::vector<MoveWay> ways_to_move(const csg::Tree& tree, const csg::Scene& scene,
                                   const csg::scad::LoadedProgram& program, const std::string& text, csg::LeafId leaf,
-                                  const glm::dvec3& by, const TreeOfText& tree_of, const std::stop_token& stop) {
-    return MoveFinder(tree, scene, program, text, leaf, by, tree_of, stop).find();
+                                  const glm::dvec3& by, const TreeOfText& tree_of, const std::stop_token& stop,
+                                  Ways wanted) {
+    return MoveFinder(tree, scene, program, text, leaf, by, tree_of, stop).find(wanted);
+}
+
+std::string why_not_moved(const csg::Tree& tree, const csg::Scene& scene, const csg::scad::LoadedProgram& program,
+                          const std::string& text, csg::LeafId leaf, const TreeOfText& tree_of) {
+    const std::vector<csg::OccurrenceId> path = path_to(scene, scene.leaves[leaf].occurrence);
+    if (std::none_of(path.begin(), path.end(), [&](csg::OccurrenceId o) {
+            return of_main_file(tree, program, tree.node(scene.occurrences[o].node).where);
+        })) {
+        return "no call of this file leads to it";
+    }
+    const auto again = tree_of(text);
+    if (again == nullptr || again->node(again->root()).hash != tree.node(tree.root()).hash) {
+        return "each run of the program makes something else: of random numbers without a seed";
+    }
+    if (std::abs(glm::determinant(glm::dmat3(scene.leaves[leaf].to_world))) < 1e-12) {
+        return "it is squeezed flat";
+    }
+    return "the program makes something else where it is moved";
 }
 
 }  // namespace ui

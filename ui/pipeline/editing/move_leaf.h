@@ -31,6 +31,12 @@ struct MoveWay {
     std::size_t changed = 0;  ///< Leaves that are of another shape then.
 };
 
+/// How many ways are looked for.
+enum class Ways {
+    All,
+    First,  ///< One: numbers before translate(), of them the nearest to the leaf.
+};
+
 /// All ways that hold when tried: after each the leaf is what it was and lies within 1e-6 of where it was put (world
 /// units), and as many leaves are there as before. Those first that change no shapes and move least; of equal ones
 /// calls nearest to the leaf, then variables, then translate(). None where the leaf is made by no call of the main
@@ -39,6 +45,11 @@ struct MoveWay {
 [[nodiscard]] std::vector<MoveWay> ways_to_move(const csg::Tree& tree, const csg::Scene& scene,
                                                 const csg::scad::LoadedProgram& program, const std::string& text,
                                                 csg::LeafId leaf, const glm::dvec3& by, const TreeOfText& tree_of,
-                                                const std::stop_token& stop = {});
+                                                const std::stop_token& stop = {}, Ways wanted = Ways::All);
+
+/// Why there is none, for people. Runs the program once.
+[[nodiscard]] std::string why_not_moved(const csg::Tree& tree, const csg::Scene& scene,
+                                        const csg::scad::LoadedProgram& program, const std::string& text,
+                                        csg::LeafId leaf, const TreeOfText& tree_of);
 
 }  // namespace ui
