@@ -6,6 +6,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 option(CSGSCOPE_PARSE_ONCE "Precompiled headers" ${CSGSCOPE_PARSE_ONCE_DEFAULT})
 
+# For who builds all of it: files of a library are compiled eight at a time, a third of the time of a build from nothing
+# again. Who changes files wants them one at a time.
+option(CSGSCOPE_BATCHES "Compile eight files at a time" OFF)
+
 if(CSGSCOPE_PARSE_ONCE)
     add_library(csgscope_headers OBJECT "${CMAKE_CURRENT_LIST_DIR}/headers.cpp")
     target_link_libraries(csgscope_headers PRIVATE glm fmt::fmt)
@@ -21,6 +25,16 @@ function(csgscope_parse_once target)
             set(headers "${ARGV1}")
         endif()
         target_precompile_headers(${target} REUSE_FROM ${headers})
+    endif()
+endfunction()
+
+# csgscope_batches(TARGET): with CSGSCOPE_BATCHES, files of TARGET are compiled together. No two of them may then have
+# something of the same name in their unnamed namespaces.
+function(csgscope_batches target)
+    if(CSGSCOPE_BATCHES)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        # So that a program can leave out what it does not refer to.
+        target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
     endif()
 endfunction()
 

@@ -33,14 +33,14 @@ glm::vec4 share(const glm::dvec3& across, const glm::dvec3& a, const glm::dvec3&
     return {glm::vec3(gradient), static_cast<float>(-glm::dot(gradient, a))};
 }
 
-struct Row {
+struct FacetRow {
     std::uint32_t plane;
     layers::SmoothFacet facet;
 };
 
-std::vector<Row> rows_of(const csg::solid::PlacedLeaf& leaf, std::uint32_t number, const glm::dvec3& center) {
+std::vector<FacetRow> rows_of(const csg::solid::PlacedLeaf& leaf, std::uint32_t number, const glm::dvec3& center) {
     const std::vector<CornerNormals> normals = csg::solid::corner_normals(leaf);
-    std::vector<Row> rows;
+    std::vector<FacetRow> rows;
     for (std::size_t t = 0; t < normals.size(); ++t) {
         const glm::uvec3& corners = leaf.triangles[t];
         const glm::dvec3 a = leaf.points[corners.x] - center, b = leaf.points[corners.y] - center,
@@ -65,7 +65,7 @@ std::vector<Row> rows_of(const csg::solid::PlacedLeaf& leaf, std::uint32_t numbe
 
 layers::SmoothFacets smooth_facets(const csg::solid::Geometry& geometry) {
     const glm::dvec3 center = local_frame(geometry).center;
-    std::vector<std::vector<Row>> by_leaf(geometry.leaves.size());
+    std::vector<std::vector<FacetRow>> by_leaf(geometry.leaves.size());
     base::for_each_index(static_cast<int>(by_leaf.size()), [&] {
         return [&](int leaf) {
             const auto i = static_cast<std::size_t>(leaf);
@@ -74,8 +74,8 @@ layers::SmoothFacets smooth_facets(const csg::solid::Geometry& geometry) {
     });
     layers::SmoothFacets smooth;
     smooth.starts.assign(geometry.planes.planes().size() + 1, 0);
-    for (const std::vector<Row>& rows : by_leaf) {
-        for (const Row& row : rows) {
+    for (const std::vector<FacetRow>& rows : by_leaf) {
+        for (const FacetRow& row : rows) {
             ++smooth.starts[row.plane + 1];
         }
     }
@@ -84,8 +84,8 @@ layers::SmoothFacets smooth_facets(const csg::solid::Geometry& geometry) {
     }
     smooth.facets.resize(smooth.starts.back());
     std::vector<std::uint32_t> next(smooth.starts.begin(), smooth.starts.end() - 1);
-    for (std::vector<Row>& rows : by_leaf) {
-        for (const Row& row : rows) {
+    for (std::vector<FacetRow>& rows : by_leaf) {
+        for (const FacetRow& row : rows) {
             smooth.facets[next[row.plane]++] = row.facet;
         }
         rows = {};

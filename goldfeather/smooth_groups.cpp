@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t kListOfGroups = 0x80000000U, kUnknown = 0xffffffffU;
 
 /// A plane that several leaves have, or one in several surfaces.
-struct Row {
+struct GroupRow {
     std::uint32_t plane, leaf, group;
     [[nodiscard]] auto key() const { return std::tuple(plane, leaf, group & 0xffffffU); }
 };
@@ -41,20 +41,21 @@ std::vector<std::uint32_t> smooth_groups(const csg::solid::Geometry& geometry) {
             word = kListOfGroups;
         }
     });
-    std::vector<Row> rows;
-    Row last{kUnknown, kUnknown, kUnknown};
+    std::vector<GroupRow> rows;
+    GroupRow last{kUnknown, kUnknown, kUnknown};
     for_each_triangle(geometry, [&](std::uint32_t plane, std::uint32_t leaf, std::uint32_t group) {
-        const Row row{plane, leaf, group};
+        const GroupRow row{plane, leaf, group};
         if (words[plane] == kListOfGroups && row.key() != last.key()) {
             rows.push_back(row);
             last = row;
         }
     });
-    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.key() < b.key(); });
-    rows.erase(std::unique(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.key() == b.key(); }),
-               rows.end());
+    std::sort(rows.begin(), rows.end(), [](const GroupRow& a, const GroupRow& b) { return a.key() < b.key(); });
+    rows.erase(
+        std::unique(rows.begin(), rows.end(), [](const GroupRow& a, const GroupRow& b) { return a.key() == b.key(); }),
+        rows.end());
     for (auto row = rows.begin(); row != rows.end();) {
-        const auto end = std::find_if(row, rows.end(), [&](const Row& r) { return r.plane != row->plane; });
+        const auto end = std::find_if(row, rows.end(), [&](const GroupRow& r) { return r.plane != row->plane; });
         words[row->plane] = kListOfGroups | static_cast<std::uint32_t>(words.size());
         words.push_back(static_cast<std::uint32_t>(end - row));
         for (; row != end; ++row) {

@@ -40,6 +40,8 @@ build() {
 # build_with_tests PRESET TARGET...: the same, after installing and configuring what ./check needs.
 build_with_tests() {
     install_packages tools/packages/build.txt tools/packages/test.txt
-    cmake --preset "$1" -DCSGSCOPE_TESTS=ON >&2
+    local batches=()
+    [ -e "build/$1/CMakeCache.txt" ] || batches=(-DCSGSCOPE_BATCHES=ON)
+    cmake --preset "$1" -DCSGSCOPE_TESTS=ON "${batches[@]}" >&2
     build "$@"
 }

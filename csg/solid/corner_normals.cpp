@@ -8,7 +8,7 @@ namespace csg::solid {
 namespace {
 
 /// A corner of a triangle: three times its number, and which one.
-using Corner = std::uint32_t;
+using CornerId = std::uint32_t;
 
 /// About a cone's tip all normals are as far from its axis as those of the facets; about the pole of a sphere those of
 /// the next corners are twice as far.
@@ -43,14 +43,14 @@ class Normals {
         for (std::size_t point = 0; point < leaf_.points.size(); ++point) {
             at_point(corners_at(point));
         }
-        std::vector<Corner> tips;
+        std::vector<CornerId> tips;
         for (std::size_t point = 0; point < leaf_.points.size(); ++point) {
-            const std::span<const Corner> about = corners_at(point);
+            const std::span<const CornerId> about = corners_at(point);
             if (is_tip(about)) {
                 tips.insert(tips.end(), about.begin(), about.end());
             }
         }
-        for (const Corner c : tips) {
+        for (const CornerId c : tips) {
             normals_[c / 3][c % 3] = glm::dvec3(0);
         }
         return std::move(normals_);
@@ -80,13 +80,13 @@ class Normals {
 
     void gather_corners() {
         first_.assign(leaf_.points.size() + 1, 0);
-        for_each_corner([&](Corner, std::uint32_t p) { ++first_[p + 1]; });
+        for_each_corner([&](CornerId, std::uint32_t p) { ++first_[p + 1]; });
         for (std::size_t p = 1; p < first_.size(); ++p) {
             first_[p] += first_[p - 1];
         }
         corners_.resize(first_.back());
         std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-        for_each_corner([&](Corner c, std::uint32_t p) { corners_[next[p]++] = c; });
+        for_each_corner([&](CornerId c, std::uint32_t p) { corners_[next[p]++] = c; });
     }
 
     template <typename Visit>
@@ -94,29 +94,29 @@ class Normals {
         for (std::size_t t = 0; t < leaf_.triangles.size(); ++t) {
             if (curved(t)) {
                 for (int i = 0; i < 3; ++i) {
-                    visit(static_cast<Corner>(3 * t) + static_cast<Corner>(i), leaf_.triangles[t][i]);
+                    visit(static_cast<CornerId>(3 * t) + static_cast<CornerId>(i), leaf_.triangles[t][i]);
                 }
             }
         }
     }
 
-    void at_point(std::span<const Corner> about) {
+    void at_point(std::span<const CornerId> about) {
         if (about.empty()) {
             return;
         }
         const FacetGroup first = groups_[about[0] / 3];
-        const bool one = std::all_of(about.begin(), about.end(), [&](Corner c) {
+        const bool one = std::all_of(about.begin(), about.end(), [&](CornerId c) {
             return groups_[c / 3].surface() == first.surface() && groups_[c / 3].stretch() == first.stretch();
         });
         const glm::dvec3 all = one ? mean(about, first) : glm::dvec3(0);
-        for (const Corner c : about) {
+        for (const CornerId c : about) {
             normals_[c / 3][c % 3] = one ? all : mean(about, groups_[c / 3]);
         }
     }
 
-    [[nodiscard]] glm::dvec3 mean(std::span<const Corner> about, FacetGroup group) const {
+    [[nodiscard]] glm::dvec3 mean(std::span<const CornerId> about, FacetGroup group) const {
         glm::dvec3 sum(0);
-        for (const Corner c : about) {
+        for (const CornerId c : about) {
             if (smooth_between(groups_[c / 3], group)) {
                 sum += angles_[c / 3][c % 3] * facets_[c / 3];
             }
@@ -125,19 +125,19 @@ class Normals {
     }
 
     /// Of facets of one surface all around a point.
-    [[nodiscard]] bool is_tip(std::span<const Corner> about) const {
+    [[nodiscard]] bool is_tip(std::span<const CornerId> about) const {
         if (about.size() < 3) {
             return false;
         }
         const glm::dvec3 axis = normals_[about[0] / 3][about[0] % 3];
         double facets = 1, corners = 1;  // Cosines of the largest angles.
         std::uint32_t ring = 0;          // Each corner about a point inside of a surface is of two of the triangles.
-        for (const Corner c : about) {
+        for (const CornerId c : about) {
             if (!smooth_between(groups_[c / 3], groups_[about[0] / 3])) {
                 return false;
             }
             facets = std::min(facets, glm::dot(axis, facets_[c / 3]));
-            for (const Corner other : {(c + 1) % 3, (c + 2) % 3}) {
+            for (const CornerId other : {(c + 1) % 3, (c + 2) % 3}) {
                 corners = std::min(corners, glm::dot(axis, normals_[c / 3][other]));
             }
             ring += leaf_.triangles[c / 3][static_cast<int>((c + 1) % 3)];
@@ -151,7 +151,7 @@ class Normals {
     [[nodiscard]] const glm::dvec3& point(std::size_t triangle, int corner) const {
         return leaf_.points[leaf_.triangles[triangle][corner]];
     }
-    [[nodiscard]] std::span<const Corner> corners_at(std::size_t point) const {
+    [[nodiscard]] std::span<const CornerId> corners_at(std::size_t point) const {
         return std::span(corners_).subspan(first_[point], first_[point + 1] - first_[point]);
     }
 
@@ -161,7 +161,7 @@ class Normals {
     std::vector<glm::dvec3> facets_;            ///< By triangle: normals.
     std::vector<std::array<double, 3>> angles_;
     std::vector<std::uint32_t> first_;  ///< By point, among the corners.
-    std::vector<Corner> corners_;
+    std::vector<CornerId> corners_;
     std::vector<CornerNormals> normals_;
 };
 

@@ -8,16 +8,17 @@
 namespace csg::solid {
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using PointPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Where the mesh meets the plane, a hair above it: corners on the plane count as below. Triangles that cross give
 /// segments; the one behind an edge goes on where the one before it ends, so that the loops wind around what the mesh
 /// winds around there.
 std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& triangles) {
     const auto is_up = [&](std::uint32_t i) { return points[i].z > 0; };
-    std::multimap<Edge, Edge> segments;  // From the edge where the surface goes down to the one where it goes up.
+    std::multimap<PointPair, PointPair>
+        segments;  // From the edge where the surface goes down to the one where it goes up.
     for (const glm::uvec3& t : triangles) {
-        Edge down{0, 0}, up{0, 0};
+        PointPair down{0, 0}, up{0, 0};
         bool crosses = false;
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i], b = t[(i + 1) % 3];
@@ -31,7 +32,7 @@ std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vec
             segments.emplace(down, up);
         }
     }
-    const auto point = [&](const Edge& edge) {
+    const auto point = [&](const PointPair& edge) {
         const glm::dvec3 &a = points[edge.first], &b = points[edge.second];
         if (a.z == b.z || a.z == 0) {
             return glm::dvec2(a);
@@ -50,7 +51,7 @@ std::vector<Loop> cut_mesh(const std::vector<glm::dvec3>& points, const std::vec
             if (loop.empty() || loop.back() != p) {
                 loop.push_back(p);
             }
-            const Edge end = segment->second;
+            const PointPair end = segment->second;
             segments.erase(segment);
             segment = segments.find(end);
         }

@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "csg/solid/edge_crossings.h"
+#include "csg/solid/no_index.h"
 #include "csg/solid/used_points.h"
 
 namespace csg::solid {
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Corners are numbered by the bits x, y, z: set at the upper end. Counter-clockwise seen from outside.
 constexpr std::array<std::array<std::uint32_t, 4>, 6> kFaces{

@@ -27,7 +27,7 @@ using Entity = DxfEntity;
 using Block = DxfFile::Blocks::value_type;
 
 /// Of a polyline: a point, and what the way from it to the next one is bent by.
-struct Corner {
+struct PolylineCorner {
     glm::dvec2 at;
     double bulge;
 };
@@ -70,7 +70,7 @@ class Drawing {
 
   private:
     void draw(const std::vector<Entity>& entities, const glm::dmat4& placed) {
-        std::vector<Corner> polyline;
+        std::vector<PolylineCorner> polyline;
         bool closed = false, wanted = true;
         for (const Entity& e : entities) {
             if (lines_.size() > kMostLines) {
@@ -177,7 +177,7 @@ class Drawing {
     }
 
     void light_polyline(const Entity& e, const glm::dmat4& placed) {
-        std::vector<Corner> corners;
+        std::vector<PolylineCorner> corners;
         for (const auto& [code, number] : e.series) {
             if (code == 10) {
                 corners.push_back({{number, 0}, 0});
@@ -188,7 +188,7 @@ class Drawing {
         add_polyline(corners, (e.flags() & 1) != 0, placed);
     }
 
-    void add_polyline(const std::vector<Corner>& corners, bool closed, const glm::dmat4& placed) {
+    void add_polyline(const std::vector<PolylineCorner>& corners, bool closed, const glm::dmat4& placed) {
         if (corners.empty()) {
             return;
         }

@@ -16,7 +16,7 @@
 namespace csg::solid {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostMeshBytes = std::size_t{1} << 30;
 
 void add_triangle(FileMesh& mesh, const glm::dvec3 (&corners)[3], bool& finite) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
@@ -228,7 +228,7 @@ std::shared_ptr<Solid> import_solid(const Import& import) {
     if (suffix == "3mf") {
         read_3mf(import.file.path, mesh, failures);
     } else if (suffix == "stl" || suffix == "off" || suffix == "obj" || suffix == "amf") {
-        if (const auto text = read_file(import.file.path, kMostBytes, failures)) {
+        if (const auto text = read_file(import.file.path, kMostMeshBytes, failures)) {
             const auto read = suffix == "stl"   ? read_stl
                               : suffix == "off" ? read_off
                               : suffix == "obj" ? read_obj

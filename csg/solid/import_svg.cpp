@@ -17,8 +17,8 @@ namespace csg::solid {
 namespace {
 
 constexpr std::size_t kMostShapes = std::size_t{1} << 20;
-constexpr int kDeepest = 512;  ///< Elements within each other, uses unfolded.
-constexpr int kMostUses = 16;  ///< Within each other.
+constexpr int kDeepestUse = 512;  ///< Elements within each other, uses unfolded.
+constexpr int kMostUses = 16;     ///< Within each other.
 
 /// What an element has from those about it.
 struct State {
@@ -80,7 +80,7 @@ class Svg {
         if ((never_drawn(e.name) && !used) || document_.property(e, "display") == "none") {
             return;
         }
-        if (++state.depth > kDeepest || shapes_.size() >= kMostShapes || ++visited_ > kMostShapes) {
+        if (++state.depth > kDeepestUse || shapes_.size() >= kMostShapes || ++visited_ > kMostShapes) {
             fail_once("SVG file draws too much; the rest is left out");
             return;
         }

@@ -6,12 +6,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "csg/solid/no_index.h"
+
 namespace csg::solid {
 namespace {
 
-constexpr double kFlat = 0.05;         // Degrees.
+constexpr double kFlatDegrees = 0.05;  // Degrees.
 constexpr double kLeastHeight = 1e-9;  // Of the box's diagonal: of triangles whose plane is known.
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// A triangle's edge, among those that have the same lesser point.
 struct HalfEdge {
@@ -128,7 +129,7 @@ void MeshFaces::unite_flat(const Solid& solid) {
             continue;
         }
         const double angle = std::atan2(glm::length(glm::cross(m, n)), glm::dot(m, n)) * (180 / std::numbers::pi);
-        if (angle <= kFlat) {
+        if (angle <= kFlatDegrees) {
             faces.unite(edge.triangles[0], edge.triangles[1]);
             continue;
         }

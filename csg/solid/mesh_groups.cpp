@@ -8,7 +8,7 @@ namespace csg::solid {
 namespace {
 
 /// As for outlines (outline_curves.cpp): of angles that follow each other on a curve.
-constexpr float kMostRatio = 2.3F;
+constexpr float kMostAngleRatio = 2.3F;
 /// Facets of a curve have few edges, but for what was cut out of them.
 constexpr std::size_t kMostEdges = 48;
 /// Degrees below which a surface may be uneven.
@@ -117,8 +117,8 @@ class Estimate {
         for (std::vector<Next>* side : {&before_, &after_}) {
             side->clear();
         }
-        add_next(i, faces_.side(edge, 0), kMostRatio, before_);
-        add_next(i, faces_.side(edge, 1), kMostRatio, after_);
+        add_next(i, faces_.side(edge, 0), kMostAngleRatio, before_);
+        add_next(i, faces_.side(edge, 1), kMostAngleRatio, after_);
         for (const Next& a : before_) {
             for (const Next& b : after_) {
                 const float most = std::max({std::abs(edge.degrees), std::abs(faces_.edges()[a.edge].degrees),

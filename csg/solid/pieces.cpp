@@ -9,7 +9,7 @@
 namespace csg::solid {
 namespace {
 
-constexpr unsigned kDeepest = 500;
+constexpr unsigned kDeepestBox = 500;
 
 void place(Mesh& mesh, const glm::dmat4& matrix) {
     const glm::dmat4 m = matrix[3][3] != 0 ? matrix * (1.0 / matrix[3][3]) : matrix;
@@ -57,8 +57,8 @@ Mesh ask(MeshResult result) {
 }
 
 void check_depth(const BooleanNode& node) {
-    if (node.depth > kDeepest) {
-        throw GeometryError(fmt::format("differences and intersections nest deeper than {}", kDeepest));
+    if (node.depth > kDeepestBox) {
+        throw GeometryError(fmt::format("differences and intersections nest deeper than {}", kDeepestBox));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "csg/solid/assign_planes.h"
+#include "csg/solid/no_index.h"
 
 namespace csg::solid {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 constexpr int kLeafBits = 26, kTriangleBits = 26;
 constexpr std::uint64_t kTriangles = (std::uint64_t{1} << kTriangleBits) - 1;
 constexpr std::uint64_t kLeaf = std::uint64_t{1} << kTriangleBits;
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Where more than one in so many triangles has changed, all planes are assigned: that takes no longer then.
 constexpr std::size_t kFewIn = 4;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "csg/solid/no_index.h"
 #include "csg/tree/hash.h"
 
 namespace csg::solid {
@@ -14,7 +15,6 @@ constexpr double kTolerancePerLength = 0x1p-33;
 /// Cells of the hash: wide against the tolerance, narrow against the distance of unrelated planes.
 constexpr double kNormalCell = 1e-3, kNormalMargin = 1e-6;
 constexpr double kOffsetCell = 1e-4, kOffsetMargin = 2e-6;  // per unit of the largest coordinate
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 Plane opposite(const Plane& plane) {
     return {-plane.normal, -plane.offset};

@@ -5,7 +5,7 @@
 namespace csg::solid {
 namespace {
 
-constexpr double kMargin = 1e-5;       // Of a cell; beyond the rounding of what is computed here.
+constexpr double kCellMargin = 1e-5;   // Of a cell; beyond the rounding of what is computed here.
 constexpr double kSteep = 1e-3;        // Cells; across less than that all rows of an edge are taken.
 constexpr double kMostEntries = 24e6;  // Cells become larger rather than that there are more.
 
@@ -15,19 +15,19 @@ template <typename F>
 void SegmentGrid::along(const GridEdge& edge, F&& f) const {
     const double ax = (static_cast<double>(edge.a.x) - x_) * per_x_, bx = (static_cast<double>(edge.b.x) - x_) * per_x_;
     const double ay = (static_cast<double>(edge.a.y) - y_) * per_y_, by = (static_cast<double>(edge.b.y) - y_) * per_y_;
-    const std::size_t first = column(ax - kMargin), last = column(bx + kMargin);
+    const std::size_t first = column(ax - kCellMargin), last = column(bx + kCellMargin);
     for (std::size_t c = first; c <= last; ++c) {
         double low = ay, high = by;
         if (bx - ax > kSteep) {
-            const double left = std::max(ax, static_cast<double>(c) - kMargin);
-            const double right = std::min(bx, static_cast<double>(c + 1) + kMargin);
+            const double left = std::max(ax, static_cast<double>(c) - kCellMargin);
+            const double right = std::min(bx, static_cast<double>(c + 1) + kCellMargin);
             low = ay + (by - ay) * (left - ax) / (bx - ax);
             high = ay + (by - ay) * (right - ax) / (bx - ax);
         }
         if (low > high) {
             std::swap(low, high);
         }
-        for (std::size_t row = column(low - kMargin); row <= column(high + kMargin); ++row) {
+        for (std::size_t row = column(low - kCellMargin); row <= column(high + kCellMargin); ++row) {
             f(row * side_ + c);
         }
     }

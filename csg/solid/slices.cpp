@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/solid/smallest_radius.h"
+
 namespace csg::solid {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kSmallestRadius = 0x1p-20;  // OpenSCAD's GRID_FINE
 
 std::size_t whole(double slices) {
     return slices > 1 ? static_cast<std::size_t>(std::min(std::ceil(slices), kMostSlices)) : 1;  // 1 for NaN, too.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "csg/solid/mesh_checks.h"
+#include "csg/solid/smallest_radius.h"
 #include "csg/solid/triangulate.h"
 #include "csg/tree/degrees.h"
 #include "csg/tree/finite.h"
@@ -17,7 +18,6 @@
 namespace csg::solid {
 namespace {
 
-constexpr double kSmallestRadius = 0x1p-20;  // OpenSCAD's GRID_FINE
 constexpr int kMostSegments = 1 << 16;
 
 bool usable(double size) {

@@ -13,7 +13,7 @@
 namespace csg::solid {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 28;
+constexpr std::size_t kMostSurfaceBytes = std::size_t{1} << 28;
 constexpr std::size_t kMostSamples = std::size_t{1} << 21;
 
 /// Rows from the front (small y) to the back.
@@ -143,7 +143,7 @@ void build(const Heights& heights, bool center, Solid& solid) {
 
 std::shared_ptr<Solid> surface_solid(const Surface& surface) {
     auto solid = std::make_shared<Solid>();
-    const auto text = read_file(surface.file.path, kMostBytes, solid->failures);
+    const auto text = read_file(surface.file.path, kMostSurfaceBytes, solid->failures);
     if (!text) {
         return solid;
     }

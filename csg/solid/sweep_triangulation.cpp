@@ -3,12 +3,11 @@
 #include "csg/solid/sweep_triangulation.h"
 
 #include "csg/solid/indexed_outline.h"
+#include "csg/solid/no_index.h"
 #include "csg/solid/plane_sweep.h"
 
 namespace csg::solid {
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffff;
 
 struct Link {
     std::uint32_t point, down = kNone, up = kNone;

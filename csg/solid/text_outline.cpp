@@ -14,7 +14,7 @@
 namespace csg::solid {
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 16;
+constexpr std::size_t kMostTextBytes = 1 << 16;
 
 /// Turns FreeType's outline into loops; curves become `segments` lines each.
 struct Pen {
@@ -109,8 +109,8 @@ Outline text_outline(const Text& text, FontLibrary& fonts) {
     if (text.text.empty() || !(text.size > 0) || !std::isfinite(text.size) || !std::isfinite(text.spacing)) {
         return {};
     }
-    if (text.text.size() > kMostBytes) {
-        throw GeometryError(fmt::format("text() is longer than {} bytes", kMostBytes));
+    if (text.text.size() > kMostTextBytes) {
+        throw GeometryError(fmt::format("text() is longer than {} bytes", kMostTextBytes));
     }
     const Font* font = fonts.impl().find(text);
     if (font == nullptr) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "csg/solid/edge_crossings.h"
+#include "csg/solid/no_index.h"
 #include "csg/solid/place_leaf.h"
 #include "csg/solid/used_points.h"
 
@@ -15,8 +16,6 @@ namespace {
 
 /// Of the faces of cuts, which nobody sees.
 const FacetGroup kCut(FacetGroup::kSurfaces - 1);
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// The points p with sign * p[axis] <= bound.
 struct Half {

@@ -8,7 +8,7 @@ namespace csg::solid {
 namespace {
 
 /// Of a slice's walls, two for each edge; a zero where a triangle has no area.
-using Normals = std::vector<glm::dvec3>;
+using WallNormals = std::vector<glm::dvec3>;
 
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     if (glm::dot(a, a) == 0 || glm::dot(b, b) == 0) {
@@ -17,8 +17,8 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * (180 / std::numbers::pi);
 }
 
-Normals normals_of(const Solid& solid, std::size_t first, std::size_t count) {
-    Normals normals;
+WallNormals normals_of(const Solid& solid, std::size_t first, std::size_t count) {
+    WallNormals normals;
     normals.reserve(count);
     for (std::size_t i = first; i < first + count; ++i) {
         const glm::uvec3& t = solid.triangles[i];
@@ -54,10 +54,10 @@ void group_walls(Solid& solid, std::size_t first, const OutlineCurves& curves, s
         solid.groups[a].bends(angle);
         solid.groups[b].bends(angle);
     };
-    Normals below;
+    WallNormals below;
     for (std::size_t slice = 0; slice < slices; ++slice) {
         const std::size_t begin = first + slice * walls.size();
-        Normals here = normals_of(solid, begin, walls.size());
+        WallNormals here = normals_of(solid, begin, walls.size());
         for (std::size_t edge = 0; edge < previous.size(); ++edge) {
             const std::size_t at = 2 * edge, before = 2 * previous[edge];
             bend(begin + at, begin + at + 1, here[at], here[at + 1]);

@@ -8,7 +8,7 @@
 namespace csg::solid {
 namespace {
 
-constexpr int kDeepest = 256;
+constexpr int kDeepestElement = 256;
 constexpr std::size_t kChunk = std::size_t{1} << 24;
 
 struct Reader {
@@ -26,7 +26,7 @@ std::string without_prefix(const char* name) {
 
 void XMLCALL on_open(void* self, const char* name, const char** attributes) {
     Reader& reader = *static_cast<Reader*>(self);
-    if (++reader.depth > kDeepest) {
+    if (++reader.depth > kDeepestElement) {
         XML_StopParser(reader.parser, XML_FALSE);
         return;
     }

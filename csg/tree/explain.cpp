@@ -9,7 +9,7 @@ namespace csg {
 
 namespace {
 
-constexpr Rgba kRemoved{0.86F, 0.2F, 0.16F, 0.55F}, kCutter{0.5F, 0.5F, 0.5F, 0.1F}, kKept{0.25F, 0.68F, 0.3F, 1},
+constexpr Rgba kTaken{0.86F, 0.2F, 0.16F, 0.55F}, kCutter{0.5F, 0.5F, 0.5F, 0.1F}, kKept{0.25F, 0.68F, 0.3F, 1},
     kLost{0.86F, 0.24F, 0.2F, 0.15F};
 
 bool is_explained(Operation operation) {
@@ -113,7 +113,7 @@ Tree explained(const Tree& tree, const SourceLocation& where) {
     const NodeId still = kept.of(root) == kNoNode || plain[root] == kNoNode
                              ? kNoNode
                              : joiner.combine(Operation::Intersection, {plain[root], kept.of(root)});
-    return joiner.finish({model, joiner.colored(kKept, still), joiner.colored(kRemoved, removed.of(root)),
+    return joiner.finish({model, joiner.colored(kKept, still), joiner.colored(kTaken, removed.of(root)),
                           joiner.colored(kLost, lost.of(root)), joiner.colored(kCutter, cutters.of(root))});
 }
 

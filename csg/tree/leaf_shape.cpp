@@ -24,7 +24,7 @@ std::uint64_t mix(std::uint64_t seed, const std::vector<std::vector<std::uint32_
     return seed;
 }
 
-struct Hasher {
+struct ShapeHasher {
     std::uint64_t seed;
 
     std::uint64_t operator()(const Cube& c) const { return csg::mix(csg::mix(seed, c.size), std::uint64_t{c.center}); }
@@ -107,7 +107,7 @@ std::uint64_t mix(std::uint64_t seed, const Fineness& f) {
 }
 
 std::uint64_t content_hash(const LeafShape& shape) {
-    return std::visit(Hasher{csg::mix(std::uint64_t{0x1eaf}, std::uint64_t{shape.index()})}, shape);
+    return std::visit(ShapeHasher{csg::mix(std::uint64_t{0x1eaf}, std::uint64_t{shape.index()})}, shape);
 }
 
 bool same_shape(const LeafShape& a, const LeafShape& b) {

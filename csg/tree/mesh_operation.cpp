@@ -9,7 +9,7 @@ std::uint64_t mix(std::uint64_t seed, const std::optional<unsigned>& number) {
     return csg::mix(seed, number ? std::uint64_t{*number} + 1 : 0);
 }
 
-struct Hasher {
+struct OperationHasher {
     std::uint64_t seed;
 
     std::uint64_t operator()(const LinearExtrude& e) const {
@@ -50,7 +50,7 @@ struct Hasher {
 }  // namespace
 
 std::uint64_t content_hash(const MeshOperation& operation) {
-    return std::visit(Hasher{csg::mix(std::uint64_t{0x3e54}, std::uint64_t{operation.index()})}, operation);
+    return std::visit(OperationHasher{csg::mix(std::uint64_t{0x3e54}, std::uint64_t{operation.index()})}, operation);
 }
 
 }  // namespace csg

@@ -73,10 +73,10 @@ csg::Scene make_scene() {
     return scene;
 }
 
-/// Lists with known layers.
-class Lists {
+/// KnownLists with known layers.
+class KnownLists {
   public:
-    explicit Lists(bool windings) : scene(make_scene()), windings_(windings) {
+    explicit KnownLists(bool windings) : scene(make_scene()), windings_(windings) {
         Numbers random;
         const ExpressionTree tree(scene);
         for (csg::LeafId leaf = 0; leaf < kLeaves; ++leaf) {
@@ -141,7 +141,7 @@ class Lists {
 }  // namespace
 
 std::string self_test(const gl::Functions& gl, ListResolver& resolver, bool windings) {
-    const Lists lists(windings);
+    const KnownLists lists(windings);
     ListBuffers buffers(gl);
     buffers.pixels.upload<PixelList>(lists.pixels);
     buffers.entries.upload<glm::uvec2>(lists.entries);

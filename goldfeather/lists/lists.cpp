@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kEntryBytes = sizeof(glm::uvec2);
 /// Of a pixel, without its list: its counters; and its place among the jobs of each class, and where its walk stands.
-constexpr std::size_t kPixelBytes = sizeof(PixelList), kJobBytes = kListClasses * sizeof(glm::uvec2) + 2 * kEntryBytes;
+constexpr std::size_t kListPixelBytes = sizeof(PixelList),
+                      kJobBytes = kListClasses * sizeof(glm::uvec2) + 2 * kEntryBytes;
 /// A long list has as much room again, for the leaves that hold the point.
 constexpr std::size_t kListBytes = 2 * kEntryBytes;
 
@@ -117,7 +118,7 @@ layers::TextureStack Lists::peel(const base::View& view, const csg::solid::Geome
     upload_draws(job);
 
     // At least half of the budget is left for the lists.
-    const std::size_t row = static_cast<std::size_t>(view.size().x) * (kPixelBytes + kJobBytes);
+    const std::size_t row = static_cast<std::size_t>(view.size().x) * (kListPixelBytes + kJobBytes);
     const std::size_t rows = std::clamp<std::size_t>(std::min(memory_budget_ / 2, most_bytes_) / row, 1,
                                                      static_cast<std::size_t>(view.size().y));
     for (job.first_row = 0; job.first_row < view.size().y; job.first_row += static_cast<int>(rows)) {
@@ -189,7 +190,7 @@ void Lists::peel_band(Job& job) {
 /// Halves rectangles until each keeps the budget, or is one pixel.
 std::vector<Lists::Rectangle> Lists::split(const Job& job, std::uint64_t surfaces) const {
     const Rectangle band{{0, 0}, job.band_size};
-    const std::size_t held = band.pixels() * kPixelBytes;
+    const std::size_t held = band.pixels() * kListPixelBytes;
     const std::size_t budget = std::min(memory_budget_ - std::min(memory_budget_, held), most_bytes_);
     if (surfaces * kListBytes + band.pixels() * kJobBytes <= budget) {
         return {band};

@@ -12,7 +12,7 @@ namespace goldfeather {
 namespace {
 
 /// As in goldfeather/scs/scs.glsl.
-constexpr std::size_t kPixelBytes = 9 * sizeof(std::uint32_t);
+constexpr std::size_t kScsPixelBytes = 9 * sizeof(std::uint32_t);
 
 using Box = base::View::Rectangle;
 
@@ -150,7 +150,7 @@ layers::TextureStack Scs::peel(const base::View& view, LeafBuffers& leaves, cons
     leaves.bind();
     gl_.VertexArrayVertexBuffer(leaf_array_.id(), 1, leaves.positions().id(), 0, sizeof(glm::vec4));
 
-    const std::size_t row = static_cast<std::size_t>(view.size().x) * kPixelBytes;
+    const std::size_t row = static_cast<std::size_t>(view.size().x) * kScsPixelBytes;
     const int rows =
         static_cast<int>(std::clamp<std::size_t>(memory_budget_ / row, 1, static_cast<std::size_t>(view.size().y)));
     for (int first = 0; first < view.size().y; first += rows) {

@@ -30,7 +30,7 @@ std::string layer_table(const ComparedView& view) {
     return rows;
 }
 
-constexpr const char* kHead = R"(<style>
+constexpr const char* kReportHead = R"(<style>
 body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 70em; color: #222; }
 .view { display: flex; gap: 1em; flex-wrap: wrap; align-items: start; margin-bottom: 2em; }
 .pair { position: relative; display: inline-block; line-height: 0; }
@@ -51,7 +51,7 @@ std::string report_page(const std::string& title, const std::string& summary, co
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n{1}</head><body>\n"
         "<h1>{0}</h1>\n<p>{2}</p>\n",
-        html(title), kHead, html(summary));
+        html(title), kReportHead, html(summary));
     for (const ComparedView& view : views) {
         page += fmt::format(
             "<h2>{}</h2>\n<div class=\"view\">\n<figure><div class=\"pair\">{}<div class=\"top\">{}</div></div>"

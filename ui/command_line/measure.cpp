@@ -17,10 +17,6 @@ namespace ui {
 
 namespace {
 
-[[noreturn]] void refuse(const ThingText& thing, const std::string& why) {
-    throw UsageError(fmt::format("{} {}: {}", thing.option, thing.text, why));
-}
-
 /// From texts to things of a model.
 class Finder {
   public:

@@ -16,10 +16,6 @@ constexpr const char* kExpected =
     "expected [x,y,z], a pixel X,Y, edge@X,Y or corner@X,Y, or a shape by its call, LINE[:COLUMN] or +z@LINE[:COLUMN] "
     "(or -z, +x, …)";
 
-[[noreturn]] void refuse(const ThingText& thing, const std::string& why) {
-    throw UsageError(fmt::format("{} {}: {}", thing.option, thing.text, why));
-}
-
 /// Takes "#N" off the end.
 void take_number(ThingText& thing, std::string& rest) {
     const std::size_t hash = rest.rfind('#');
@@ -65,6 +61,10 @@ void read_pixel(ThingText& thing, const std::string& text, glm::ivec2 size) {
 }
 
 }  // namespace
+
+void refuse(const ThingText& thing, const std::string& why) {
+    throw UsageError(fmt::format("{} {}: {}", thing.option, thing.text, why));
+}
 
 const std::vector<std::string>& measure_values() {
     static const std::vector<std::string> kNames{"radius",  "diameter", "length", "distance",

@@ -33,6 +33,9 @@ struct MeasureOptions {
 /// "radius", "diameter", …
 [[nodiscard]] const std::vector<std::string>& measure_values();
 
+/// Throws UsageError.
+[[noreturn]] void refuse(const ThingText& thing, const std::string& why);
+
 /// `size`: of the picture that pixels are counted in. Throws UsageError.
 [[nodiscard]] ThingText read_thing(const std::string& option, const std::string& text, glm::ivec2 size);
 

@@ -10,11 +10,11 @@ namespace ui {
 
 namespace {
 
-constexpr double kUnset = -1, kLargest = 1e9;
+constexpr double kUnsetMotion = -1, kLargestMotion = 1e9;
 
 struct RawMotion {
     std::string interval, format = "text";
-    double error = kUnset, time_limit = kUnset;
+    double error = kUnsetMotion, time_limit = kUnsetMotion;
 };
 
 void declare(OptionTable& table, MotionOptions& o, RawMotion& raw) {
@@ -25,7 +25,7 @@ void declare(OptionTable& table, MotionOptions& o, RawMotion& raw) {
                         "Samples are as near to each other as it takes to know where everything is between "
                         "them, to within so much (1e-4 of the model's diagonal)",
                         "MM", what},
-                       raw.error, kLargest);
+                       raw.error, kLargestMotion);
     const char* const tell = "How to tell it";
     table.add({"--format", "text, or json with all samples, velocities and accelerations (text)", "FORMAT", tell},
               raw.format, {"text", "json"});
@@ -44,12 +44,12 @@ void interpret(MotionOptions& o, const RawMotion& raw) {
         o.request.from = ends[0];
         o.request.to = ends[1];
     }
-    if (raw.error != kUnset) {
+    if (raw.error != kUnsetMotion) {
         o.request.error = raw.error;
     }
     o.json = raw.format == "json";
     o.request.derivatives = o.json;
-    o.run.time_limit = raw.time_limit == kUnset ? 0 : raw.time_limit;
+    o.run.time_limit = raw.time_limit == kUnsetMotion ? 0 : raw.time_limit;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace ui {
 
 namespace {
 
-using Command = std::vector<std::string>;
+using ProcessArguments = std::vector<std::string>;
 
 /// A file descriptor that programs started do not inherit.
 class Descriptor {
@@ -54,7 +54,7 @@ class MemoryFile {
 };
 
 /// Writes to `out`. Did it run and end with 0?
-bool run(Command command, const MemoryFile& out) {
+bool run(ProcessArguments command, const MemoryFile& out) {
     return ChildProcess(std::move(command), out.descriptor(), SIGKILL).wait() == 0;
 }
 
@@ -70,8 +70,9 @@ class VirtualDisplay {
         {
             const Descriptor to(ends[1]);
             // At SIGTERM it removes its files.
-            server_.emplace(Command{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp"},
-                            to.get(), SIGTERM);
+            server_.emplace(
+                ProcessArguments{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp"},
+                to.get(), SIGTERM);
         }
         for (char digit = 0; ::read(from.get(), &digit, 1) == 1 && digit != '\n';) {
             number_ += digit;
@@ -115,18 +116,19 @@ std::string OpenscadProcess::tree() const {
 }
 
 std::optional<base::Image> OpenscadProcess::picture(const base::Camera& camera, glm::ivec2 size) const {
-    Command command{"openscad",
-                    "-q",
-                    "--render",
-                    "-o",
-                    "-",
-                    "--export-format",
-                    "png",
-                    fmt::format("--imgsize={},{}", size.x, size.y),
-                    fmt::format("--projection={}", camera.projection == base::Projection::Orthographic ? "o" : "p"),
-                    fmt::format("--camera={},{},{},{},{},{},{}", camera.target.x, camera.target.y, camera.target.z,
-                                camera.rotation.x, camera.rotation.y, camera.rotation.z, camera.distance),
-                    input_};
+    ProcessArguments command{
+        "openscad",
+        "-q",
+        "--render",
+        "-o",
+        "-",
+        "--export-format",
+        "png",
+        fmt::format("--imgsize={},{}", size.x, size.y),
+        fmt::format("--projection={}", camera.projection == base::Projection::Orthographic ? "o" : "p"),
+        fmt::format("--camera={},{},{},{},{},{},{}", camera.target.x, camera.target.y, camera.target.z,
+                    camera.rotation.x, camera.rotation.y, camera.rotation.z, camera.distance),
+        input_};
     std::optional<VirtualDisplay> display;
     if (std::getenv("DISPLAY") == nullptr) {
         const std::optional<std::string> name = display.emplace().name();

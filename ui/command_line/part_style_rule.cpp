@@ -7,7 +7,7 @@ namespace ui {
 
 namespace {
 
-constexpr std::string_view kColor = "color=", kModule = "module=";
+constexpr std::string_view kOfColor = "color=", kOfModule = "module=";
 
 /// What stands before the colon, or the comma, without blanks.
 std::string_view selector(std::string_view text) {
@@ -23,10 +23,10 @@ csg::PartRule parts_of_styles(std::span<const std::string> texts) {
     rule.kind = csg::PartRule::Kind::Depth;
     for (const std::string& text : texts) {
         const std::string_view what = selector(text);
-        if (what.starts_with(kModule)) {
+        if (what.starts_with(kOfModule)) {
             rule.kind = csg::PartRule::Kind::Module;
-            rule.modules.emplace_back(what.substr(kModule.size()));
-        } else if (what.starts_with(kColor) && rule.kind == csg::PartRule::Kind::Depth) {
+            rule.modules.emplace_back(what.substr(kOfModule.size()));
+        } else if (what.starts_with(kOfColor) && rule.kind == csg::PartRule::Kind::Depth) {
             rule.kind = csg::PartRule::Kind::Color;
         }
     }

@@ -15,7 +15,7 @@ constexpr std::size_t kMostBytes = std::size_t{256} << 20;  // Of a drawing.
 using csg::scad::DrawingQuery;
 using csg::scad::MeasureWarnings;
 
-class SolidMeasures : public csg::scad::Measures {
+class LanguageMeasures : public csg::scad::Measures {
   public:
     std::optional<csg::TextMetrics> text(const csg::Text& text, MeasureWarnings& warnings) override {
         return csg::solid::text_metrics(text, fonts_, warnings.at_call);
@@ -88,7 +88,7 @@ class SolidMeasures : public csg::scad::Measures {
 }  // namespace
 
 std::shared_ptr<csg::scad::Measures> make_measures() {
-    return std::make_shared<SolidMeasures>();
+    return std::make_shared<LanguageMeasures>();
 }
 
 }  // namespace ui

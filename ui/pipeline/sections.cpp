@@ -10,6 +10,7 @@
 
 #include "csg/solid/cut_box.h"
 #include "csg/tree/scene_edit.h"
+#include "ui/pipeline/infinity.h"
 #include "ui/pipeline/part_names.h"
 
 namespace ui {
@@ -41,8 +42,6 @@ glm::dvec3 to_eye(const csg::Box& box, const base::Camera& camera) {
     }
     return glm::transpose(glm::dmat3(camera.eye_from_world())) * glm::dvec3(0, 0, 1);
 }
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 npr::PlaneSection without_eye(npr::PlaneSection section, const csg::Box& box, const base::Camera& camera) {
     if (section.away == npr::PlaneSection::Away::Eye) {

@@ -16,7 +16,7 @@ namespace csg::scad {
 
 namespace {
 
-using Names = std::string_view;
+using ParameterNames = std::string_view;
 
 Value vector_of(const glm::dvec2& v) {
     std::array<Value, 2> elements{v.x, v.y};
@@ -44,14 +44,14 @@ auto answer(FunctionHost& host, std::string_view name, Ask&& ask)
 
 Text text_of(std::string_view name, const NamedArguments& arguments, FunctionHost& host) {
     Text text = read_text_parameters(
-        name, [&](Names parameter) -> const Value& { return arguments[parameter]; }, host.warn);
+        name, [&](ParameterNames parameter) -> const Value& { return arguments[parameter]; }, host.warn);
     text.font_files = host.font_files;
     return text;
 }
 
 Value textmetrics(std::string_view name, std::span<const Value> a, FunctionHost& host) {
-    static constexpr std::array<Names, 10> kParameters{"text",   "size",   "font",   "direction", "language",
-                                                       "script", "halign", "valign", "spacing",   "em"};
+    static constexpr std::array<ParameterNames, 10> kParameters{"text",   "size",   "font",   "direction", "language",
+                                                                "script", "halign", "valign", "spacing",   "em"};
     const Text text = text_of(name, NamedArguments(a, kParameters, host), host);
     const auto metrics = answer(host, name, [&](Measures& m, auto& warnings) { return m.text(text, warnings); });
     if (!metrics) {
@@ -68,7 +68,7 @@ Value textmetrics(std::string_view name, std::span<const Value> a, FunctionHost&
 }
 
 Value fontmetrics(std::string_view name, std::span<const Value> a, FunctionHost& host) {
-    static constexpr std::array<Names, 3> kParameters{"size", "font", "em"};
+    static constexpr std::array<ParameterNames, 3> kParameters{"size", "font", "em"};
     const Text text = text_of(name, NamedArguments(a, kParameters, host), host);
     const auto metrics = answer(host, name, [&](Measures& m, auto& warnings) { return m.font(text, warnings); });
     if (!metrics) {
@@ -93,7 +93,7 @@ Value fontmetrics(std::string_view name, std::span<const Value> a, FunctionHost&
 
 /// The drawing that is asked about; nothing, with a warning, where there is no such file.
 std::optional<DrawingQuery> drawing(std::string_view name, std::span<const Value> a, FunctionHost& host) {
-    static constexpr std::array<Names, 5> kParameters{"file", "layer", "origin", "scale", "name"};
+    static constexpr std::array<ParameterNames, 5> kParameters{"file", "layer", "origin", "scale", "name"};
     const NamedArguments arguments(a, kParameters, host);
     DrawingQuery query;
     query.file = arguments.text("file");

@@ -10,16 +10,17 @@ namespace csg::scad {
 
 namespace {
 
-using Names = std::string_view;
+using ParameterNames = std::string_view;
 
-std::string text_of(const ModuleArguments& arguments, Names parameter, Names old_name) {
+std::string text_of(const ModuleArguments& arguments, ParameterNames parameter, ParameterNames old_name) {
     const Value& value = arguments[arguments[parameter].is_undef() ? old_name : parameter];
     return value.is_string() ? value.string() : std::string();
 }
 
 void run_import(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 5> kParameters{"file", "layer", "convexity", "origin", "scale"};
-    static constexpr std::array<Names, 7> kNamed{"width", "height", "filename", "layername", "center", "dpi", "id"};
+    static constexpr std::array<ParameterNames, 5> kParameters{"file", "layer", "convexity", "origin", "scale"};
+    static constexpr std::array<ParameterNames, 7> kNamed{"width",  "height", "filename", "layername",
+                                                          "center", "dpi",    "id"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     auto import = std::make_shared<Import>();
@@ -55,8 +56,8 @@ void run_import(const ModuleContext& c, Nodes& out) {
 }
 
 void run_surface(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 3> kParameters{"file", "center", "convexity"};
-    static constexpr std::array<Names, 1> kNamed{"invert"};
+    static constexpr std::array<ParameterNames, 3> kParameters{"file", "center", "convexity"};
+    static constexpr std::array<ParameterNames, 1> kNamed{"invert"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     auto surface = std::make_shared<Surface>();

@@ -11,10 +11,10 @@ namespace csg::scad {
 
 namespace {
 
-using Names = std::string_view;
+using ParameterNames = std::string_view;
 
 void run_square(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 2> kParameters{"size", "center"};
+    static constexpr std::array<ParameterNames, 2> kParameters{"size", "center"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters);
     Square square;
@@ -33,8 +33,8 @@ void run_square(const ModuleContext& c, Nodes& out) {
 }
 
 void run_circle(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"r"};
-    static constexpr std::array<Names, 1> kNamed{"d"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"r"};
+    static constexpr std::array<ParameterNames, 1> kNamed{"d"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     Circle circle;
@@ -46,7 +46,7 @@ void run_circle(const ModuleContext& c, Nodes& out) {
     add_leaf(c, circle, out);
 }
 
-std::vector<glm::dvec2> points_of(const ModuleContext& c, const Value& value) {
+std::vector<glm::dvec2> flat_points_of(const ModuleContext& c, const Value& value) {
     if (!value.is_vector()) {
         c.warn(fmt::format("Unable to convert points = {} to a vector of coordinates", value.echo_text()));
         return {};
@@ -82,11 +82,11 @@ std::vector<std::uint32_t> path_of(const ModuleContext& c, std::size_t path, con
 }
 
 void run_polygon(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 3> kParameters{"points", "paths", "convexity"};
+    static constexpr std::array<ParameterNames, 3> kParameters{"points", "paths", "convexity"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters);
     auto polygon = std::make_shared<Polygon>();
-    polygon->points = points_of(c, arguments["points"]);
+    polygon->points = flat_points_of(c, arguments["points"]);
     const Value& paths = arguments["paths"];
     if (paths.is_vector()) {
         const auto given = paths.elements();
@@ -107,14 +107,14 @@ void run_polygon(const ModuleContext& c, Nodes& out) {
 
 /// The parameter's text; a value that is none gives a warning and what was there before.
 void run_text(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 3> kParameters{"text", "size", "font"};
-    static constexpr std::array<Names, 7> kNamed{"direction", "language", "script", "halign",
-                                                 "valign",    "spacing",  "em"};
+    static constexpr std::array<ParameterNames, 3> kParameters{"text", "size", "font"};
+    static constexpr std::array<ParameterNames, 7> kNamed{"direction", "language", "script", "halign",
+                                                          "valign",    "spacing",  "em"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     const Fineness fineness = c.evaluator.fineness(c.where());
     auto text = std::make_shared<Text>(read_text_parameters(
-        c.name(), [&](Names parameter) -> const Value& { return arguments[parameter]; },
+        c.name(), [&](ParameterNames parameter) -> const Value& { return arguments[parameter]; },
         [&](std::string warning) { c.warn(std::move(warning)); }));
     text->fineness = fineness;
     text->font_files = c.evaluator.program().fonts();

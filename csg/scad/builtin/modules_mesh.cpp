@@ -11,14 +11,15 @@ namespace csg::scad {
 
 namespace {
 
-using Names = std::string_view;
+using ParameterNames = std::string_view;
 
 void add_mesh(const ModuleContext& c, const MeshOperation& operation, Nodes& out) {
     out.push_back(c.evaluator.builder().mesh(operation, c.children(), c.location(), c.modifiers));
 }
 
 /// A number that is finite; warns of anything else that is given.
-std::optional<double> finite_number(const ModuleContext& c, const ModuleArguments& arguments, Names parameter) {
+std::optional<double> finite_number(const ModuleContext& c, const ModuleArguments& arguments,
+                                    ParameterNames parameter) {
     const Value& value = arguments[parameter];
     if (value.is_undef()) {
         return std::nullopt;
@@ -36,7 +37,7 @@ std::optional<double> finite_number(const ModuleContext& c, const ModuleArgument
     return value.number();
 }
 
-std::optional<unsigned> finite_count(const ModuleContext& c, const ModuleArguments& arguments, Names parameter,
+std::optional<unsigned> finite_count(const ModuleContext& c, const ModuleArguments& arguments, ParameterNames parameter,
                                      double least) {
     auto number = finite_number(c, arguments, parameter);
     if (!number) {
@@ -94,8 +95,9 @@ void read_scale(const ModuleContext& c, const Value& scale, glm::dvec2& out) {
 }
 
 void run_linear_extrude(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 7> kParameters{"height", "v", "scale", "center", "twist", "slices", "segments"};
-    static constexpr std::array<Names, 2> kNamed{"convexity", "h"};
+    static constexpr std::array<ParameterNames, 7> kParameters{"height", "v",      "scale",   "center",
+                                                               "twist",  "slices", "segments"};
+    static constexpr std::array<ParameterNames, 2> kNamed{"convexity", "h"};
     const ModuleArguments arguments(c, kParameters, kNamed);
     LinearExtrude extrude;
     extrude.fineness = c.evaluator.fineness(c.where());
@@ -113,8 +115,8 @@ void run_linear_extrude(const ModuleContext& c, Nodes& out) {
 }
 
 void run_rotate_extrude(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 2> kParameters{"angle", "start"};
-    static constexpr std::array<Names, 2> kNamed{"convexity", "a"};
+    static constexpr std::array<ParameterNames, 2> kParameters{"angle", "start"};
+    static constexpr std::array<ParameterNames, 2> kNamed{"convexity", "a"};
     const ModuleArguments arguments(c, kParameters, kNamed);
     RotateExtrude extrude;
     extrude.fineness = c.evaluator.fineness(c.where());
@@ -135,8 +137,8 @@ void run_rotate_extrude(const ModuleContext& c, Nodes& out) {
 }
 
 void run_offset(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"r"};
-    static constexpr std::array<Names, 2> kNamed{"delta", "chamfer"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"r"};
+    static constexpr std::array<ParameterNames, 2> kNamed{"delta", "chamfer"};
     const ModuleArguments arguments(c, kParameters, kNamed);
     Offset offset;
     offset.fineness = c.evaluator.fineness(c.where());
@@ -171,26 +173,26 @@ int convexity_of(const ModuleArguments& arguments, int otherwise) {
 }
 
 void run_minkowski(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"convexity"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"convexity"};
     const ModuleArguments arguments(c, kParameters);
     add_mesh(c, Minkowski{convexity_of(arguments, 0)}, out);
 }
 
 void run_projection(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"cut"};
-    static constexpr std::array<Names, 1> kNamed{"convexity"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"cut"};
+    static constexpr std::array<ParameterNames, 1> kNamed{"convexity"};
     const ModuleArguments arguments(c, kParameters, kNamed);
     add_mesh(c, Projection{is_true(arguments["cut"]), convexity_of(arguments, 0)}, out);
 }
 
 void run_render(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"convexity"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"convexity"};
     const ModuleArguments arguments(c, kParameters);
     add_mesh(c, Render{convexity_of(arguments, 1)}, out);
 }
 
 void run_resize(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 3> kParameters{"newsize", "auto", "convexity"};
+    static constexpr std::array<ParameterNames, 3> kParameters{"newsize", "auto", "convexity"};
     const ModuleArguments arguments(c, kParameters);
     Resize resize;
     const Value& size = arguments["newsize"];
@@ -214,7 +216,7 @@ void run_resize(const ModuleContext& c, Nodes& out) {
 }
 
 void run_roof(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 2> kParameters{"method", "convexity"};
+    static constexpr std::array<ParameterNames, 2> kParameters{"method", "convexity"};
     const ModuleArguments arguments(c, kParameters);
     Roof roof;
     roof.fineness = c.evaluator.fineness(c.where());

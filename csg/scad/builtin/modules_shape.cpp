@@ -10,7 +10,7 @@ namespace csg::scad {
 
 namespace {
 
-using Names = std::string_view;
+using ParameterNames = std::string_view;
 
 void check_ranges(const ModuleContext& c, const Cylinder& cylinder) {
     if (!is_positive(cylinder.height)) {
@@ -24,7 +24,7 @@ void check_ranges(const ModuleContext& c, const Cylinder& cylinder) {
 }
 
 void run_cube(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 2> kParameters{"size", "center"};
+    static constexpr std::array<ParameterNames, 2> kParameters{"size", "center"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters);
     Cube cube;
@@ -44,8 +44,8 @@ void run_cube(const ModuleContext& c, Nodes& out) {
 }
 
 void run_sphere(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"r"};
-    static constexpr std::array<Names, 1> kNamed{"d"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"r"};
+    static constexpr std::array<ParameterNames, 1> kNamed{"d"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     Sphere sphere;
@@ -58,8 +58,8 @@ void run_sphere(const ModuleContext& c, Nodes& out) {
 }
 
 void run_cylinder(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 4> kParameters{"h", "r1", "r2", "center"};
-    static constexpr std::array<Names, 4> kNamed{"r", "d", "d1", "d2"};
+    static constexpr std::array<ParameterNames, 4> kParameters{"h", "r1", "r2", "center"};
+    static constexpr std::array<ParameterNames, 4> kNamed{"r", "d", "d1", "d2"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     Cylinder cylinder;
@@ -80,7 +80,7 @@ void run_cylinder(const ModuleContext& c, Nodes& out) {
     add_leaf(c, cylinder, out);
 }
 
-std::vector<glm::dvec3> points_of(const ModuleContext& c, const Value& value) {
+std::vector<glm::dvec3> solid_points_of(const ModuleContext& c, const Value& value) {
     if (!value.is_vector()) {
         c.warn(fmt::format("Unable to convert points = {} to a vector of coordinates", value.echo_text()));
         return {};
@@ -118,13 +118,13 @@ std::vector<std::uint32_t> face_of(const ModuleContext& c, std::size_t face, std
 }
 
 void run_polyhedron(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 3> kParameters{"points", "faces", "convexity"};
-    static constexpr std::array<Names, 1> kNamed{"triangles"};
+    static constexpr std::array<ParameterNames, 3> kParameters{"points", "faces", "convexity"};
+    static constexpr std::array<ParameterNames, 1> kNamed{"triangles"};
     c.expect_no_children();
     const ModuleArguments arguments(c, kParameters, kNamed);
     auto polyhedron = std::make_shared<Polyhedron>();
     const bool has_points = arguments["points"].is_vector();
-    polyhedron->points = points_of(c, arguments["points"]);
+    polyhedron->points = solid_points_of(c, arguments["points"]);
     const bool old = arguments["faces"].is_undef() && !arguments["triangles"].is_undef();
     if (old) {
         c.evaluator.emit(

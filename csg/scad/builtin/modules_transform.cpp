@@ -12,7 +12,7 @@ namespace csg::scad {
 
 namespace {
 
-using Names = std::string_view;
+using ParameterNames = std::string_view;
 using Axes = std::array<glm::dvec3, 3>;  ///< Columns of a linear map.
 
 template <Operation kOperation>
@@ -35,7 +35,7 @@ constexpr Axes identity() {
 }
 
 void run_translate(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"v"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"v"};
     const ModuleArguments arguments(c, kParameters);
     glm::dvec3 offset(0.0);
     if (!to_vec3(arguments["v"], offset, 0) || !is_finite(offset)) {
@@ -47,7 +47,7 @@ void run_translate(const ModuleContext& c, Nodes& out) {
 }
 
 void run_scale(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"v"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"v"};
     const ModuleArguments arguments(c, kParameters);
     const Value& v = arguments["v"];
     glm::dvec3 factor(1.0);
@@ -69,7 +69,7 @@ void run_scale(const ModuleContext& c, Nodes& out) {
 }
 
 void run_mirror(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"v"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"v"};
     const ModuleArguments arguments(c, kParameters);
     glm::dvec3 n(1, 0, 0);
     if (!to_vec3(arguments["v"], n, 0)) {
@@ -137,7 +137,7 @@ bool rotate_about_axes(std::span<const Value> angles, Axes& axes) {
 }
 
 void run_rotate(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 2> kParameters{"a", "v"};
+    static constexpr std::array<ParameterNames, 2> kParameters{"a", "v"};
     const ModuleArguments arguments(c, kParameters);
     const Value &a = arguments["a"], &v = arguments["v"];
     Axes axes = identity();
@@ -175,7 +175,7 @@ void run_rotate(const ModuleContext& c, Nodes& out) {
 }
 
 void run_multmatrix(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 1> kParameters{"m"};
+    static constexpr std::array<ParameterNames, 1> kParameters{"m"};
     const ModuleArguments arguments(c, kParameters);
     glm::dmat4 matrix(1.0);
     const Value& m = arguments["m"];
@@ -212,7 +212,7 @@ void read_components(const ModuleContext& c, std::span<const Value> components, 
 }
 
 void run_color(const ModuleContext& c, Nodes& out) {
-    static constexpr std::array<Names, 2> kParameters{"c", "alpha"};
+    static constexpr std::array<ParameterNames, 2> kParameters{"c", "alpha"};
     const ModuleArguments arguments(c, kParameters);
     Rgba color{-1, -1, -1, -1};
     const Value& given = arguments["c"];

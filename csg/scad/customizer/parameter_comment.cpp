@@ -9,10 +9,10 @@
 namespace csg::scad {
 namespace {
 
-enum class Kind : std::uint8_t { End, Number, Word, Open, Close, Comma, Colon };
+enum class CommentTokenKind : std::uint8_t { End, Number, Word, Open, Close, Comma, Colon };
 
 struct CommentToken {
-    Kind kind = Kind::End;
+    CommentTokenKind kind = CommentTokenKind::End;
     std::string text;
     double number = 0;
 };
@@ -64,19 +64,19 @@ std::vector<CommentToken> tokens_of(std::string_view text) {
                 ++at;
                 continue;
             case '[':
-                tokens.push_back({Kind::Open, "", 0}), ++at;
+                tokens.push_back({CommentTokenKind::Open, "", 0}), ++at;
                 continue;
             case ']':
-                tokens.push_back({Kind::Close, "", 0}), ++at;
+                tokens.push_back({CommentTokenKind::Close, "", 0}), ++at;
                 continue;
             case ',':
-                tokens.push_back({Kind::Comma, "", 0}), ++at;
+                tokens.push_back({CommentTokenKind::Comma, "", 0}), ++at;
                 continue;
             case ':':
-                tokens.push_back({Kind::Colon, "", 0}), ++at;
+                tokens.push_back({CommentTokenKind::Colon, "", 0}), ++at;
                 continue;
             case '"':
-                tokens.push_back({Kind::Word, quoted_word(text, at), 0});
+                tokens.push_back({CommentTokenKind::Word, quoted_word(text, at), 0});
                 continue;
             default:
                 break;
@@ -87,7 +87,8 @@ std::vector<CommentToken> tokens_of(std::string_view text) {
         }
         const std::string_view word = text.substr(begin, at - begin);
         const std::optional<double> number = as_number(word);
-        tokens.push_back({number ? Kind::Number : Kind::Word, std::string(word), number.value_or(0)});
+        tokens.push_back(
+            {number ? CommentTokenKind::Number : CommentTokenKind::Word, std::string(word), number.value_or(0)});
     }
     tokens.emplace_back();
     return tokens;
@@ -99,13 +100,13 @@ class CommentParser {
     explicit CommentParser(std::string_view text) : tokens_(tokens_of(text)) {}
 
     std::optional<CommentValue> parse() {
-        std::optional<CommentValue> value = accept(Kind::Open) ? list() : phrase();
-        return value && at(Kind::End) ? value : std::nullopt;
+        std::optional<CommentValue> value = accept(CommentTokenKind::Open) ? list() : phrase();
+        return value && at(CommentTokenKind::End) ? value : std::nullopt;
     }
 
   private:
-    [[nodiscard]] bool at(Kind kind) const { return tokens_[next_].kind == kind; }
-    bool accept(Kind kind) {
+    [[nodiscard]] bool at(CommentTokenKind kind) const { return tokens_[next_].kind == kind; }
+    bool accept(CommentTokenKind kind) {
         const bool is = at(kind);
         next_ += is ? 1 : 0;
         return is;
@@ -116,11 +117,11 @@ class CommentParser {
         CommentValue value;
         std::size_t count = 0;
         bool words = false;
-        for (; at(Kind::Word) || at(Kind::Number); ++next_, ++count) {
+        for (; at(CommentTokenKind::Word) || at(CommentTokenKind::Number); ++next_, ++count) {
             const CommentToken& token = tokens_[next_];
             value.text += (count > 0 ? " " : "") + token.text;
             value.number = token.number;
-            words |= token.kind == Kind::Word;
+            words |= token.kind == CommentTokenKind::Word;
         }
         if (count == 0 || (!words && count > 1)) {
             return std::nullopt;
@@ -142,7 +143,7 @@ class CommentParser {
                 return std::nullopt;
             }
             parts.items.push_back(std::move(*part));
-            if (parts.items.size() == 3 || !at(Kind::Colon)) {
+            if (parts.items.size() == 3 || !at(CommentTokenKind::Colon)) {
                 return parts.items.size() == 1 ? std::move(parts.items[0]) : std::move(parts);
             }
             ++next_;
@@ -167,8 +168,8 @@ class CommentParser {
                 return std::nullopt;
             }
             list.items.push_back(std::move(*item));
-        } while (accept(Kind::Comma));
-        if (!accept(Kind::Close)) {
+        } while (accept(CommentTokenKind::Comma));
+        if (!accept(CommentTokenKind::Close)) {
             return std::nullopt;
         }
         if (list.items.size() == 1 && is_range(list.items[0])) {

@@ -6,8 +6,8 @@
 namespace csg::scad {
 
 namespace {
-constexpr std::size_t kFew = 8;     ///< Elements that get a register each.
-constexpr std::uint32_t kLoop = 4;  ///< Registers of a loop.
+constexpr std::size_t kFewElements = 8;  ///< Elements that get a register each.
+constexpr std::uint32_t kLoop = 4;       ///< Registers of a loop.
 }  // namespace
 
 /// A list, or an element of one that stands alone.
@@ -21,7 +21,7 @@ void Compiler::vector(ExprId id, Register target) {
         return;
     }
     const auto parts = p_.elements_of(p_[id]);
-    if (parts.size() > kFew ||
+    if (parts.size() > kFewElements ||
         std::any_of(parts.begin(), parts.end(), [&](ExprId part) { return is_element_kind(p_[part].kind); })) {
         gather(id, target);
         return;

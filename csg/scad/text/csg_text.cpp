@@ -44,7 +44,7 @@ void write_csg(const Tree& tree, const std::function<void(std::string_view)>& si
             continue;
         }
         const NodeId child = children[top.next++];
-        const Modifiers& modifiers = tree.node(child).modifiers;
+        const csg::Modifiers& modifiers = tree.node(child).modifiers;
         text += modifiers.background ? "%" : "";
         text += modifiers.highlight ? "#" : "";
         text.append(indentation(open.size() - 1), '\t');

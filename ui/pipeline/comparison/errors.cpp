@@ -10,7 +10,7 @@ namespace {
 constexpr double kOneDegree = 0.99984769515639127;  // its cosine
 constexpr double kCrease = 0.94;                    // of the first layer's edges: cosine of 20 degrees
 constexpr double kWrongDepth = 1e-4;                // over the diagonal: a pixel that is off by more is shown as wrong
-constexpr double kStep = 0.05;                      // over the diagonal: a larger step of the first layer is an edge
+constexpr double kEdgeStep = 0.05;                  // over the diagonal: a larger step of the first layer is an edge
 
 /// A surface as both sides tell it. The normal is to point out of the solid.
 struct Sample {
@@ -82,7 +82,7 @@ class Comparer {
                     const auto& there = field[index(u, v)];
                     if (here.empty() != there.empty() ||
                         (!here.empty() && (std::abs(glm::dot(here[0].normal, there[0].normal)) < kCrease ||
-                                           std::abs(here[0].distance - there[0].distance) > kStep * diagonal_))) {
+                                           std::abs(here[0].distance - there[0].distance) > kEdgeStep * diagonal_))) {
                         found[index(x, y)] = 1;
                     }
                 }

@@ -38,10 +38,10 @@ csg::Box box_of(const Piece& piece, double wider) {
     return {box.lo - wider, box.hi + wider};
 }
 
-class Search {
+class ClearanceSearch {
   public:
-    Search(const SolidProbe& probe, const ExpressionLinks& links, std::span<const csg::PartId> a,
-           std::span<const csg::PartId> b, double most, double least_piece)
+    ClearanceSearch(const SolidProbe& probe, const ExpressionLinks& links, std::span<const csg::PartId> a,
+                    std::span<const csg::PartId> b, double most, double least_piece)
         : probe_(probe), ray_(probe, links), a_(a), b_(b), best_{most, 0, {}, {}, 0, 0}, least_piece_(least_piece) {}
 
     void look(const Piece& a, const Piece& b) {
@@ -138,7 +138,7 @@ std::optional<PartDistance> distance_between(const SolidProbe& probe, const Expr
         boxes.push_back(box_of(piece, probe.event()));
     }
     const csg::reference::BoxTree tree(boxes);
-    Search search(probe, links, a, b, most, least_piece);
+    ClearanceSearch search(probe, links, a, b, most, least_piece);
     for (const Piece& piece : ours) {
         base::end_if_asked(stop);
         tree.meeting(box_of(piece, search.best()), [&](std::uint32_t i) { search.look(piece, theirs[i]); });

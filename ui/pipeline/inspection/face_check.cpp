@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "ui/pipeline/infinity.h"
+
 namespace ui {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double cosine_of(double degrees) {
     return std::cos(glm::radians(degrees));

@@ -228,7 +228,7 @@ LayerMeasures measure_by_layers(const Model& model, double precision, const std:
         }
         result.all = of_part(result.parts.size());
         result.spacing = longest / side;
-        const auto good = [&](const Measured& m) { return m.error <= precision * m.value; };
+        const auto good = [&](const BoundedValue& m) { return m.error <= precision * m.value; };
         if (good(result.all.volume) && good(result.all.area)) {
             break;
         }

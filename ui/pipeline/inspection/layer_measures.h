@@ -11,12 +11,12 @@ namespace ui {
 
 /// World units, to their powers. `error`: half of what neighboring rays differ by, summed up: what may lie between
 /// them. A thing that no ray meets is not counted.
-struct Measured {
+struct BoundedValue {
     double value = 0, error = 0;
 };
 
 struct SolidMeasures {
-    Measured volume, area;
+    BoundedValue volume, area;
     glm::dvec3 centroid{0.0};
     double centroid_error = 0;
     /// Principal moments of inertia about the centroid at density 1, the least first.

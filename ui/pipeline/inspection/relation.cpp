@@ -48,7 +48,7 @@ Locus locus_of(const Measured& thing) {
 
 constexpr double kParallel = 1e-9;  ///< Sine of an angle that is none.
 
-using Pair = std::pair<glm::dvec3, glm::dvec3>;
+using PointPair = std::pair<glm::dvec3, glm::dvec3>;
 
 /// The share of the way along `l` that it may be gone, where it has ends.
 double on(const Locus& l, double t) {
@@ -61,7 +61,7 @@ glm::dvec3 foot(const Locus& l, const glm::dvec3& p) {
 
 /// The nearest points of two straight lines, with ends or without (Ericson, Real-Time Collision Detection, 2005,
 /// section 5.1.9).
-Pair nearest(const Locus& a, const Locus& b) {
+PointPair nearest(const Locus& a, const Locus& b) {
     const glm::dvec3 apart = a.point - b.point;
     const double cosine = glm::dot(a.direction, b.direction), square = 1 - cosine * cosine;
     const double da = glm::dot(a.direction, apart), db = glm::dot(b.direction, apart);
@@ -82,9 +82,9 @@ Pair nearest(const Locus& a, const Locus& b) {
 }
 
 /// Of a plane and something else, that first: the points where they are nearest, where they do not cross.
-std::optional<Pair> beside_plane(const Locus& l, const Locus& plane) {
+std::optional<PointPair> beside_plane(const Locus& l, const Locus& plane) {
     const auto project = [&](const glm::dvec3& p) {
-        return Pair(p, p - glm::dot(p - plane.point, plane.direction) * plane.direction);
+        return PointPair(p, p - glm::dot(p - plane.point, plane.direction) * plane.direction);
     };
     const double slope = std::abs(glm::dot(l.direction, plane.direction));
     switch (l.kind) {
@@ -102,24 +102,24 @@ std::optional<Pair> beside_plane(const Locus& l, const Locus& plane) {
                  to = glm::dot(l.end - plane.point, plane.direction);
     if ((from < 0) != (to < 0) && slope >= kParallel) {
         const glm::dvec3 met = l.point + from / (from - to) * (l.end - l.point);
-        return Pair(met, met);
+        return PointPair(met, met);
     }
     return project(std::abs(from) <= std::abs(to) ? l.point : l.end);
 }
 
-std::optional<Pair> nearest_places(const Locus& a, const Locus& b) {
+std::optional<PointPair> nearest_places(const Locus& a, const Locus& b) {
     if (b.kind == Locus::Kind::Plane) {
         return beside_plane(a, b);
     }
     if (a.kind == Locus::Kind::Plane) {
         auto found = beside_plane(b, a);
-        return found ? std::optional(Pair(found->second, found->first)) : std::nullopt;
+        return found ? std::optional(PointPair(found->second, found->first)) : std::nullopt;
     }
     if (a.kind == Locus::Kind::Point) {
-        return Pair(a.point, b.kind == Locus::Kind::Point ? b.point : foot(b, a.point));
+        return PointPair(a.point, b.kind == Locus::Kind::Point ? b.point : foot(b, a.point));
     }
     if (b.kind == Locus::Kind::Point) {
-        return Pair(foot(a, b.point), b.point);
+        return PointPair(foot(a, b.point), b.point);
     }
     return nearest(a, b);
 }

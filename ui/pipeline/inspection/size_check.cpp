@@ -15,8 +15,8 @@ namespace {
 constexpr double kFirstPrecision = 0.02, kLastPrecision = 1e-4;
 
 /// As exact as it takes to tell on which side of the limits it is, or as can be.
-Measured volume_of(const Model& model, const CheckRequest& request, const std::stop_token& stop) {
-    Measured volume = measure_by_layers(model, kFirstPrecision, stop).all.volume;
+BoundedValue volume_of(const Model& model, const CheckRequest& request, const std::stop_token& stop) {
+    BoundedValue volume = measure_by_layers(model, kFirstPrecision, stop).all.volume;
     for (const auto& limit : {request.min_volume, request.max_volume}) {
         const double apart = limit ? std::abs(volume.value - *limit) : volume.error;
         if (apart < volume.error) {
@@ -51,7 +51,7 @@ std::vector<Finding> size_findings(const Model& model, const CheckRequest& reque
         }
     }
     if (request.min_volume || request.max_volume) {
-        const Measured volume = volume_of(model, request, stop);
+        const BoundedValue volume = volume_of(model, request, stop);
         const auto tell = [&](const char* text, double limit) {
             Finding finding;
             finding.kind = FindingKind::Size;

@@ -5,13 +5,13 @@
 #include <limits>
 #include <tuple>
 
+#include "ui/pipeline/infinity.h"
+
 namespace ui {
 
 namespace {
 
 using csg::solid::PlacedLeaf;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<csg::Box> widened(std::vector<csg::Box> boxes, double by) {
     for (csg::Box& box : boxes) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kAlike = 1e-9;
 
 /// What a track does: the way in all samples, and whether it stays what it is.
-struct Course {
+struct PoseList {
     std::vector<std::optional<glm::dmat4>> motions;  ///< By sample.
     bool changes_shape = false;
 
@@ -23,7 +23,7 @@ struct Course {
     }
 };
 
-bool alike(const Course& a, const Course& b, double size) {
+bool alike(const PoseList& a, const PoseList& b, double size) {
     if (a.changes_shape != b.changes_shape) {
         return false;
     }
@@ -70,7 +70,7 @@ class Grouping {
 
     /// Its number, the same for tracks that move alike.
     int course(std::uint32_t track) {
-        Course c;
+        PoseList c;
         const TrackMotion motion(tracks_, track, samples_);
         std::optional<std::uint64_t> shape;
         for (const TrackSample& sample : samples_) {
@@ -83,8 +83,8 @@ class Grouping {
         if (c.still()) {
             return kStill;
         }
-        const auto found =
-            std::find_if(courses_.begin(), courses_.end(), [&](const Course& other) { return alike(c, other, size_); });
+        const auto found = std::find_if(courses_.begin(), courses_.end(),
+                                        [&](const PoseList& other) { return alike(c, other, size_); });
         const auto number = static_cast<int>(found - courses_.begin());
         if (found == courses_.end()) {
             courses_.push_back(std::move(c));
@@ -127,7 +127,7 @@ class Grouping {
         }
     }
 
-    void add_body(std::size_t run, csg::OccurrenceId top, const Course& course, std::uint32_t track,
+    void add_body(std::size_t run, csg::OccurrenceId top, const PoseList& course, std::uint32_t track,
                   const csg::Box& box, Bodies& result) {
         MovingBody body;
         body.box = box;
@@ -206,7 +206,7 @@ class Grouping {
     std::span<const TrackSample> samples_;
     std::span<const TrackShape> shapes_;
     double size_;
-    std::vector<Course> courses_;
+    std::vector<PoseList> courses_;
     std::map<std::string, int> names_;
 };
 

@@ -12,7 +12,7 @@ namespace ui {
 namespace {
 
 /// Directions that differ by less are one; and, of the size of the model, points.
-constexpr double kParallel = 1e-6;
+constexpr double kParallelAxes = 1e-6;
 
 struct Step {
     Screw screw;
@@ -100,12 +100,12 @@ class Characterization {
     }
 
     void decide() {
-        const bool turns = result_.turned > kParallel;
+        const bool turns = result_.turned > kParallelAxes;
         const auto longest = std::max_element(steps_.begin(), steps_.end(), [&](const Step& a, const Step& b) {
             return turns ? a.screw.angle < b.screw.angle : a.screw.along < b.screw.along;
         });
         const auto first = std::find_if(steps_.begin(), steps_.end(), [&](const Step& s) {
-            return turns ? s.screw.angle > kParallel : s.screw.along > kParallel * size_;
+            return turns ? s.screw.angle > kParallelAxes : s.screw.along > kParallelAxes * size_;
         });
         Screw main = longest->screw;
         if (first != steps_.end() && glm::dot(first->screw.axis, main.axis) < 0) {
@@ -116,16 +116,16 @@ class Characterization {
         for (const Step& s : steps_) {
             const glm::dvec3& axis = s.screw.axis;
             const double sense = glm::dot(axis, main.axis) < 0 ? -1 : 1;
-            const bool small = (turns ? s.screw.angle : s.screw.along / size_) < kParallel;
+            const bool small = (turns ? s.screw.angle : s.screw.along / size_) < kParallelAxes;
             // What a short turn's axis is off by, it is off by in little.
             const double weight = turns ? s.screw.angle : s.screw.along / size_;
             const glm::dvec3 apart = s.screw.point - main.point;
             const double off =
                 std::max(glm::length(glm::cross(axis, main.axis)),
                          turns ? glm::length(apart - glm::dot(apart, main.axis) * main.axis) / size_ : 0);
-            fixed = fixed && (small || off * std::min(1.0, weight) < kParallel);
+            fixed = fixed && (small || off * std::min(1.0, weight) < kParallelAxes);
 
-            slips = slips || (turns && std::abs(s.screw.along) > kParallel * size_);
+            slips = slips || (turns && std::abs(s.screw.along) > kParallelAxes * size_);
             net += sense * s.screw.angle;
             result_.turned_least = std::min(result_.turned_least, net);
             result_.turned_most = std::max(result_.turned_most, net);

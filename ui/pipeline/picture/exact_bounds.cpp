@@ -14,7 +14,7 @@ namespace ui {
 namespace {
 
 /// Pixels along the longer side of the first picture, and of the others: odd, so that a sample lies in the middle.
-constexpr int kFirstSide = 513, kNextSide = 33;
+constexpr int kFirstView = 513, kNextView = 33;
 constexpr double kClose = 0x1p-20;  // Of the diagonal.
 constexpr double kSteep = 128;      // Slopes beside a corner that are recognized.
 
@@ -26,7 +26,7 @@ struct Side {
     int right, up;
     double right_sign;
 };
-constexpr Side kSides[]{
+constexpr Side kViewSides[]{
     {{90, 0, 90}, 0, 1, 1, 2, 1}, {{90, 0, 270}, 0, -1, 1, 2, -1}, {{90, 0, 180}, 1, 1, 0, 2, -1},
     {{90, 0, 0}, 1, -1, 0, 2, 1}, {{0, 0, 0}, 2, 1, 0, 1, 1},      {{180, 0, 0}, 2, -1, 0, 1, 1},
 };
@@ -55,7 +55,7 @@ class Lookout {
         const double close = kClose * glm::length(size);
         const double highest = side.sign * (side.sign > 0 ? box_.hi : box_.lo)[side.axis];
         std::optional<double> best;
-        for (int pixels = kFirstSide;; pixels = kNextSide) {
+        for (int pixels = kFirstView;; pixels = kNextView) {
             const auto seen = look(side, up_sign, window, pixels);
             if (seen && (!best || seen->height > *best)) {
                 best = seen->height;
@@ -177,7 +177,7 @@ csg::Box exact_bounds(const Model& model, const std::stop_token& stop) {
     Lookout lookout(solid, box, stop);
     csg::Box exact = box;
     const glm::dvec3 size = box.size();
-    for (const Side& side : kSides) {
+    for (const Side& side : kViewSides) {
         // An open polyhedron that lies in a plane shows itself to two sides; the leaves' box is its own.
         if (size[(side.axis + 1) % 3] == 0 || size[(side.axis + 2) % 3] == 0) {
             continue;

@@ -29,9 +29,9 @@ std::optional<Segment> in_front(Segment s) {
     return s;
 }
 
-class Canvas {
+class LinePainter {
   public:
-    Canvas(base::Image& image, const glm::vec3& color) : image_(image) {
+    LinePainter(base::Image& image, const glm::vec3& color) : image_(image) {
         for (int i = 0; i < 3; ++i) {
             rgb_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(color[i] * 255));
         }
@@ -94,7 +94,7 @@ void draw_flat_lines(base::Image& image, const csg::solid::Outline& outline, con
     const auto place = [&](const glm::dvec4& p) {
         return glm::dvec2((p.x / p.w + 1) / 2 * image.width, (1 - p.y / p.w) / 2 * image.height);
     };
-    Canvas canvas(image, color);
+    LinePainter canvas(image, color);
     for (const csg::solid::Loop& loop : outline.loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Segment segment{clip * glm::dvec4(loop[i], 0, 1),

@@ -29,9 +29,9 @@ constexpr std::array kGlyphs{
     Glyph{'+', {0, 4, 4, 31, 4, 4, 0}},       Glyph{' ', {}},
 };
 
-class Canvas {
+class LegendPainter {
   public:
-    Canvas(base::Image& image, int scale) : image_(image), scale_(scale) {}
+    LegendPainter(base::Image& image, int scale) : image_(image), scale_(scale) {}
 
     void fill(glm::ivec2 lo, glm::ivec2 size, const glm::vec3& color) {
         for (int y = std::max(lo.y, 0); y < std::min(lo.y + size.y, image_.height); ++y) {
@@ -89,7 +89,7 @@ void draw_ring(base::Image& image, const glm::dvec2& at, std::string_view text, 
     const int scale = std::max(1, std::min(image.width, image.height) / kTallOfOne);
     const double radius = 7 * scale;
     const glm::vec3 ink(0), paper(1);
-    Canvas canvas(image, scale);
+    LegendPainter canvas(image, scale);
     const glm::ivec2 middle(glm::floor(at));
     const int reach = static_cast<int>(radius) + 2 * scale;
     for (int y = -reach; y <= reach; ++y) {
@@ -125,7 +125,7 @@ void draw_legend(base::Image& image, double full, const std::function<glm::vec3(
     const glm::ivec2 lo(margin, image.height - margin - height);
     const auto luminance = [](const glm::vec3& c) { return c.r + c.g + c.b; };
     const glm::vec3 ink(luminance(ground) > 1.5F ? 0.0F : 1.0F);
-    Canvas canvas(image, scale);
+    LegendPainter canvas(image, scale);
     canvas.fill(lo - scale, glm::ivec2(width, height) + 2 * scale, ink);
     for (int y = 0; y < height; ++y) {
         const float share = (static_cast<float>(height - y) - 0.5F) / static_cast<float>(height);
@@ -154,7 +154,7 @@ void draw_scale_bar(base::Image& image, double pixels_per_millimeter, const glm:
     const double length = legend_step(image.width / pixels_per_millimeter / 2);
     const int pixels = static_cast<int>(std::lround(length * pixels_per_millimeter));
     const glm::ivec2 lo(6 * scale, image.height - 8 * scale);
-    Canvas canvas(image, scale);
+    LegendPainter canvas(image, scale);
     canvas.fill(lo, {pixels, scale}, ink);
     for (const int end : {0, pixels - scale}) {
         canvas.fill(lo + glm::ivec2(end, -2 * scale), {scale, 5 * scale}, ink);

@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "npr/samples.h"
 #include "npr/srgb.h"
+#include "ui/pipeline/infinity.h"
 #include "ui/pipeline/inspection/face_check.h"
 #include "ui/pipeline/inspection/solid_probe.h"
 #include "ui/pipeline/model_parts.h"
@@ -22,7 +23,6 @@ namespace ui {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kUnmeasured = -1, kEmpty = -2;  // Beside lengths: no opposite face; nothing is seen.
 constexpr std::size_t kMostPlaces = 5;
 constexpr glm::vec3 kNeutral{0.62F};  // Linear: that of faces that are not measured.

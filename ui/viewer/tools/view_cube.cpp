@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kHalf = 25, kFromCorner = 56;  // Of the cube, and of its middle from the picture's corner, in units.
 constexpr double kRim = 0.6;                    // What is farther from a face's middle, of 1, is an edge or a corner.
-constexpr double kClickDistance = 3;
-constexpr double kLeastPicture = 240;  // A smaller one has no room for it.
+constexpr double kCubeClickDistance = 3;
+constexpr double kLeastPictureForCube = 240;  // A smaller one has no room for it.
 
 struct Face {
     glm::dvec3 normal, right, up;  ///< As it is read.
@@ -96,7 +96,7 @@ class ViewCube : public Tool {
     }
 
     void drag(ToolContext& context, const glm::dvec2& at) override {
-        turns_ = turns_ || glm::distance(at, from_) > kClickDistance;
+        turns_ = turns_ || glm::distance(at, from_) > kCubeClickDistance;
         if (turns_) {
             orbit(context.camera, at - std::exchange(last_, at));
         }
@@ -143,8 +143,8 @@ class ViewCube : public Tool {
 
   private:
     static bool shown(const ToolContext& context) {
-        return context.session.shown().cube && context.picture.size.x >= kLeastPicture &&
-               context.picture.size.y >= kLeastPicture;
+        return context.session.shown().cube && context.picture.size.x >= kLeastPictureForCube &&
+               context.picture.size.y >= kLeastPictureForCube;
     }
 
     static Look look_of(const ToolContext& context, float scale) {
