@@ -10,7 +10,7 @@ namespace ui {
 
 namespace {
 
-using Step = std::vector<std::pair<std::size_t, double>>;
+using NumberChanges = std::vector<std::pair<std::size_t, double>>;
 
 /// Part of r that may be missed: the next step sees to it.
 constexpr double kMissed = 1e-3;
@@ -18,8 +18,8 @@ constexpr double kMissed = 1e-3;
 constexpr double kFlatness = 1e-6;
 
 /// By least squares with these columns alone, at most three.
-std::optional<Step> step_with(const std::vector<glm::dvec3>& columns, const glm::dvec3& r,
-                              const std::vector<std::size_t>& chosen) {
+std::optional<NumberChanges> step_with(const std::vector<glm::dvec3>& columns, const glm::dvec3& r,
+                                       const std::vector<std::size_t>& chosen) {
     // Gram and Schmidt: with so few columns as exact as any other way.
     std::vector<glm::dvec3> directions;
     std::vector<std::vector<double>> upper(chosen.size(), std::vector<double>(chosen.size(), 0.0));
@@ -35,7 +35,7 @@ std::optional<Step> step_with(const std::vector<glm::dvec3>& columns, const glm:
         }
         directions.push_back(left / upper[i][i]);
     }
-    Step step(chosen.size());
+    NumberChanges step(chosen.size());
     glm::dvec3 reached(0.0);
     for (std::size_t i = chosen.size(); i-- > 0;) {
         double x = glm::dot(directions[i], r);
@@ -66,8 +66,8 @@ void for_each_choice(const std::vector<std::size_t>& of, std::size_t count, cons
 
 }  // namespace
 
-std::optional<Step> sparse_step(const std::vector<glm::dvec3>& columns, const glm::dvec3& r,
-                                const std::vector<double>& values, double tolerance) {
+std::optional<NumberChanges> sparse_step(const std::vector<glm::dvec3>& columns, const glm::dvec3& r,
+                                         const std::vector<double>& values, double tolerance) {
     std::vector<std::size_t> moving;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const double length = glm::length(columns[i]);
@@ -76,7 +76,7 @@ std::optional<Step> sparse_step(const std::vector<glm::dvec3>& columns, const gl
         }
     }
     for (std::size_t count = 1; count <= std::min<std::size_t>(3, moving.size()); ++count) {
-        std::optional<Step> best;
+        std::optional<NumberChanges> best;
         std::tuple<std::size_t, double> least;
         for_each_choice(moving, count, [&](const std::vector<std::size_t>& chosen) {
             auto step = step_with(columns, r, chosen);
