@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/decode_png.h"
 #include "base/stop.h"
 
 namespace base {
@@ -170,15 +171,14 @@ std::string encode_png(const Image& image, const std::stop_token& stop, double d
     return std::move(written.bytes);
 }
 
-Image read_png(const std::filesystem::path& path) {
-    std::error_code error;
-    if (std::filesystem::exists(path, error) &&
-        !std::filesystem::is_regular_file(path, error)) {  // To open a pipe would be to wait.
-        throw std::runtime_error(fmt::format("{}: it is no regular file", path.string()));
-    }
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+namespace {
+
+using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Null: as errno says.
+Image decode_file(const FilePointer& file, const std::string& name) {
     if (file == nullptr) {
-        throw std::runtime_error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+        throw std::runtime_error(fmt::format("{}: {}", name, std::strerror(errno)));
     }
     Written failure;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, note_problem, ignore_warning);
@@ -209,9 +209,25 @@ Image read_png(const std::filesystem::path& path) {
     const bool read = good && read_rows(png, rows.data());
     png_destroy_read_struct(&png, &info, nullptr);
     if (!read) {
-        throw std::runtime_error(fmt::format("{}: {}", path.string(), failure.problem));
+        throw std::runtime_error(fmt::format("{}: {}", name, failure.problem));
     }
     return image;
+}
+
+}  // namespace
+
+Image read_png(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error) &&
+        !std::filesystem::is_regular_file(path, error)) {  // To open a pipe would be to wait.
+        throw std::runtime_error(fmt::format("{}: it is no regular file", path.string()));
+    }
+    return decode_file(FilePointer(std::fopen(path.c_str(), "rb"), std::fclose), path.string());
+}
+
+Image decode_png(std::string_view bytes, const std::string& name) {
+    // It is only read from.
+    return decode_file(FilePointer(fmemopen(const_cast<char*>(bytes.data()), bytes.size(), "rb"), std::fclose), name);
 }
 
 }  // namespace base

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/decode_png.h"
 #include "base/file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -35,6 +36,7 @@ TEST_F(ImageTest, PngGivesBackWhatWasWritten) {
         }
         base::write_file(folder_ / "a.png", base::encode_png(image));
         const base::Image back = base::read_png(folder_ / "a.png");
+        EXPECT_EQ(base::decode_png(test_support::read_file(folder_ / "a.png"), "a").rgba, back.rgba);
         EXPECT_EQ(back.width, 9);
         EXPECT_EQ(back.height, 5);
         EXPECT_EQ(back.rgba, image.rgba);

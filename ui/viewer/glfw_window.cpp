@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "base/decode_png.h"
+#include "ui/viewer/icon_bytes.h"
+
 namespace ui {
 
 namespace {
@@ -124,6 +127,9 @@ GlfwWindow::GlfwWindow(const std::string& title, glm::ivec2 size) {
     if (window_ == nullptr) {
         fail();
     }
+    base::Image icon = base::decode_png(icon_bytes(), "icon");
+    const GLFWimage pixels{icon.width, icon.height, icon.rgba.data()};
+    glfwSetWindowIcon(window_, 1, &pixels);
     glfwSetWindowSizeLimits(window_, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
     make_current();
     glfwSwapInterval(1);

@@ -1,0 +1,17 @@
+# Writes OUTPUT, a C++ file that holds the bytes of INPUT: std::string_view NAMESPACE::FUNCTION().
+file(READ "${INPUT}" hex HEX)
+string(REGEX REPLACE "(..)" "\\\\x\\1" bytes "${hex}")
+string(LENGTH "${hex}" digits)
+math(EXPR count "${digits} / 2")
+# Pieces of a literal, since a long one is none.
+set(text "// Written by cmake/write_bytes.cmake.\n#include <string_view>\n\nnamespace ${NAMESPACE} {\n\nstd::string_view ${FUNCTION}();\n\n")
+string(APPEND text "std::string_view ${FUNCTION}() {\n    return {\n")
+set(at 0)
+string(LENGTH "${bytes}" length)
+while(at LESS length)
+    string(SUBSTRING "${bytes}" ${at} 96 piece)
+    string(APPEND text "        \"${piece}\"\n")
+    math(EXPR at "${at} + 96")
+endwhile()
+string(APPEND text "        , ${count}};\n}\n\n}  // namespace ${NAMESPACE}\n")
+file(WRITE "${OUTPUT}" "${text}")
