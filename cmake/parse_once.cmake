@@ -38,12 +38,15 @@ function(csgscope_batches target)
     endif()
 endfunction()
 
-# csgscope_compile_as_one(TARGET SOURCES...): these files of TARGET are one for the compiler, in this order.
+# csgscope_compile_as_one(TARGET SOURCES...): these files of TARGET, and no others, are one for the compiler, in this
+# order.
 function(csgscope_compile_as_one target)
     if(CSGSCOPE_PARSE_ONCE)
         list(GET ARGN 0 group)
         list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
         set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP "${group}")
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    else()
+        set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
     endif()
 endfunction()

@@ -48,7 +48,7 @@ std::optional<Covers> PlaneSpace::windings_above(const ComplexCell& cell) const 
         const glm::dvec3 origin = points_[t.x] * (1 - u - v) + points_[t.y] * u + points_[t.z] * v;
         const double a = number(), b = number(), c = number();
         const glm::dvec3 aside(a - 0.5, b - 0.5, c - 0.5);
-        if (const auto found = probe_.windings(origin, glm::normalize(plane.plane.normal + aside), plane.index)) {
+        if (auto found = probe_.windings(origin, glm::normalize(plane.plane.normal + aside), plane.index)) {
             return found;
         }
     }
