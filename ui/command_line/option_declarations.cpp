@@ -188,7 +188,9 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "Samples per pixel: 1, 4, 8, 16, 64 or 256 (4; as OpenSCAD 1, where it is to draw a shaded --render)", "N",
          picture);
     flag("--transparent-background", o.picture.transparent_background, "No background", picture);
-    text("--view", raw.view, "Show axes, scales (of the axes), crosshairs and edges; several with commas between",
+    text("--view", raw.view,
+         "Show axes, scales (of the axes), crosshairs, edges and centers (center lines of what is round); several with "
+         "commas between",
          "WHAT", picture);
     flag("--render", raw.render,
          "Draw the result: $preview false, neither % nor # parts, outlines flat, framed exactly", picture);

@@ -182,7 +182,9 @@ void interpret_plan(Options& o, const RawOptions& raw) {
         throw UsageError(fmt::format("--plan: {}", e.what()));
     }
     if (o.camera || o.turntable || o.thickness || o.pick || o.marks.any()) {
-        throw UsageError("--plan has views of its own; leave out --camera, --turntable, --thickness, --view and pick");
+        throw UsageError(
+            "--plan has views of its own; leave out --camera, --turntable, --thickness, pick, and --view but for "
+            "centers");
     }
     if (o.outputs.empty() ||
         std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.format == Format::Exr; })) {
@@ -197,6 +199,7 @@ void interpret_view(Options& o, const RawOptions& raw) {
         using Show = void (*)(Options&);
         read_name<Show>("--view", raw.view.substr(begin, end - begin),
                         {{"axes", [](Options& to) { to.marks.axes = true; }},
+                         {"centers", [](Options& to) { to.marks.centers = true; }},
                          {"crosshairs", [](Options& to) { to.marks.crosshairs = true; }},
                          {"edges", [](Options& to) { to.marks.edges = true; }},
                          {"scales", [](Options& to) { to.marks.scales = true; }}})(o);

@@ -35,6 +35,7 @@
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/mesh/outline.h"
 #include "ui/pipeline/picture/camera.h"
+#include "ui/pipeline/picture/center_lines.h"
 #include "ui/pipeline/picture/exact_bounds.h"
 #include "ui/pipeline/picture/flat_lines.h"
 #include "ui/pipeline/picture/legend.h"
@@ -340,8 +341,11 @@ class Run {
     }
 
     base::Image plan_image(Renderer& renderer, const PictureRequest& request) {
-        return draw_plan(options_.plan, request, box_,
-                         [&](const PictureRequest& view) { return renderer.render(*shown_, view, limit_.token()); });
+        return draw_plan(options_.plan, request, box_, [&](const PictureRequest& view) {
+            base::Image image = renderer.render(*shown_, view, limit_.token());
+            draw_centers(image, view);
+            return image;
+        });
     }
 
     void draw() {
@@ -377,6 +381,9 @@ class Run {
             draw_legend(image, setting<float>("range"),
                         [&](float share) { return npr::radiograph_tone(colors, share); });
         }
+        if (options_.plan.empty()) {
+            draw_centers(image, picture_);
+        }
         if (options_.marks.any()) {
             draw_marks(image);
         }
@@ -397,6 +404,14 @@ class Run {
         picture_json_["opengl"] = used != nullptr ? used->version() : "";
         language_.progress().say("");
         write_outputs(options_, Format::Png, png);
+    }
+
+    void draw_centers(base::Image& image, const npr::Picture& picture) const {
+        if (options_.marks.centers) {
+            const csg::Box& box = shown_->geometry.box;
+            draw_center_lines(image, center_lines(*shown_), picture,
+                              base::View(picture.camera, picture.size, box.lo, box.hi));
+        }
     }
 
     void draw_marks(base::Image& image) {

@@ -13,7 +13,8 @@ struct ViewMarks {
     bool scales = false;  ///< Ticks and numbers of the axes; not without these.
     bool crosshairs = false;
     bool edges = false;
-    bool grid = false;  ///< Of the plane z = 0.
+    bool grid = false;     ///< Of the plane z = 0.
+    bool centers = false;  ///< Not of draw_view_marks: ui/pipeline/picture/center_lines.h.
     [[nodiscard]] bool any() const { return axes || crosshairs || edges || grid; }
     bool operator==(const ViewMarks&) const = default;
 };
