@@ -118,8 +118,9 @@ struct EdgeSearch : PlaneFrame {
         bool upper;
     };
 
-    /// One edge a link and layer: profile edges win, then thicker ones, then that farther along the link.
-    static void keep(const CpuEdge& edge, std::vector<CpuEdge>& edges, std::ptrdiff_t first) {
+    /// One edge a link and layer: profile edges win, then thicker ones, then that farther along the link. Found from both
+    /// ends of the link alike, it has the larger words of both facts, as in npr/edges/edge_facts.comp.
+    void keep(const CpuEdge& edge, std::vector<CpuEdge>& edges, std::ptrdiff_t first) {
         const auto same =
             std::find_if(edges.begin() + first, edges.end(), [&](const CpuEdge& e) { return e.layer == edge.layer; });
         const auto rank = [](const CpuEdge& e) {
@@ -127,9 +128,21 @@ struct EdgeSearch : PlaneFrame {
         };
         if (same == edges.end()) {
             edges.push_back(edge);
-        } else if (rank(edge) > rank(*same)) {
+            return;
+        }
+        const bool alike = facts && packed(edge) == packed(*same);
+        const uvec2 larger = max(edge.facts, same->facts);
+        if (rank(edge) > rank(*same)) {
             *same = edge;
         }
+        if (alike) {
+            same->facts = larger;
+        }
+    }
+
+    uint packed(const CpuEdge& e) {
+        return pack_edge(edge_point(e.profile ? kProfileEdge : kInnerEdge, e.thickness,
+                                    e.at[e.axis] - static_cast<float>(e.lower[e.axis]), e.across));
     }
 
     std::vector<Candidate> candidates;

@@ -369,6 +369,9 @@ class Run {
             language_.progress().say("");
             return;
         }
+        if (const std::string ignored = ignored_transparency(picture_); !ignored.empty()) {
+            language_.messages().warn(ignored);
+        }
         base::Image image = options_.thickness      ? thickness_image(renderer, request)
                             : options_.plan.empty() ? renderer.render(*shown_, request, limit_.token())
                                                     : plan_image(renderer, request);

@@ -1,11 +1,15 @@
 #include "ui/command_line/run_checks.h"
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "npr/style.h"
 
 namespace ui {
 
@@ -42,6 +46,27 @@ void check_combinations(const Options& options, const npr::Picture& picture) {
     if (!picture.sections.cuts.empty() && needs_geometry(options)) {
         throw UsageError("--section is of pictures; in a mesh or a drawing, cut with difference() in the file");
     }
+}
+
+std::string ignored_transparency(const npr::Picture& picture) {
+    if (picture.transparency == npr::Transparency::Exact || npr::follows_transparency(*picture.style) ||
+        std::any_of(picture.part_styles.begin(), picture.part_styles.end(),
+                    [](const npr::PartStyle& part) { return npr::follows_transparency(*part.style); })) {
+        return {};
+    }
+    std::vector<std::string_view> followers;
+    for (const npr::StyleInfo& style : npr::styles()) {
+        if (npr::follows_transparency(style)) {
+            followers.push_back(style.name);
+        }
+    }
+    const auto models = npr::transparencies();
+    const auto model = std::find_if(models.begin(), models.end(), [&](const npr::TransparencyInfo& each) {
+        return each.model == picture.transparency;
+    });
+    return fmt::format(
+        "--transparency {} changes nothing: style {} has its own way to look inside, or none; {} follow it",
+        model->name, picture.style->name, fmt::join(followers, ", "));
 }
 
 }  // namespace ui

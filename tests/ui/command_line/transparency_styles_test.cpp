@@ -58,6 +58,9 @@ TEST_F(TransparencyStyles, AreOfTheStylesThatSayIt) {
         const base::Image exact = picture("exact");
         const bool follows = npr::follows_transparency(style);
         EXPECT_EQ(differing(picture("volume"), exact) > 0, follows) << style.name;
+        const std::string said =
+            run(fmt::format("glass.scad -o a.png --imgsize 8,8 --style {} --transparency volume", style.name)).err;
+        EXPECT_EQ(said.find("--transparency volume changes nothing") == std::string::npos, follows) << said;
         EXPECT_EQ(differing(picture("screen-door"), exact) > 0, follows) << style.name;
         EXPECT_EQ(differing(picture("sorted:src=one,dst=one"), exact) > 0, follows) << style.name;
     }
