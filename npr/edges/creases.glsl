@@ -8,6 +8,8 @@
 const float kLeastCrease = 0.052359878f;
 const float kLeastOfLeaf = 0.017453293f;
 const float kNever = 4.0f;
+// Where leaves of one tessellation go on in each other, the angle is just what their facets leave open, but for rounding.
+const float kRoundedBend = 1e-3f;
 const float kUsualCrease = 0.5759f;  // a little less than the 33 degrees of the parameter
 // By so much more at most the angle between facets may be that are not neighbors.
 const float kCurved = 0.288f;
@@ -19,7 +21,7 @@ float crease_limit(Surface s, Surface t) {
     Groups a = groups_of(s.plane, s.leaf);
     Groups b = groups_of(t.plane, t.leaf);
     if (s.leaf != t.leaf)
-        return max(kLeastCrease, 0.5f * (bend_of(a) + bend_of(b)));
+        return max(kLeastCrease, 0.5f * (bend_of(a) + bend_of(b)) + kRoundedBend);
     if (!one_surface(a, b))
         return kLeastOfLeaf;
     // An angle below the usual one asks for bends within surfaces that are only estimated. Across a corner where four

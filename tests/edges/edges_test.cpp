@@ -100,6 +100,11 @@ TEST(Lines, GoOnWhereSurfacesAreTangent) {
     EXPECT_GT(measure(slot).recall(), 0.99);
 }
 
+TEST(Lines, GoOnWhereCylindersStandOnEachOther) {
+    const std::string stack = "for (z = [0:4]) translate([0, 0, 2 * z]) cylinder(h = 2, r = 5, $fn = 36);";
+    EXPECT_EQ(creases(stack), creases("cylinder(h = 10, r = 5, $fn = 36);"));
+}
+
 class Figures : public testing::TestWithParam<const char*> {};
 
 TEST_P(Figures, StayAsGoodAsTheyAre) {

@@ -108,7 +108,7 @@ class Truth {
         if (a.leaf == b.leaf) {
             return angle > kLeast && !groups_.one_surface(m, n);
         }
-        return angle > std::max(kLeast, 0.5 * static_cast<double>(groups_.bend_of(m) + groups_.bend_of(n)));
+        return angle > std::max(kLeast, 0.5 * static_cast<double>(groups_.bend_of(m) + groups_.bend_of(n)) + 1e-3);
     }
 
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t s, std::uint32_t t) {
