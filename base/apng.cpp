@@ -26,28 +26,7 @@ std::uint32_t number_at(std::string_view png, std::size_t at) {
     return value;
 }
 
-struct Rectangle {
-    int x = 0, y = 0, width = 1, height = 1;
-};
-
-/// A pixel where nothing differs: a frame cannot be empty.
-Rectangle difference(const Image& a, const Image& b) {
-    int left = a.width, right = -1, top = a.height, bottom = -1;
-    for (int y = 0; y < a.height; ++y) {
-        const std::uint8_t *p = a.pixel(0, y), *q = b.pixel(0, y);
-        for (int x = 0; x < a.width; ++x) {
-            if (!std::equal(p + 4 * x, p + 4 * x + 4, q + 4 * x)) {
-                left = std::min(left, x);
-                right = std::max(right, x);
-                top = std::min(top, y);
-                bottom = y;
-            }
-        }
-    }
-    return right < 0 ? Rectangle{} : Rectangle{left, top, right - left + 1, bottom - top + 1};
-}
-
-Image part_of(const Image& image, const Rectangle& r) {
+Image part_of(const Image& image, const ImageRectangle& r) {
     Image part{r.width, r.height, {}};
     part.rgba.reserve(4 * static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height));
     for (int y = r.y; y < r.y + r.height; ++y) {
@@ -61,7 +40,7 @@ constexpr std::size_t kSignature = 8;
 
 }  // namespace
 
-ApngWriter::ApngWriter(std::function<void(std::string_view)> write, int frames, double frames_per_second)
+ApngWriter::ApngWriter(WriteBytes write, int frames, double frames_per_second)
     : write_(std::move(write)), frames_(frames), frames_per_second_(frames_per_second) {}
 
 void ApngWriter::add(const Image& frame, const std::stop_token& stop, double dots_per_inch) {
@@ -69,7 +48,7 @@ void ApngWriter::add(const Image& frame, const std::stop_token& stop, double dot
     if (added_ == frames_ || (!first && (frame.width != last_.width || frame.height != last_.height))) {
         throw std::runtime_error("APNG: frames of one size, and no more than were told, make a film");
     }
-    const Rectangle r = first ? Rectangle{0, 0, frame.width, frame.height} : difference(last_, frame);
+    const ImageRectangle r = first ? ImageRectangle{0, 0, frame.width, frame.height} : difference(last_, frame);
     const std::string png = encode_png(first ? frame : part_of(frame, r), stop, dots_per_inch, PngChannels::Rgba);
     if (first) {
         write_(std::string_view(png).substr(0, kSignature));

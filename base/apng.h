@@ -2,33 +2,28 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <stop_token>
 #include <string_view>
 
-#include "base/image.h"
+#include "base/film_writer.h"
 
 namespace base {
 
-/// Writes frame by frame; of each only the rectangle that differs from the one before. The same frames give the same
-/// bytes.
-class ApngWriter {
+/// Writes frame by frame; of each only the rectangle that differs from the one before.
+class ApngWriter final : public FilmWriter {
   public:
     /// `write` is given the bytes of the file in their order. `frames`: how many there will be, at least 1; each is
     /// shown for 1/`frames_per_second`, and after the last the first again.
-    ApngWriter(std::function<void(std::string_view)> write, int frames, double frames_per_second);
+    ApngWriter(WriteBytes write, int frames, double frames_per_second);
 
-    /// All frames have one size. Throws Stopped where `stop` asked for it, std::runtime_error where the size differs or
-    /// there are more frames than were told.
-    void add(const Image& frame, const std::stop_token& stop = {}, double dots_per_inch = 0);
-    /// After the last frame. Throws std::runtime_error where frames are missing.
-    void finish();
+    void add(const Image& frame, const std::stop_token& stop = {}, double dots_per_inch = 0) override;
+    void finish() override;
 
   private:
     void write_chunk(std::string_view kind, std::string_view data);
     void write_control(int x, int y, int width, int height);
 
-    std::function<void(std::string_view)> write_;
+    WriteBytes write_;
     int frames_;
     double frames_per_second_;
     int added_ = 0;

@@ -7,9 +7,30 @@
 
 namespace csg {
 
+namespace {
+
+/// What the model is the union of: additions stand beside these, so that they stay parts of their own.
+std::vector<NodeId> objects_of(const Tree& model, TreeJoiner& joiner) {
+    if (model.root() == kNoNode) {
+        return {};
+    }
+    const std::vector<NodeId> ids = joiner.add(model);
+    const Node& root = model.node(model.root());
+    if (root.operation != Operation::Group || root.modifiers != Modifiers{} || root.where.known()) {
+        return {ids[model.root()]};
+    }
+    std::vector<NodeId> objects;
+    for (const NodeId child : model.children(model.root())) {
+        objects.push_back(ids[child]);
+    }
+    return objects;
+}
+
+}  // namespace
+
 Tree with_additions(const Tree& model, std::span<const Addition> additions) {
     TreeJoiner joiner(TreeJoiner::Modified::AsIs);
-    std::vector<NodeId> all{joiner.add_root(model)};
+    std::vector<NodeId> all = objects_of(model, joiner);
     std::map<const Tree*, std::vector<NodeId>> others;
     for (const Addition& addition : additions) {
         if (addition.tree != nullptr && !others.contains(addition.tree)) {

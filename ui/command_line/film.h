@@ -2,9 +2,10 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <stop_token>
 
-#include "base/apng.h"
+#include "base/film_writer.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/options.h"
 
@@ -20,9 +21,9 @@ class Film {
 
   private:
     struct File {
-        File(const std::string& path, int frames, double rate);
+        File(const Output& output, int frames, double rate);
         OutputFile file;
-        base::ApngWriter film;
+        std::unique_ptr<base::FilmWriter> film;
     };
     std::deque<File> files_;
 };

@@ -206,17 +206,26 @@ bool LanguageRun::evaluate() {
     return run_.good();
 }
 
-std::shared_ptr<const csg::Tree> LanguageRun::evaluate_at(double time) {
+ProgramRun LanguageRun::run_at(double time) {
     csg::scad::Request request = request_;
     request.time = time;
-    const ProgramRun run = runner_.run(std::move(request), false, [this](const auto& message, const auto& sources) {
+    ProgramRun run = runner_.run(std::move(request), false, [this](const auto& message, const auto& sources) {
         if (message.severity == csg::scad::Severity::Error) {
             messages_.add(message, sources);
         }
         return messages_.warnings();
     });
     base::end_if_asked(limit_.token());
+    return run;
+}
+
+std::shared_ptr<const csg::Tree> LanguageRun::evaluate_at(double time) {
+    const ProgramRun run = run_at(time);
     return run.good() ? run.evaluation.tree : nullptr;
+}
+
+csg::scad::ViewSettings LanguageRun::view_at(double time) {
+    return run_at(time).evaluation.view;
 }
 
 std::shared_ptr<const csg::Tree> LanguageRun::evaluate_text(const std::string& text) {

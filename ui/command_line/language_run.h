@@ -49,6 +49,8 @@ class LanguageRun {
     /// The tree at another $t, once there has been a run; null where there is none, and an error has been told. Makes
     /// no outputs.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_at(double time);
+    /// Where the program puts its camera at another $t, as far as it says so.
+    [[nodiscard]] csg::scad::ViewSettings view_at(double time);
     /// The tree with another text of the main file, definitions as they are; null where that has an error, which is not
     /// told.
     [[nodiscard]] std::shared_ptr<const csg::Tree> evaluate_text(const std::string& text);
@@ -68,6 +70,7 @@ class LanguageRun {
     [[nodiscard]] bool only(std::initializer_list<Format> formats) const;
     [[nodiscard]] bool write_syntax(bool tell);
     [[nodiscard]] bool evaluate();
+    [[nodiscard]] ProgramRun run_at(double time);
     void limit_memory();
     void make(const std::string& path);
     void take_parameter_set();

@@ -37,9 +37,13 @@ void remove_outputs(OptionTable& table) {
                                    "--animate",
                                    "--animate_sharding",
                                    "--turntable",
+                                   "--storyboard",
                                    "--colorscheme",
                                    "--samples",
                                    "--thickness",
+                                   "--label",
+                                   "--callouts",
+                                   "--arrow",
                                    "--dpi",
                                    "--transparency",
                                    "--blend",
@@ -73,7 +77,8 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     const char* const in = "Input and output";
     table.add_rest({"file", "The .scad file; - reads standard input"}, raw.inputs);
     list("-o,--o", raw.outputs,
-         "Write FILE: .png, .exr, .stl, .off, .obj, .amf, .3mf, .wrl, .pov, .svg, .dxf, .pdf, .csg, .ast, .echo, .term "
+         "Write FILE: .png, .apng, .gif, .webp, .exr, .stl, .off, .obj, .amf, .3mf, .wrl, .pov, .svg, .dxf, .pdf, "
+         ".csg, .ast, .echo, .term "
          "or .param; - is standard output. May be repeated. Without it a window opens",
          "FILE", in);
     text("--export-format", raw.export_format,
@@ -102,7 +107,9 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
     text("--turntable", raw.turntable,
          "Write each picture N times, the camera turned about the z axis in steps of 360/N degrees", "N", in);
     text("--animate_sharding", raw.sharding, "Of these, write the I-th of M shares only", "I/M", in);
-    text("--fps", raw.frame_rate, "Frames that a film (-o x.apng) shows in a second (25)", "N", in);
+    text("--fps", raw.frame_rate, "Frames that a film (-o x.apng, x.gif or x.webp) shows in a second (25)", "N", in);
+    text("--storyboard", raw.storyboard,
+         "Draw the model at N times, those at which its motion changes most, as panels of one picture", "N", in);
     text("--time", raw.time, "$t, where no frames are written (0)", "T", in);
     flag("-q,--quiet", o.quiet, "Print errors only", in);
     flag("--hardwarnings", o.hard_warnings, "Stop at the first warning", in);
@@ -158,11 +165,23 @@ void declare(OptionTable& table, Options& o, RawOptions& raw, const std::string&
          "Draw what has changed since that version of the file: what is new green, what is gone red, the rest seen "
          "through",
          "FILE", picture);
-    list(
-        "--depict", raw.depictions,
-        "Draw what moves while $t runs into the picture: path, motion, still, ghost, rotation or auto, as 'path {PART} "
-        "[0,1] (width=2)'; may be repeated",
-        "EXPRESSION", picture);
+    list("--depict", raw.depictions,
+         "Draw what moves while $t runs into the picture: path, motion, still, ghost, rotation, collision, frame, "
+         "speak, "
+         "camera or auto, as 'path {PART} [0,1] (width=2)'; may be repeated",
+         "EXPRESSION", picture);
+    text("--depict-rules", o.depiction_rules,
+         "The same by a file that has an expression on each line: what is to be drawn of bodies by their names", "FILE",
+         picture);
+    list("--label", o.annotations.labels,
+         "Write a text beside the picture of a part, with a line to it: PART=TEXT, where PART is NAME, color=COLOR or "
+         "module=NAME; may be repeated",
+         "PART=TEXT", picture);
+    flag("--callouts", o.annotations.callouts, "Number the parts, in circles, with a legend", picture);
+    list("--arrow", o.annotations.arrows,
+         "Draw an arrow along a smooth curve through points of the model, as '0,0,9:5,0,12:9,0,9 (width=1)'; may be "
+         "repeated",
+         "X,Y,Z:X,Y,Z[:X,Y,Z...]", picture);
     text("--explain", o.explain,
          "Draw what the difference or intersection at that place did: what it removed red, what it kept green",
          "[FILE:]LINE[:COLUMN]", picture);

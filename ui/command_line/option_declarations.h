@@ -17,7 +17,7 @@ struct RawOptions {
         minimal_fraction, precision, thickness, parts, at, format, hatching, transparency, blend, medium_light, dpi,
         margin, plan;
     std::string projection = "p", context = "auto", engine = "auto", statistics, summary_file, dependencies;
-    std::string animate, sharding, turntable, time, frame_rate;
+    std::string animate, sharding, turntable, time, frame_rate, storyboard;
     std::vector<std::string> depictions;
     std::string debug;  ///< Taken and left alone.
     std::vector<std::string> summary, features;

@@ -140,11 +140,12 @@ void interpret_animation(Options& o, const RawOptions& raw) {
         std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.path == "-"; })) {
         throw UsageError(fmt::format("{}: frames go to files, which -o is to name", option));
     }
-    if (o.turntable && std::any_of(o.outputs.begin(), o.outputs.end(),
-                                   [](const auto& a) { return a.format != Format::Png && a.format != Format::Apng; })) {
-        throw UsageError("--turntable: frames are pictures, -o FILE.png or -o FILE.apng");
+    if (o.turntable &&
+        std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return !is_picture(a.format); })) {
+        throw UsageError("--turntable: frames are pictures, -o FILE.png or a film, -o FILE.apng");
     }
-    if (!raw.sharding.empty() && wants(o, Format::Apng)) {
+    if (!raw.sharding.empty() &&
+        std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return is_film(a.format); })) {
         throw UsageError("--animate_sharding: a film is one file; share out frames, -o FILE.png");
     }
 }
@@ -162,12 +163,38 @@ void interpret_motion(Options& o, const RawOptions& raw) {
         }
         o.time = read_numbers("--time", raw.time, {1}, "a number")[0];
     }
+    if (!raw.storyboard.empty()) {
+        constexpr int kMostPanels = 100;
+        o.storyboard = read_integer("--storyboard", raw.storyboard, 1, kMostPanels);
+        if (o.frames != 0 || !raw.time.empty()) {
+            throw UsageError("--storyboard has times of its own; leave --animate, --turntable and --time out");
+        }
+        if (o.outputs.empty() ||
+            std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.format != Format::Png; })) {
+            throw UsageError("--storyboard is of pictures, -o FILE.png");
+        }
+    }
     for (const std::string& text : raw.depictions) {
         try {
             o.depictions.push_back(read_depiction(text));
         } catch (const std::runtime_error& problem) {
             throw UsageError(fmt::format("--depict: {}", problem.what()));
         }
+    }
+}
+
+/// After the outputs.
+void check_annotations(const Options& o) {
+    if (!o.annotations.any()) {
+        return;
+    }
+    if (!o.plan.empty() || o.thickness) {
+        throw UsageError(
+            "--label, --callouts and --arrow are for one view of the model; leave --plan and --thickness out");
+    }
+    if (o.outputs.empty() ||
+        std::none_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return is_picture(a.format); })) {
+        throw UsageError("--label, --callouts and --arrow are of pictures: write one with -o FILE.png");
     }
 }
 
@@ -181,10 +208,10 @@ void interpret_plan(Options& o, const RawOptions& raw) {
     } catch (const std::invalid_argument& e) {
         throw UsageError(fmt::format("--plan: {}", e.what()));
     }
-    if (o.camera || o.turntable || o.thickness || o.pick || o.marks.any()) {
+    if (o.camera || o.turntable || o.storyboard != 0 || o.thickness || o.pick || o.marks.any()) {
         throw UsageError(
-            "--plan has views of its own; leave out --camera, --turntable, --thickness, pick, and --view but for "
-            "centers");
+            "--plan has views of its own; leave out --camera, --turntable, --storyboard, --thickness, pick, and --view "
+            "but for centers");
     }
     if (o.outputs.empty() ||
         std::any_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return a.format == Format::Exr; })) {
@@ -320,7 +347,10 @@ void interpret(Options& o, const RawOptions& raw) {
     o.picture.sections = read_sections(raw.sections, raw.uncut, raw.hatching);
     std::vector<std::string> named = o.picture_texts.part_styles;
     named.insert(named.end(), o.picture_texts.reveal.begin(), o.picture_texts.reveal.end());
-    if (raw.parts.empty() && !named.empty()) {
+    for (const std::string& label : o.annotations.labels) {
+        named.push_back(split_label(label).first);
+    }
+    if (raw.parts.empty() && (!named.empty() || o.annotations.callouts)) {
         o.parts = parts_of_styles(named);
     } else if (raw.parts.empty() && !o.picture.sections.cuts.empty()) {
         o.parts.kind = csg::PartRule::Kind::Color;  // Cut faces have the color of what was cut.
@@ -350,6 +380,7 @@ void interpret(Options& o, const RawOptions& raw) {
     interpret_motion(o, raw);
     interpret_view(o, raw);
     interpret_plan(o, raw);
+    check_annotations(o);
     const auto given = [](const std::string& path) { return path.empty() ? std::nullopt : std::optional(path); };
     o.statistics = given(raw.statistics);
     o.summary_file = given(raw.summary_file);

@@ -9,13 +9,14 @@
 #include "csg/tree/part_rule.h"
 #include "gl/context.h"
 #include "goldfeather/choice.h"
+#include "ui/command_line/annotation_texts.h"
 #include "ui/command_line/export_options.h"
 #include "ui/command_line/measure_options.h"
 #include "ui/command_line/outputs.h"
 #include "ui/command_line/picture_options.h"
 #include "ui/command_line/summary_parts.h"
 #include "ui/command_line/usage_error.h"
-#include "ui/pipeline/motion/depiction.h"
+#include "ui/pipeline/motion/depiction_expression.h"
 #include "ui/pipeline/picture/plan.h"
 #include "ui/pipeline/picture/thickness_request.h"
 #include "ui/pipeline/picture/view_marks.h"
@@ -36,6 +37,9 @@ struct Options {
     ExportOptions exports;
     std::string changes_from;  ///< An earlier version, of which changes are drawn; empty: none.
     std::vector<Depiction> depictions;
+    std::string depiction_rules;  ///< A file of them; empty: none.
+    int storyboard = 0;           ///< Panels on the sheet that the picture is to be; 0: it is no storyboard.
+    AnnotationTexts annotations;
     double time = 0;               ///< $t, where no frames are made.
     std::string explain, without;  ///< Places of calls, as call_at takes them; empty: none.
     std::optional<ThicknessRequest> thickness;

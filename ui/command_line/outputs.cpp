@@ -20,8 +20,10 @@ struct NamedFormat {
     MeshFormat mesh = MeshFormat::AsciiStl;
     DrawingFormat drawing = DrawingFormat::Svg;
 };
-const std::array<NamedFormat, 20> kFormats{{{"png", Format::Png},
+const std::array<NamedFormat, 22> kFormats{{{"png", Format::Png},
                                             {"apng", Format::Apng},
+                                            {"gif", Format::Gif},
+                                            {"webp", Format::WebP},
                                             {"exr", Format::Exr},
                                             {"stl", Format::Mesh},
                                             {"asciistl", Format::Mesh},
@@ -41,7 +43,8 @@ const std::array<NamedFormat, 20> kFormats{{{"png", Format::Png},
                                             {"term", Format::Term},
                                             {"param", Format::Param}}};
 constexpr const char* kFormatNames =
-    "png, apng, exr, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, pov, svg, dxf, pdf, csg, ast, echo, term and "
+    "png, apng, gif, webp, exr, stl, asciistl, binstl, off, obj, amf, 3mf, wrl, pov, svg, dxf, pdf, csg, ast, echo, "
+    "term and "
     "param";
 
 Output read_format(std::string_view option, const std::string& path, const std::string& text) {
@@ -77,7 +80,7 @@ Output read_output(const std::string& path, const std::string& export_format) {
 }
 
 Output output_of_frame(Output output, int frame) {
-    if (output.format == Format::Apng) {
+    if (is_film(output.format)) {
         return output;
     }
     const std::size_t dot = output.path.rfind('.');

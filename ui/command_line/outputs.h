@@ -8,7 +8,7 @@
 
 namespace ui {
 
-enum class Format { Png, Apng, Exr, Csg, Ast, Echo, Param, Term, Mesh, Drawing };
+enum class Format { Png, Apng, Gif, WebP, Exr, Csg, Ast, Echo, Param, Term, Mesh, Drawing };
 
 struct Output {
     std::string path;  ///< "-": standard output.
@@ -16,6 +16,16 @@ struct Output {
     MeshFormat mesh = MeshFormat::AsciiStl;                              ///< For Format::Mesh.
     csg::solid::DrawingFormat drawing = csg::solid::DrawingFormat::Svg;  ///< For Format::Drawing.
 };
+
+/// Does it hold all frames of an animation?
+[[nodiscard]] inline bool is_film(Format format) {
+    return format == Format::Apng || format == Format::Gif || format == Format::WebP;
+}
+
+/// Is it drawn: a picture, or a film of them?
+[[nodiscard]] inline bool is_picture(Format format) {
+    return format == Format::Png || is_film(format);
+}
 
 /// Of -o: the suffix of the path tells the format, unless there is an `export_format`. Throws UsageError.
 [[nodiscard]] Output read_output(const std::string& path, const std::string& export_format);

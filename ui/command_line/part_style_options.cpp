@@ -116,15 +116,19 @@ npr::PartStyle read_part_style(const std::string& given) {
     return result;
 }
 
-npr::RevealedPart read_revealed_part(const std::string& text) {
-    const std::string option = fmt::format("--reveal {}", text);
-    const std::size_t comma = text.rfind(',');
-    std::string what(trimmed(std::string_view(text).substr(0, comma)));
+npr::PartSelector read_part_selector(const std::string& text, std::string_view given) {
+    std::string what(trimmed(given));
     if (!what.starts_with(kPart) && !what.starts_with(kColor) && !what.starts_with(kModule)) {
         what.insert(0, kPart);
     }
+    return read_selector(text, what);
+}
+
+npr::RevealedPart read_revealed_part(const std::string& text) {
+    const std::string option = fmt::format("--reveal {}", text);
+    const std::size_t comma = text.rfind(',');
     npr::RevealedPart result;
-    result.of = read_selector(option, what);
+    result.of = read_part_selector(option, std::string_view(text).substr(0, comma));
     if (comma != std::string::npos) {
         result.fraction = read_numbers(option, trimmed(std::string_view(text).substr(comma + 1)), {1}, "a share")[0];
         if (!(result.fraction > 0 && result.fraction <= 1)) {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "csg/tree/scene.h"
 #include "npr/part_style.h"
@@ -16,6 +17,10 @@ namespace ui {
 /// 'NAME', 'part=NAME', 'color=COLOR' or 'module=NAME', and maybe ',SHARE' above 0, at most 1. Throws
 /// std::runtime_error where it is none of these.
 [[nodiscard]] npr::RevealedPart read_revealed_part(const std::string& text);
+
+/// 'NAME', 'part=NAME', 'color=COLOR' or 'module=NAME'. Throws std::runtime_error, which begins with `text`, where it
+/// is none of these.
+[[nodiscard]] npr::PartSelector read_part_selector(const std::string& text, std::string_view what);
 
 /// Throws UsageError where one of them is of no part of the scene.
 void need_parts(std::span<const npr::PartStyle> styles, const csg::Scene& scene);

@@ -12,13 +12,14 @@
 #include "csg/tree/explain.h"
 #include "csg/tree/out_of_memory.h"
 #include "gl/error.h"
-#include "npr/styles/radiograph.h"
 #include "ui/command_line/call_place.h"
 #include "ui/command_line/check.h"
 #include "ui/command_line/compare.h"
+#include "ui/command_line/depicting.h"
 #include "ui/command_line/export.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/film.h"
+#include "ui/command_line/film_frames.h"
 #include "ui/command_line/language_run.h"
 #include "ui/command_line/measure.h"
 #include "ui/command_line/medium_options.h"
@@ -27,26 +28,23 @@
 #include "ui/command_line/options.h"
 #include "ui/command_line/part_style_options.h"
 #include "ui/command_line/pick.h"
+#include "ui/command_line/picture_maker.h"
 #include "ui/command_line/run_checks.h"
 #include "ui/command_line/standard_streams.h"
 #include "ui/command_line/summary.h"
-#include "ui/command_line/thin_places.h"
 #include "ui/command_line/time_limit.h"
+#include "ui/command_line/window_run.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/mesh/outline.h"
+#include "ui/pipeline/motion/key_times.h"
 #include "ui/pipeline/picture/camera.h"
-#include "ui/pipeline/picture/center_lines.h"
 #include "ui/pipeline/picture/exact_bounds.h"
-#include "ui/pipeline/picture/flat_lines.h"
-#include "ui/pipeline/picture/legend.h"
-#include "ui/pipeline/picture/plan.h"
 #include "ui/pipeline/picture/radiograph.h"
 #include "ui/pipeline/picture/renderer.h"
-#include "ui/pipeline/picture/thickness_map.h"
+#include "ui/pipeline/picture/storyboard.h"
 #include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/sections.h"
 #include "ui/pipeline/stopwatch.h"
-#include "ui/viewer/window.h"
 
 namespace ui {
 
@@ -56,7 +54,13 @@ namespace {
 class Run {
   public:
     explicit Run(Options options)
-        : options_(std::move(options)), limit_(options_.time_limit), language_(options_, limit_, make_measures()) {}
+        : options_(std::move(options)),
+          limit_(options_.time_limit),
+          language_(options_, limit_, make_measures()),
+
+          frames_(options_),
+          depicting_(options_, limit_, language_),
+          pictures_(options_, limit_, language_, builder_, depicting_) {}
 
     /// False where an error in the file or the time ended it; the messages have said why.
     bool operator()() {
@@ -80,7 +84,11 @@ class Run {
     bool run() {
         picture_ = picture_of(options_.picture, options_.picture_texts);
         check_combinations(options_, picture_);
+        depicting_.read();
         language_.read();
+        if (options_.storyboard != 0) {
+            return storyboard();
+        }
         if (options_.time != 0) {
             set_time(options_.time);
         }
@@ -127,16 +135,9 @@ class Run {
         if (language_.evaluation().tree == nullptr) {
             return true;  // Nothing needed to run, or an error is what the console was to show.
         }
-        tree_ = language_.evaluation().tree;
-        if (!options_.changes_from.empty()) {
-            const auto before = language_.evaluate_other(options_.changes_from);
-            if (before == nullptr) {
-                return false;
-            }
-            tree_ = std::make_shared<const csg::Tree>(csg::changes(*before, *tree_));
+        if (!make_tree()) {
+            return false;
         }
-        explain();
-        depict();
         if (needs_geometry(options_) || wants_picture() || options_.statistics || options_.summary ||
             options_.summary_file || options_.pick || options_.measure) {
             build();
@@ -161,6 +162,72 @@ class Run {
         return true;
     }
 
+    /// What is to be drawn of what the program made; false where an error ended that.
+    bool make_tree() {
+        tree_ = language_.evaluation().tree;
+        if (!options_.changes_from.empty()) {
+            const auto before = language_.evaluate_other(options_.changes_from);
+            if (before == nullptr) {
+                return false;
+            }
+            tree_ = std::make_shared<const csg::Tree>(csg::changes(*before, *tree_));
+        }
+        explain();
+        if (depicting_.depicts()) {
+            stage_ = "looking for what moves";
+        }
+        tree_ = depicting_.depicted(tree_, time_);
+        return true;
+    }
+
+    /// One picture of several times, from one place.
+    bool storyboard() {
+        language_.messages().each_once();
+        set_time(0);
+        if (!language_() || language_.evaluation().tree == nullptr) {
+            return false;
+        }
+        struct Panel {
+            std::shared_ptr<const Model> model;
+            Annotations annotations;
+            csg::scad::ViewSettings view;
+        };
+        std::vector<Panel> panels;
+        std::vector<std::string> captions;
+        csg::Box box;
+        const std::vector<double> times = key_times(depicting_.motion(), options_.storyboard);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            set_time(times[i]);
+            if (!language_() || !make_tree()) {
+                return false;
+            }
+            build();
+            panels.push_back({model_, depicting_.annotations(), language_.evaluation().view});
+            box = csg::enclose(box, box_.empty() ? model_->box : box_);
+            const double end = i + 1 < times.size() ? times[i + 1] : depicting_.motion().times.back();
+            const std::string moves = what_moves(depicting_.motion(), times[i], end);
+            captions.push_back(fmt::format("{}   $t = {:.3g}{}{}", i + 1, times[i], moves.empty() ? "" : ":  ", moves));
+        }
+        const glm::ivec2 size = picture_.size;
+        const SheetLayout layout = sheet_layout(size, options_.storyboard);
+        picture_.size = layout.panel;
+        CameraRequest request = camera_request();
+        request.aspect = static_cast<double>(layout.panel.x) / layout.panel.y;
+        const base::Image sheet = draw_sheet(size, layout, captions, picture_.scheme, [&](std::size_t i) {
+            model_ = exported_ = panels[i].model;
+            depicting_.set_annotations(panels[i].annotations);
+            picture_.camera = choose_camera(request, panels[i].view, box);
+            cut();
+            begin("Drawing…", "drawing");
+            return pictures_.image(subject(), picture_, renderer());
+        });
+        language_.progress().say("");
+        write_outputs(options_, Format::Png, base::encode_png(sheet, limit_.token(), picture_.dots_per_inch));
+        picture_json_ = to_json(renderer().statistics());
+        report();
+        return true;
+    }
+
     /// Puts what a call does, or the model without it, in the place of the model.
     void explain() {
         if (!options_.explain.empty()) {
@@ -173,31 +240,10 @@ class Run {
         }
     }
 
-    /// Puts the glyphs of what moves beside the model.
-    void depict() {
-        if (options_.depictions.empty()) {
-            return;
-        }
-        if (!motion_) {
-            MotionRequest request;
-            request.derivatives = false;
-            for (const Depiction& d : options_.depictions) {
-                request.from = std::min(request.from, d.times ? d.times->first : 0);
-                request.to = std::max(request.to, d.times ? d.times->second : 1);
-            }
-            begin("Looking for what moves…", "looking for what moves");
-            motion_ = find_motion([this](double time) { return language_.evaluate_at(time); }, request, limit_.token());
-            language_.progress().say("");
-        }
-        try {
-            tree_ = std::make_shared<const csg::Tree>(ui::depict(*tree_, *motion_, options_.depictions, time_));
-        } catch (const std::runtime_error& problem) {
-            throw UsageError(fmt::format("--depict: {}", problem.what()));
-        }
-    }
-
     [[nodiscard]] bool wants_picture() const {
-        return wants(options_, Format::Png) || wants(options_, Format::Apng) || wants(options_, Format::Exr);
+        return wants(options_, Format::Exr) ||
+               std::any_of(options_.outputs.begin(), options_.outputs.end(),
+                           [](const Output& output) { return is_picture(output.format); });
     }
 
     void build() {
@@ -206,7 +252,11 @@ class Run {
         builder_.divide(options_.parts);
         builder_.cut(picture_.sections);
         const auto build_it = [&] { return builder_.build(tree_, limit_.token(), language_.evaluation().program); };
-        model_ = exported_ = build_it();
+        model_ = exported_ = frames_.follow(tree_, picture_.sections, renderer_ ? &*renderer_ : nullptr);
+        if (model_ == nullptr) {
+            model_ = exported_ = build_it();
+            frames_.built(model_, tree_);
+        }
         if (needs_geometry(options_) && options_.preview && shows_misplaced(*model_)) {
             builder_.show(csg::Showing::Result);
             exported_ = build_it();
@@ -229,10 +279,7 @@ class Run {
         if (options_.hard_warnings && !(exported_->warnings.empty() && exported_->failures.empty())) {
             throw ModelError("stopped at a warning");
         }
-        const CameraRequest request{
-            options_.camera,   options_.projection,
-            options_.view_all, options_.autocenter,
-            options_.margin,   static_cast<double>(options_.picture.size.x) / options_.picture.size.y};
+        const CameraRequest request = camera_request();
         const bool framed =
             needs_box(request, language_.evaluation().view) || options_.summary || options_.summary_file;
         // As OpenSCAD: previews go by the boxes of products, results by what is left.
@@ -242,6 +289,12 @@ class Run {
         cut();
         first_rotation_ = picture_.camera.rotation.z;
         picture_.camera.rotation.z += turned_by_;
+    }
+
+    [[nodiscard]] CameraRequest camera_request() const {
+        return {options_.camera,   options_.projection,
+                options_.view_all, options_.autocenter,
+                options_.margin,   static_cast<double>(options_.picture.size.x) / options_.picture.size.y};
     }
 
     /// What is drawn and picked: the camera is chosen for the whole model, so that a section moves nothing.
@@ -304,100 +357,40 @@ class Run {
         write_output("-", text);
     }
 
-    template <typename Value>
-    [[nodiscard]] Value setting(std::string_view name) const {
-        return std::get<Value>(picture_.parameters.at(picture_.parameters.find(name).value()));
-    }
-
-    /// That of the thickest place, where none is given.
-    void set_full_tone(Renderer& renderer) {
-        if (setting<float>("range") > 0) {
-            return;
-        }
-        const double most = most_thickness(renderer, *shown_, PictureRequest(picture_), limit_.token());
-        if (most > 0) {
-            picture_.parameters.set("range", static_cast<float>(round_up(most)));
-        }
-    }
-
-    /// The picture without colors, tinted by what was measured.
-    base::Image thickness_image(Renderer& renderer, PictureRequest request) {
-        if (extent_of(*model_) == Extent::Flat) {
-            throw UsageError("--thickness: an outline in the plane has no walls; extrude it first");
-        }
-        if (!request.reveal.empty()) {
-            throw UsageError("--thickness measures what the model hides and what it does not; leave --reveal out");
-        }
-        request.scheme.face = request.scheme.cut = glm::vec3(1);
-        const auto plain = without_colors(*shown_);
-        base::Image image = renderer.render(*plain, request, limit_.token());
-        const ThicknessMap map = thickness_map(renderer, *model_, *plain, request, *options_.thickness, limit_.token());
-        draw_thickness(image, map, picture_.scheme.background);
-        if (!options_.quiet) {
-            language_.progress().say("");
-            say(printable(thin_places_text(*model_, *language_.evaluation().sources, map)));
-        }
-        return image;
-    }
-
-    base::Image plan_image(Renderer& renderer, const PictureRequest& request) {
-        return draw_plan(options_.plan, request, box_, [&](const PictureRequest& view) {
-            base::Image image = renderer.render(*shown_, view, limit_.token());
-            draw_centers(image, view);
-            return image;
-        });
-    }
+    [[nodiscard]] PictureSubject subject() const { return {*model_, *shown_, box_}; }
 
     void draw() {
         begin("Drawing…", "drawing");
         Stopwatch watch;
         Renderer& renderer = this->renderer();
         const double context_ms = watch.lap();
-        if (is_radiograph(picture_)) {
-            set_full_tone(renderer);
-        }
-        const bool lines =
-            extent_of(*model_) == Extent::Flat && is_flat_picture(*model_, picture_) && picture_.samples == 1;
-        const PictureRequest request(lines ? flat_picture(picture_, false) : picture_);
         if (wants(options_, Format::Exr)) {
-            const bool radiograph = is_radiograph(picture_);
-            write_outputs(options_, Format::Exr,
-                          base::encode_exr(radiograph ? thickness(renderer, *shown_, request, limit_.token())
-                                                      : light(renderer, *shown_, request, limit_.token())));
+            pictures_.set_full_tone(subject(), picture_, renderer);
+            const PictureRequest request = PictureMaker::request_of(subject(), picture_);
+            write_outputs(
+                options_, Format::Exr,
+                base::encode_exr(is_radiograph(picture_) ? thickness(renderer, *shown_, request, limit_.token())
+                                                         : light(renderer, *shown_, request, limit_.token())));
         }
-        if (!wants(options_, Format::Png) && !wants(options_, Format::Apng)) {
+        if (std::none_of(options_.outputs.begin(), options_.outputs.end(),
+                         [](const Output& output) { return is_picture(output.format); })) {
             language_.progress().say("");
             return;
         }
         if (const std::string ignored = ignored_transparency(picture_); !ignored.empty()) {
             language_.messages().warn(ignored);
         }
-        base::Image image = options_.thickness      ? thickness_image(renderer, request)
-                            : options_.plan.empty() ? renderer.render(*shown_, request, limit_.token())
-                                                    : plan_image(renderer, request);
-        if (lines && options_.plan.empty()) {
-            draw_flat_lines(image, *builder_.outline(*model_, limit_.token()), picture_.camera,
-                            picture_.scheme.edge_2d);
-        }
-        if (is_radiograph(picture_) && setting<bool>("legend")) {
-            const auto colors = setting<int>("colors");
-            draw_legend(image, setting<float>("range"),
-                        [&](float share) { return npr::radiograph_tone(colors, share); });
-        }
-        if (options_.plan.empty()) {
-            draw_centers(image, picture_);
-        }
-        if (options_.marks.any()) {
-            draw_marks(image);
-        }
-        if (const std::string& fallback = renderer.statistics().walk.fallback; !fallback.empty()) {
-            language_.messages().warn(fmt::format("lists-cpu has drawn instead of the engine meant: {}", fallback));
+        const base::Image* image = depicting_.annotations().any() ? nullptr : frames_.same_image(picture_);
+        if (image == nullptr) {
+            base::Image made = pictures_.image(subject(), picture_, renderer);
+            image = &frames_.drew(std::move(made), picture_);
+            png_.clear();
         }
         (void)watch.lap();
-        film_.add(options_, image, picture_.dots_per_inch, limit_.token());
-        const std::string png = wants(options_, Format::Png)
-                                    ? base::encode_png(image, limit_.token(), picture_.dots_per_inch)
-                                    : std::string();
+        film_.add(options_, *image, picture_.dots_per_inch, limit_.token());
+        if (wants(options_, Format::Png) && png_.empty()) {
+            png_ = base::encode_png(*image, limit_.token(), picture_.dots_per_inch);
+        }
         picture_json_ = to_json(renderer.statistics());
         picture_json_["ms"]["context"] = context_ms;
         picture_json_["ms"]["encode"] = watch.lap();
@@ -406,24 +399,7 @@ class Run {
         picture_json_["renderer"] = used != nullptr ? used->renderer() : "";
         picture_json_["opengl"] = used != nullptr ? used->version() : "";
         language_.progress().say("");
-        write_outputs(options_, Format::Png, png);
-    }
-
-    void draw_centers(base::Image& image, const npr::Picture& picture) const {
-        if (options_.marks.centers) {
-            const csg::Box& box = shown_->geometry.box;
-            draw_center_lines(image, center_lines(*shown_), picture,
-                              base::View(picture.camera, picture.size, box.lo, box.hi));
-        }
-    }
-
-    void draw_marks(base::Image& image) {
-        const base::View view(picture_.camera, picture_.size, shown_->geometry.box.lo, shown_->geometry.box.hi);
-        MarkColors colors;
-        const glm::vec3& b = picture_.scheme.background;
-        colors.axes = glm::vec3(b.r + b.g + b.b < 1.5F ? 1.0F : 0.0F);
-        const auto first = shown_->empty() ? nullptr : renderer().first_layer(*shown_, view);
-        draw_view_marks(image, options_.marks, colors, view, shown_->geometry, first ? *first : layers::HostStack{});
+        write_outputs(options_, Format::Png, png_);
     }
 
     /// What is written beside the outputs.
@@ -463,6 +439,9 @@ class Run {
         } else if (geometry_.outline) {
             all["outline"] = *geometry_.figures();
         }
+        if (options_.frames != 0) {
+            all["film"] = frames_.figures();
+        }
         if (!picture_json_.is_null()) {
             ms.update(*picture_json_.find("ms"));
             all.update(picture_json_);
@@ -492,8 +471,11 @@ class Run {
     std::shared_ptr<const csg::Tree> tree_;  ///< That is drawn, or written.
     double time_ = 0;                        ///< $t
     Film film_;
-    std::optional<Motion> motion_;  ///< Once something of it was to be drawn.
+    FilmFrames frames_;
+    std::string png_;  ///< The last picture as a file, where one was wanted.
+    Depicting depicting_;
     ModelBuilder builder_;
+    PictureMaker pictures_;
     std::unique_ptr<gl::Context> context_;
     std::optional<Renderer> renderer_;               ///< Once it was needed.
     std::shared_ptr<const Model> model_, exported_;  ///< Two where the preview shows what the result leaves out.
@@ -505,49 +487,6 @@ class Run {
     double first_rotation_ = 0, turned_by_ = 0;  ///< Degrees about z: of the camera chosen, and of its first picture.
     Json picture_json_;
 };
-
-bool has_display() {
-    const auto is_set = [](const char* name) {
-        const char* const value = std::getenv(name);
-        return value != nullptr && *value != '\0';
-    };
-    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
-}
-
-int open_window(const Options& options) {
-    if (!options.changes_from.empty()) {
-        throw UsageError("--changes-from is of pictures: write one with -o");
-    }
-    if (!(options.explain.empty() && options.without.empty() && options.depictions.empty()) || options.thickness) {
-        throw UsageError("--explain, --without, --thickness and --depict are of pictures: write one with -o");
-    }
-    WindowOptions window;
-    window.source.path = options.input;
-    if (options.input == "-") {
-        window.source.text = read_standard_input();
-    } else if (!options.input.empty()) {
-        (void)read_source(options.input);  // A file that is not there is told before a window opens.
-    }
-    window.source.definitions = options.definitions;
-    window.source.preview = options.preview;
-    window.source.hard_warnings = options.hard_warnings;
-    window.source.by_error = options.by_error;
-    window.source.lazy_union = options.lazy_union;
-    window.source.parts = options.parts;
-    window.source.sections = options.picture.sections;
-    window.camera = {options.camera,   options.projection,
-                     options.view_all, options.autocenter,
-                     options.margin,   static_cast<double>(options.picture.size.x) / options.picture.size.y};
-    window.picture = PictureRequest(picture_of(options.picture, options.picture_texts));  // Told before a window opens.
-    window.picture.engine = options.engine.engine;
-    window.engine = options.engine;
-    window.frames_log = options.frames_log;
-    window.settings = settings_file();
-    if (run_window(window) == WindowEnd::StillDrawing) {
-        std::_Exit(0);  // Nobody waits for that picture any more.
-    }
-    return 0;
-}
 
 std::string information(gl::ContextKind kind) {
     std::string text = "csgscope version " CSGSCOPE_VERSION "\n";

@@ -35,7 +35,7 @@ void check_combinations(const Options& options, const npr::Picture& picture) {
     if (!(options.explain.empty() && options.without.empty()) && needs_geometry(options)) {
         throw UsageError("--explain and --without are of pictures; a mesh is what the file says");
     }
-    if (!options.depictions.empty() && needs_geometry(options)) {
+    if (!(options.depictions.empty() && options.depiction_rules.empty()) && needs_geometry(options)) {
         throw UsageError("--depict is of pictures; a mesh is what the file says");
     }
     const int instead =

@@ -38,4 +38,23 @@ std::vector<csg::PartId> parts_named(const csg::Scene& scene, const char* option
     return found;
 }
 
+std::vector<csg::PartId> parts_selected(const csg::Scene& scene, std::string_view option,
+                                        const npr::PartSelector& selector) {
+    std::vector<csg::PartId> found;
+    for (csg::PartId id = 0; id < scene.parts.size(); ++id) {
+        const csg::Part& part = scene.parts[id];
+        layers::PartLook look;
+        look.name = part.name;
+        look.color = {part.color.r, part.color.g, part.color.b, part.color.a};
+        if (npr::selects(selector, look)) {
+            found.push_back(id);
+        }
+    }
+    if (found.empty()) {
+        const std::string& name = selector.by_color ? selector.text : selector.name;
+        throw ModelError(unknown_part(scene, option, name));
+    }
+    return found;
+}
+
 }  // namespace ui

@@ -70,9 +70,49 @@ TEST_F(MotionProgram, IsDepicted) {
     }
 }
 
-/// Their frames: tests/base/apng_test.
+/// Where they are: tests/ui/pipeline/annotation_test.
+TEST_F(MotionProgram, WritesIntoPictures) {
+    const std::string size = " --imgsize 160,120 ";
+    folder_.write("rules.txt", "# of doors\nrotation {do*r}\nspeak {door} (text='I open')\nauto {*}\n");
+    folder_.write("wrong.txt", "rotation {door}\n\n  path {door} [1\n");
+    EXPECT_EQ(run("door.scad -o plain.png --parts top" + size).status, 0);
+    for (const char* const options :
+         {"--label 'door=A door'", "--callouts", "--arrow '0,0,0:5,5,20:0,0,30 (width=1)'", "--depict-rules rules.txt",
+          "--depict 'collision {door} (width=3)' -D 'translate([2,6,0]) cube([2,2,20]);'"}) {
+        const Result result = run(std::string("door.scad -o drawn.png ") + options + size);
+        EXPECT_EQ(result.status, 0) << options << result.err;
+        EXPECT_NE(folder_.read("plain.png"), folder_.read("drawn.png")) << options;
+    }
+    for (const auto& [bad, part] :
+         {std::pair("--label 'doro=A door'", "Did you mean \"door\"?"), std::pair("--label door", "expected PART=TEXT"),
+          std::pair("--arrow 0,0,0", "two points"),
+          std::pair("--arrow '0,0,0:1,1,1 (size=2)'", "width=LENGTH or color=COLOR"),
+          std::pair("--callouts --plan top", "--plan"),
+          std::pair("--depict 'collision {door}'", "begins to touch nothing"),
+          std::pair("--depict camera", "the camera stays where it is"),
+          std::pair("--depict-rules wrong.txt", "wrong.txt:3:17: expected ']'"),
+          std::pair("--storyboard 4 --time 1", "--storyboard")}) {
+        const Result result = run(std::string("door.scad -o x.png ") + bad + size);
+        EXPECT_EQ(result.status, 1) << bad;
+        EXPECT_NE(result.err.find(part), std::string::npos) << bad << result.err;
+    }
+}
+
+TEST_F(MotionProgram, DrawsStoryboards) {
+    const Result result = run("door.scad -o board.png --storyboard 3 --imgsize 400,300");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(run("door.scad -o again.png --storyboard 3 --imgsize 400,300").status, 0);
+    EXPECT_EQ(folder_.read("board.png"), folder_.read("again.png"));
+    EXPECT_NE(run("door.scad -o x.png --storyboard 30 --imgsize 100,100").err.find("make the picture larger"),
+              std::string::npos);
+}
+
+/// Their frames: tests/base/apng_test and film_test.
 TEST_F(MotionProgram, WritesFilms) {
     EXPECT_EQ(run("door.scad -o film.apng --animate 3 --fps 10 --imgsize 40,40").status, 0);
+    EXPECT_EQ(run("door.scad -o film.gif -o film.webp --animate 3 --imgsize 40,40").status, 0);
+    EXPECT_EQ(folder_.read("film.gif").substr(0, 6), "GIF89a");
+    EXPECT_EQ(folder_.read("film.webp").substr(8, 4), "WEBP");
     EXPECT_EQ(run("door.scad -o turn.apng -o turn.png --turntable 3 --imgsize 40,40").status, 0);
     for (const char* const film : {"film.apng", "turn.apng"}) {
         std::size_t frames = 0;

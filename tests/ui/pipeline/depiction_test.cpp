@@ -12,6 +12,7 @@
 #include "csg/solid/winding_number.h"
 #include "tests/csg/scad/evaluate_text.h"
 #include "ui/pipeline/model.h"
+#include "ui/pipeline/motion/star.h"
 #include "ui/pipeline/motion/tube.h"
 
 namespace ui {
@@ -46,7 +47,13 @@ std::shared_ptr<const Model> depicted(const std::vector<std::string>& texts, dou
         depictions.push_back(read_depiction(text));
     }
     ModelBuilder builder;
-    return builder.build(std::make_shared<const csg::Tree>(depict(*tree_at(now), motion(), depictions, now)));
+    return builder.build(
+        std::make_shared<const csg::Tree>(depict({*tree_at(now), motion(), now, {}, 1}, depictions).tree));
+}
+
+Depicted glyphs(const std::vector<Depiction>& depictions, double now, const Motion& of,
+                const std::function<base::Camera(double)>& camera = {}) {
+    return depict({*tree_at(now), of, now, camera, 2}, depictions);
 }
 
 /// Is the point in a leaf that is none of the model's own?
@@ -185,9 +192,13 @@ TEST(Depiction, ErrorsSayWhereAndWhatWasExpected) {
         {"path {ball} [x]", "expected a number\n  path {ball} [x]\n               ^"},
         {"path {ball} (n)", "'='"},
         {"path {ball} (n=0)", "a whole number"},
-        {"path {ball} (size=3)", "n=, squash=, width= or color="},
+        {"path {ball} (size=3)", "n=, squash=, width=, color=, text= or with="},
         {"path {ball} (color=red)", "#rrggbb"},
         {"path {ball} 7", "or the end"},
+        {"speak {ball}", "what it says"},
+        {"speak {ball} (text=hello)", "a text in quotes"},
+        {"speak {ball} (text='hello)", "expected '"},
+        {"collision {ball} (with='')", "a text"},
     };
     for (const auto& [text, part] : wrong) {
         try {
@@ -205,6 +216,101 @@ TEST(Depiction, ErrorsSayWhereAndWhatWasExpected) {
         } catch (const std::runtime_error& error) {
             EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
         }
+    }
+}
+
+TEST(Depiction, RulesAreForBodiesByTheirNames) {
+    const std::vector<Depiction> rules = read_depiction_rules(
+        "# what turns\n"
+        "  rotation {cu*} (color=#00ff00)   # and not {ball}\n"
+        "\n"
+        "path {wheel, b*ll}\n"
+        "rotation {ball}\n"
+        "speak {*} [0] (text='# one')\n",
+        "rules.txt");
+    ASSERT_EQ(rules.size(), 4u);
+    EXPECT_EQ(rules[3].say, "# one");
+    // The ball has no axis, and rules may be for what is not there: neither is an error.
+    const Depicted made = glyphs(rules, 0.5, motion());
+    EXPECT_TRUE(made.bubbles.empty()) << "each body has a rule of its own";
+    ModelBuilder builder;
+    EXPECT_GT(builder.build(std::make_shared<const csg::Tree>(made.tree))->scene.leaves.size(), 8u);
+    EXPECT_EQ(glyphs({rules[0], rules[3]}, 0.5, motion()).bubbles.size(), 1u) << "the ball has none";
+    try {
+        (void)read_depiction_rules("path {a}\n  paht {b}\n", "rules.txt");
+        ADD_FAILURE();
+    } catch (const std::runtime_error& error) {
+        EXPECT_EQ(std::string(error.what()).find("rules.txt:2:3: expected a technique"), 0u) << error.what();
+    }
+}
+
+TEST(Depiction, NamesHaveStarsAndNumbers) {
+    EXPECT_TRUE(names_body("wheel", "wheel"));
+    EXPECT_TRUE(names_body("wheel", "wheel 12"));
+    EXPECT_TRUE(names_body("axle, w*l", "wheel 12"));
+    EXPECT_TRUE(names_body("wheel 2", "wheel 2"));
+    EXPECT_TRUE(names_body("*", "anything"));
+    EXPECT_FALSE(names_body("wheel 2", "wheel"));
+    EXPECT_FALSE(names_body("whee", "wheel"));
+    EXPECT_FALSE(names_body("w*x", "wheel"));
+    EXPECT_FALSE(names_body("", "wheel"));
+}
+
+TEST(Depiction, SpeechAndFramesAreOfTheBodyAtATime) {
+    const Depicted made =
+        glyphs({read_depiction("speak {ball} [0.5] (text=\"up here\")"), read_depiction("frame {ball} [0] (width=3)")},
+               0, motion());
+    ASSERT_EQ(made.bubbles.size(), 1u);
+    EXPECT_EQ(made.bubbles[0].text, "up here");
+    EXPECT_LT(glm::distance(made.bubbles[0].at, glm::dvec3(0, 20, 2)), 0.5);
+    ASSERT_EQ(made.frames.size(), 1u);
+    EXPECT_EQ(made.frames[0].width, 3);
+    for (const glm::dvec3& p : made.frames[0].points) {
+        EXPECT_NEAR(glm::distance(p, glm::dvec3(20, 0, 0)), 2, 0.1);
+    }
+}
+
+TEST(Depiction, CamerasHaveFramesWhereTheyLook) {
+    const auto camera = [](double time) {
+        base::Camera at;
+        at.target = {10 * time, 0, 0};
+        at.rotation = {0, 0, 0};
+        at.distance = 100;
+        return at;
+    };
+    const Depicted made = glyphs({read_depiction("camera [0,1] (width=0.5)")}, 0, motion(), camera);
+    ModelBuilder builder;
+    const auto model = builder.build(std::make_shared<const csg::Tree>(made.tree));
+    // Of twice the width as it is high, across its axis, about what it looks at.
+    const double half = 100 * std::tan(22.5 / 2 * std::numbers::pi / 180);
+    for (const double x : {-2 * half, 2 * half, 10 - 2 * half, 10 + 2 * half}) {
+        EXPECT_TRUE(in_glyph(*model, {x, 0, 0})) << x;
+    }
+    EXPECT_TRUE(in_glyph(*model, {0, half, 0}));
+    EXPECT_TRUE(in_glyph(*model, {5, 0, 100})) << "the way of the eye";
+    EXPECT_THROW((void)glyphs({read_depiction("camera")}, 0, motion(), [](double) { return base::Camera{}; }),
+                 std::runtime_error);
+}
+
+TEST(Depiction, StarsAreClosedAndTurnedOutwards) {
+    const csg::Polyhedron mesh = star({1, 2, 3}, 5);
+    double volume = 0, most = 0;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const auto& face : mesh.faces) {
+        ASSERT_EQ(face.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            ++edges[{face[i], face[(i + 1) % 3]}];
+        }
+        volume -= glm::dot(mesh.points[face[0]], glm::cross(mesh.points[face[1]], mesh.points[face[2]])) / 6;
+    }
+    for (const glm::dvec3& p : mesh.points) {
+        most = std::max(most, glm::distance(p, glm::dvec3(1, 2, 3)));
+    }
+    EXPECT_NEAR(most, 5, 1e-12);
+    EXPECT_GT(volume, 0);
+    for (const auto& [edge, count] : edges) {
+        EXPECT_EQ(count, 1);
+        EXPECT_TRUE(edges.contains({edge.second, edge.first}));
     }
 }
 

@@ -160,8 +160,12 @@ class Grouping {
         std::vector<double> reach(directions.size(), -INFINITY);
         body.extremes.resize(directions.size());
         for (csg::LeafId leaf = 0; leaf < scene.leaves.size(); ++leaf) {
+            if (!is_below(scene, leaf, top)) {
+                continue;
+            }
+            body.leaves.push_back(leaf);
             const std::vector<glm::dvec3>& extremes = shapes_[track_of[leaf]].extremes;
-            if (extremes.empty() || tracks_.all()[track_of[leaf]].first_run != run || !is_below(scene, leaf, top)) {
+            if (extremes.empty() || tracks_.all()[track_of[leaf]].first_run != run) {
                 continue;
             }
             for (std::size_t i = 0; i < directions.size(); ++i) {

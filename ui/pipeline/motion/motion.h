@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "csg/tree/box.h"
+#include "csg/tree/scene.h"
 #include "csg/tree/tree.h"
 
 namespace ui {
@@ -53,6 +54,7 @@ struct MovingBody {
     std::shared_ptr<const csg::Tree> tree;
     csg::NodeId top = csg::kNoNode;
     glm::dmat4 to_world{1.0};
+    std::vector<csg::LeafId> leaves;   ///< Its own, in the scene of `tree`, increasing.
     csg::Rgba color;                   ///< Of its first leaf.
     std::vector<glm::dvec3> extremes;  ///< Its points that reach farthest along many directions; world units, then.
     std::vector<std::optional<Pose>> poses;  ///< By sample; none where it is not there.

@@ -50,9 +50,14 @@ class Renderer {
     /// first (0: all).
     [[nodiscard]] std::vector<PickedSurface> pick(const Model& model, const base::Camera& camera, int layers = 1);
 
-    /// The first layer of a whole view.
+    /// The first layer of a whole view, …
     [[nodiscard]] std::shared_ptr<const layers::HostStack> first_layer(const Model& model, const base::View& view) {
         return peel(model, view, 1);
+    }
+    /// … or so many, nearest first (0: all).
+    [[nodiscard]] std::shared_ptr<const layers::HostStack> first_layers(const Model& model, const base::View& view,
+                                                                        int layers) {
+        return peel(model, view, layers);
     }
 
     /// An EditableModel has changed in place. To be told by each commit to every renderer that may have drawn it,

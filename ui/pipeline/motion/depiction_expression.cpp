@@ -1,11 +1,14 @@
+#include "ui/pipeline/motion/depiction_expression.h"
+
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ui/pipeline/motion/depiction.h"
 #include "ui/pipeline/suggestion.h"
 
 namespace ui {
@@ -16,7 +19,15 @@ using Technique = Depiction::Technique;
 
 const std::vector<std::pair<std::string, Technique>> kTechniques = {
     {"path", Technique::Path},   {"motion", Technique::Motion},     {"still", Technique::Still},
-    {"ghost", Technique::Ghost}, {"rotation", Technique::Rotation}, {"auto", Technique::Auto}};
+    {"ghost", Technique::Ghost}, {"rotation", Technique::Rotation}, {"collision", Technique::Collision},
+    {"frame", Technique::Frame}, {"speak", Technique::Speak},       {"camera", Technique::Camera},
+    {"auto", Technique::Auto}};
+
+/// Of an expression that is none.
+struct Unexpected {
+    std::size_t at = 0;  ///< Bytes.
+    std::string expected;
+};
 
 class Reader {
   public:
@@ -42,13 +53,14 @@ class Reader {
         if (at_ < text_.size()) {
             fail(d.times ? "(name=value,…), or the end" : "{part}, [t0,t1], (name=value,…), or the end");
         }
+        if (d.technique == Technique::Speak && d.say.empty()) {
+            fail("(text=\"…\"), what it says");
+        }
         return d;
     }
 
   private:
-    [[noreturn]] void fail(const std::string& expected) const {
-        throw std::runtime_error(fmt::format("expected {}\n  {}\n  {:>{}}", expected, text_, '^', at_ + 1));
-    }
+    [[noreturn]] void fail(const std::string& expected) const { throw Unexpected{at_, expected}; }
     void skip() {
         while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
             ++at_;
@@ -153,14 +165,36 @@ class Reader {
             } else if (name == "color") {
                 expect_value();
                 d.color = color();
+            } else if (name == "text") {
+                expect_value();
+                d.say = quoted();
+            } else if (name == "with") {
+                expect_value();
+                d.with = quoted();
             } else {
                 at_ -= name.size();
-                fail("n=, squash=, width= or color=");
+                fail("n=, squash=, width=, color=, text= or with=");
             }
         } while (take(','));
         if (!take(')')) {
             fail("',' or ')'");
         }
+    }
+    /// Between quotes of either kind.
+    std::string quoted() {
+        skip();
+        const char quote = at_ < text_.size() ? text_[at_] : ' ';
+        if (quote != '"' && quote != '\'') {
+            fail("a text in quotes");
+        }
+        const std::size_t close = text_.find(quote, at_ + 1);
+        if (close == std::string::npos || close == at_ + 1) {
+            at_ = close == std::string::npos ? text_.size() : at_ + 1;
+            fail(close == std::string::npos ? fmt::format("{}", quote) : "a text");
+        }
+        std::string result = text_.substr(at_ + 1, close - at_ - 1);
+        at_ = close + 1;
+        return result;
     }
     csg::Rgba color() {
         skip();
@@ -182,10 +216,92 @@ class Reader {
     std::size_t at_ = 0;
 };
 
+bool matches(std::string_view pattern, std::string_view name) {
+    // By the last star that was passed: what it stands for grows until the rest fits.
+    std::size_t p = 0, n = 0, star = std::string_view::npos, from = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            from = n;
+        } else if (p < pattern.size() && pattern[p] == name[n]) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++from;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Where what is behind a # begins; not of a color, nor in a text.
+std::size_t end_of_rule(std::string_view line) {
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (quote != 0) {
+            quote = line[i] == quote ? '\0' : quote;
+        } else if (line[i] == '"' || line[i] == '\'') {
+            quote = line[i];
+        } else if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t')) {
+            return i;
+        }
+    }
+    return line.size();
+}
+
 }  // namespace
 
 Depiction read_depiction(const std::string& text) {
-    return Reader(text).read();
+    try {
+        return Reader(text).read();
+    } catch (const Unexpected& wrong) {
+        throw std::runtime_error(fmt::format("expected {}\n  {}\n  {:>{}}", wrong.expected, text, '^', wrong.at + 1));
+    }
+}
+
+std::vector<Depiction> read_depiction_rules(const std::string& text, const std::string& file) {
+    std::vector<Depiction> rules;
+    int number = 0;
+    for (std::size_t begin = 0; begin < text.size(); ++number) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        const std::string rule(trimmed(line.substr(0, end_of_rule(line))));
+        begin = end + 1;
+        if (rule.empty()) {
+            continue;
+        }
+        try {
+            rules.push_back(Reader(rule).read());
+            rules.back().rule = true;
+        } catch (const Unexpected& wrong) {
+            const std::size_t indent = line.find_first_not_of(" \t\r");
+            throw std::runtime_error(fmt::format("{}:{}:{}: expected {}\n  {}\n  {:>{}}", file, number + 1,
+                                                 indent + wrong.at + 1, wrong.expected, rule, '^', wrong.at + 1));
+        }
+    }
+    return rules;
+}
+
+bool names_body(const std::string& pattern, const std::string& name) {
+    const std::size_t blank = name.rfind(' ');
+    const bool numbered = blank != std::string::npos && blank + 1 < name.size() &&
+                          name.find_first_not_of("0123456789", blank + 1) == std::string::npos;
+    for (std::size_t begin = 0; begin <= pattern.size();) {
+        const std::size_t end = std::min(pattern.find(',', begin), pattern.size());
+        const std::string_view one = trimmed(std::string_view(pattern).substr(begin, end - begin));
+        if (matches(one, name) || (numbered && matches(one, std::string_view(name).substr(0, blank)))) {
+            return true;
+        }
+        begin = end + 1;
+    }
+    return false;
 }
 
 }  // namespace ui
