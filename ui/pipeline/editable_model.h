@@ -9,6 +9,14 @@
 
 namespace ui {
 
+/// What a hand holds: the leaves at and below an occurrence, and how far they are from where the text puts them.
+struct HeldPart {
+    csg::OccurrenceId occurrence = csg::kNoOccurrence;  ///< None: nothing is held.
+    glm::dvec3 by{0.0};                                 ///< World units.
+    [[nodiscard]] bool any() const { return occurrence != csg::kNoOccurrence; }
+    bool operator==(const HeldPart&) const = default;
+};
+
 /// A copy of a model, with a generation of its own. Edit it by `scene()`, `commit()`, and tell every renderer that may
 /// hold it what has changed (Renderer::update).
 class EditableModel {

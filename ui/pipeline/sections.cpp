@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "csg/solid/cut_box.h"
 #include "csg/tree/scene_edit.h"
@@ -193,19 +195,24 @@ std::vector<std::string> section_warnings(const Model& model, const npr::Section
     return warnings;
 }
 
-const Model& SectionedModel::cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections) {
+const Model& SectionedModel::cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections,
+                                 const HeldPart& held) {
     change_ = {};
-    const bool cuts = !sections.cuts.empty() && !model->empty();
-    const bool same = cuts && made_ && model == whole_ && sections.uncut == sections_.uncut && move(sections);
+    const npr::Sections wanted = sections.cuts.empty() || model->empty() ? npr::Sections{} : sections;
+    // What was held and is let go is put back where it was: no other model is made for that.
+    const bool same = made_ && model == whole_ && wanted.uncut == sections_.uncut && move(wanted, held);
     if (!same) {
         whole_ = model;
         added_.clear();
         made_.reset();
-        if (cuts) {
-            make(sections);
+        held_ = {};
+        if (!wanted.cuts.empty() || held.any()) {
+            make(wanted);
+            hold(held);
+            (void)made_->commit();
         }
     }
-    sections_ = sections;
+    sections_ = wanted;
     return made_ ? made_->model() : *whole_;
 }
 
@@ -216,7 +223,17 @@ void SectionedModel::make(const npr::Sections& sections) {
     for (const npr::Section& section : sections.cuts) {
         add(section, cut, hatching);
     }
-    (void)made_->commit();
+}
+
+void SectionedModel::hold(const HeldPart& held) {
+    const HeldPart before = std::exchange(held_, held);
+    csg::solid::EditableScene& edited = made_->scene();
+    if (before.any() && before.occurrence != held.occurrence) {
+        edited.move_occurrence(before.occurrence, glm::dmat4(1.0));
+    }
+    if (held.any()) {
+        edited.move_occurrence(held.occurrence, glm::translate(glm::dmat4(1.0), held.by));
+    }
 }
 
 void SectionedModel::add(const npr::Section& section, const std::vector<char>& cut,
@@ -240,8 +257,8 @@ void SectionedModel::add(const npr::Section& section, const std::vector<char>& c
     }
 }
 
-/// False where more is to be done than to move planes.
-bool SectionedModel::move(const npr::Sections& sections) {
+/// False where more is to be done than to move planes and what is held.
+bool SectionedModel::move(const npr::Sections& sections, const HeldPart& held) {
     const auto planes = [](const npr::Section& section) {
         return std::holds_alternative<npr::PlaneSection>(section.cut);
     };
@@ -254,7 +271,10 @@ bool SectionedModel::move(const npr::Sections& sections) {
             return false;
         }
     }
-    bool any = false;
+    bool any = held != held_;
+    if (any) {
+        hold(held);
+    }
     for (std::size_t i = 0; i < sections.cuts.size(); ++i) {
         if (sections.cuts[i].cut != sections_.cuts[i].cut) {
             for (const csg::solid::AddedId id : added_[i]) {

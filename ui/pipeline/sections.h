@@ -26,12 +26,15 @@ void set_hatchings(Model& model, const npr::Sections& sections);
 [[nodiscard]] std::vector<std::string> section_warnings(const Model& model, const npr::Sections& sections);
 
 /// A model and what sections by planes and boxes leave of it: each part but those that stay whole, less a half-space or
-/// a box, whose faces have the part's color and a hatching other than that of the parts next to it.
+/// a box, whose faces have the part's color and a hatching other than that of the parts next to it. What a hand holds
+/// lies where it is held.
 class SectionedModel {
   public:
-    /// `sections` are resolved. The model itself where they cut nothing; it stays valid until the next call. Where only
-    /// planes have moved since the last call, so do their leaves (Renderer::update is to be told `change`).
-    const Model& cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections);
+    /// `sections` are resolved. The model itself where they cut nothing and nothing is held; it stays valid until the
+    /// next call. Where only planes, or what is held, have moved since the last call, so do their leaves
+    /// (Renderer::update is to be told `change`).
+    const Model& cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections,
+                     const HeldPart& held = {});
 
     /// Of the last call; empty where nothing has, or where all is another model.
     [[nodiscard]] const csg::solid::SceneChange& change() const { return change_; }
@@ -39,10 +42,12 @@ class SectionedModel {
   private:
     void make(const npr::Sections& sections);
     void add(const npr::Section& section, const std::vector<char>& cut, const std::vector<std::uint8_t>& hatching);
-    bool move(const npr::Sections& sections);
+    bool move(const npr::Sections& sections, const HeldPart& held);
+    void hold(const HeldPart& held);
 
     std::shared_ptr<const Model> whole_;
     npr::Sections sections_;
+    HeldPart held_;
     std::unique_ptr<EditableModel> made_;
     std::vector<std::vector<csg::solid::AddedId>> added_;  ///< By section.
     csg::solid::SceneChange change_;

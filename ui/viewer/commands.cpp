@@ -18,9 +18,24 @@ constexpr std::array kActions{
     ActionInfo{Action::Open, "File", "Open…", {{GLFW_KEY_O, kCtrl}}},
     ActionInfo{Action::Reload, "File", "Reload", {{GLFW_KEY_F5}, {GLFW_KEY_F4}, {GLFW_KEY_R, kCtrl}}},
     ActionInfo{Action::Cancel, "File", "Cancel the evaluation", {{GLFW_KEY_PERIOD, kCtrl}}},
-    ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl}}},
+    ActionInfo{Action::Save, "File", "Save", {{GLFW_KEY_S, kCtrl}}},
+    ActionInfo{Action::SavePicture, "File", "Save picture…", {{GLFW_KEY_S, kCtrl | kShift}}},
     ActionInfo{Action::Export, "File", "Export…", {{GLFW_KEY_E, kCtrl}}},
     ActionInfo{Action::Quit, "File", "Quit", {{GLFW_KEY_Q, kCtrl}, {GLFW_KEY_W, kCtrl}}},
+
+    ActionInfo{Action::Undo, "Edit", "Undo", {{GLFW_KEY_Z, kCtrl}}},
+    ActionInfo{Action::Redo, "Edit", "Redo", {{GLFW_KEY_Z, kCtrl | kShift}, {GLFW_KEY_Y, kCtrl}}},
+    ActionInfo{Action::Duplicate, "Edit", "Duplicate", {{GLFW_KEY_D, kCtrl}}},
+    ActionInfo{Action::DeleteSelected, "Edit", "Delete", {{GLFW_KEY_DELETE}}},
+    ActionInfo{Action::Palette, "Edit", "All actions…", {{GLFW_KEY_F3}, {GLFW_KEY_P, kCtrl}}},
+
+    ActionInfo{Action::AddCube, "Add", "Cube", {}},
+    ActionInfo{Action::AddSphere, "Add", "Sphere", {}},
+    ActionInfo{Action::AddCylinder, "Add", "Cylinder", {}},
+    ActionInfo{Action::AddCone, "Add", "Cone", {}},
+    ActionInfo{Action::AddText, "Add", "Raised text", {}},
+    ActionInfo{Action::AddExtrusion, "Add", "Extruded polygon", {}},
+    ActionInfo{Action::ToggleHole, "Add", "As a hole", {{GLFW_KEY_H, kCtrl}}},
 
     ActionInfo{Action::ViewAll, "View", "View all", {{GLFW_KEY_V}, {GLFW_KEY_HOME}, {GLFW_KEY_V, kCtrl | kShift}}},
     ActionInfo{Action::ResetView, "View", "Reset view", {{GLFW_KEY_HOME, kShift}}},
@@ -52,6 +67,8 @@ constexpr std::array kActions{
     ActionInfo{Action::StepOn, "Style", "A step of $t on", {{GLFW_KEY_PERIOD}}},
 
     ActionInfo{Action::SelectTool, "Tool", "Select", {{GLFW_KEY_SPACE}}},
+    ActionInfo{Action::MoveTool, "Tool", "Move", {{GLFW_KEY_W}}},
+    ActionInfo{Action::SizeTool, "Tool", "Size", {{GLFW_KEY_E}}},
     ActionInfo{Action::MeasureTool, "Tool", "Measure", {{GLFW_KEY_M}}},
     ActionInfo{Action::FlyTool, "Tool", "Fly", {{GLFW_KEY_F}}},
 

@@ -13,6 +13,7 @@
 #include "csg/scad/customizer/customizer.h"
 #include "goldfeather/choice.h"
 #include "npr/parameter.h"
+#include "ui/pipeline/editable_model.h"
 #include "ui/pipeline/picture/picture_request.h"
 #include "ui/viewer/selection.h"
 
@@ -23,9 +24,22 @@ enum class Action {
     Reload,
     Cancel,  ///< The evaluation that runs.
     CopyCamera,
+    Save,         ///< The program, as it has been edited.
     SavePicture,  ///< Opens the form.
     Export,       ///< Opens the form.
     Quit,
+    Undo,
+    Redo,
+    Duplicate,  ///< The statement that is selected.
+    DeleteSelected,
+    Palette,
+    AddCube,
+    AddSphere,
+    AddCylinder,
+    AddCone,
+    AddText,
+    AddExtrusion,
+    ToggleHole,  ///< What is added is taken away from what is selected.
     ViewAll,
     ResetView,
     LookAtOrigin,
@@ -48,6 +62,8 @@ enum class Action {
     MoreLayers,
     FewerLayers,
     SelectTool,  ///< Takes the tool in hand; see tools().
+    MoveTool,
+    SizeTool,
     FlyTool,
     MeasureTool,
     CopyFound,  ///< What the tool has found, in words.
@@ -162,6 +178,47 @@ struct SetRate {
     double steps_per_second = 20;
 };
 struct ExportFrames {};
+// Of editing by hand.
+/// What is held lies there, for as long as it is held; nothing: it goes back.
+struct HoldPart {
+    HeldPart held;
+};
+/// It has been put there: the text is to follow.
+struct PutPart {
+    HeldPart held;
+};
+/// Another of the ways to edit the text takes the place of the one that was taken; none: there is no more to choose.
+struct TakeWay {
+    std::optional<std::size_t> way;
+};
+/// A number of the main file's text becomes another while it is dragged.
+struct SetNumber {
+    csg::scad::ByteRange bytes;  ///< As they were when the drag began.
+    std::string text;
+    bool begins = true;  ///< A step of its own, which those after it are part of.
+    std::string name;    ///< "h"
+};
+/// The main file has that text now, by typing.
+struct TypeText {
+    std::string text;
+};
+/// What the statement makes that the byte of the main file's text is in.
+struct SelectByte {
+    std::size_t byte = 0;
+};
+struct ResolveConflict {
+    std::size_t conflict = 0;
+    bool take_theirs = false;
+};
+/// What a killed program has left is taken, or thrown away.
+struct Recover {
+    bool take = true;
+};
+/// What is to be done with what is not saved, before it is gone.
+struct Leave {
+    enum class How { Save, Discard, Stay };
+    How how = How::Stay;
+};
 struct OpenFile {
     std::filesystem::path path;
 };
@@ -217,7 +274,8 @@ using Command =
                  SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt, Explain, ShowText, EditText,
                  StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
                  DeleteParameterSet, SetEngine, WritePicture, ExportModel, SetMouse, SetLightTheme, SetTextSize, SetKey,
-                 ResetKeys, SelectCall, HideCall, ShowAlone, SetStep, SetSteps, SetRate, ExportFrames>;
+                 ResetKeys, SelectCall, HideCall, ShowAlone, SetStep, SetSteps, SetRate, ExportFrames, HoldPart,
+                 PutPart, TakeWay, SetNumber, TypeText, SelectByte, ResolveConflict, Recover, Leave>;
 using Commands = std::vector<Command>;
 
 /// "Ctrl+Shift+V"

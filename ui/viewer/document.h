@@ -36,6 +36,8 @@ class Document {
     void hide(const CallAt& call, bool hidden);
     /// Revisions to come show that alone; nothing: all.
     void show_alone(std::optional<CallAt> call) { source_.alone = std::move(call); }
+    /// The text of revisions to come, where that is not what the file has.
+    void edit(std::optional<std::string> text) { source_.edited = std::move(text); }
     /// $t of revisions to come.
     void set_time(double time) { source_.time = time; }
     /// The parts of revisions to come.

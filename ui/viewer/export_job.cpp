@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "base/program_arguments.h"
@@ -54,8 +55,9 @@ int memory_file(const std::string& text) {
     return fd;
 }
 
-/// Starts it with standard input and standard error as given; an error number, 0 where it runs.
-int start_program(std::vector<std::string> command, int input, int errors, pid_t& pid) {
+/// Starts it in the folder (empty: this one), with standard input and standard error as given; an error number, 0 where
+/// it runs.
+int start_program(std::vector<std::string> command, const std::string& folder, int input, int errors, pid_t& pid) {
     const std::vector<char*> arguments = base::program_arguments(command);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -66,6 +68,9 @@ int start_program(std::vector<std::string> command, int input, int errors, pid_t
     }
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+    if (!folder.empty()) {
+        posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    }
     const int error = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     return error;
@@ -100,18 +105,24 @@ std::string read_all(int fd, pid_t pid, const std::stop_token& stop) {
 Exported run(const Source& source, const std::filesystem::path& path, const std::vector<std::string>& more,
              const std::stop_token& stop) {
     Exported result{path, false, {}};
-    const Descriptor input(source.text ? memory_file(*source.text) : -1);
+    const std::optional<std::string>& text = source.edited ? source.edited : source.text;
+    const Descriptor input(text ? memory_file(*text) : -1);
     std::array<int, 2> ends{-1, -1};
-    if ((source.text && input.get() < 0) || pipe2(ends.data(), O_CLOEXEC) != 0) {
+    if ((text && input.get() < 0) || pipe2(ends.data(), O_CLOEXEC) != 0) {
         result.text = std::strerror(errno);
         return result;
     }
     const Descriptor from(ends[0]);
     Descriptor to(ends[1]);
     pid_t pid = 0;
-    std::vector<std::string> arguments = export_arguments(source, path);
+    // What standard input includes is looked for in the folder that the program is in.
+    std::error_code unknown;
+    const std::string folder =
+        source.edited ? std::filesystem::absolute(source.path, unknown).parent_path().string() : std::string();
+    std::vector<std::string> arguments =
+        export_arguments(source, source.edited ? std::filesystem::absolute(path, unknown) : path);
     arguments.insert(arguments.end(), more.begin(), more.end());
-    if (const int error = start_program(arguments, input.get(), to.get(), pid); error != 0) {
+    if (const int error = start_program(arguments, folder, input.get(), to.get(), pid); error != 0) {
         result.text = std::strerror(error);
         return result;
     }
@@ -127,7 +138,8 @@ Exported run(const Source& source, const std::filesystem::path& path, const std:
 }  // namespace
 
 std::vector<std::string> export_arguments(const Source& source, const std::filesystem::path& path) {
-    std::vector<std::string> arguments{"csgscope", source.text ? "-" : source.path, "--quiet", "-o", path.string()};
+    std::vector<std::string> arguments{"csgscope", source.text || source.edited ? "-" : source.path, "--quiet", "-o",
+                                       path.string()};
     for (const auto* definitions : {&source.definitions, &source.customized}) {
         for (const std::string& definition : *definitions) {
             arguments.emplace_back("-D");

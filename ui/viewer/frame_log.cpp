@@ -36,6 +36,8 @@ std::string to_json(const FrameRecord& record) {
                        {"text_line", record.text_line},
                        {"tool", record.tool},
                        {"found", record.found},
+                       {"edits", record.edits},
+                       {"unsaved", record.unsaved},
                        {"camera", camera}};
     return json.dump();
 }

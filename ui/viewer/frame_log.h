@@ -28,6 +28,8 @@ struct FrameRecord {
     int text_line = -1;    ///< That the text panel points to, 0: all of the text; -1: it is not shown.
     std::string tool;      ///< ToolInfo::name of the one in hand.
     std::string found;     ///< Tool::text of it.
+    int edits = 0;         ///< Steps that can be undone.
+    bool unsaved = false;  ///< The text is not that of the file.
     base::Camera camera;
 };
 

@@ -181,8 +181,10 @@ float GlfwWindow::interface_scale() const {
     return scale >= 0.5F && scale <= 8 ? scale : 1.0F;
 }
 
-bool GlfwWindow::close_requested() const {
-    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+bool GlfwWindow::take_close_request() const {
+    const bool requested = glfwWindowShouldClose(window_) == GLFW_TRUE;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return requested;
 }
 
 Input GlfwWindow::wait(double seconds) {

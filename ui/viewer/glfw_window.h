@@ -25,7 +25,8 @@ class GlfwWindow {
     [[nodiscard]] glm::ivec2 framebuffer_size() const;  ///< Pixels; 0 while minimized.
     /// How much larger than on a common display text should be, in units of the window.
     [[nodiscard]] float interface_scale() const;
-    [[nodiscard]] bool close_requested() const;
+    /// Somebody wants it to be closed, since this was asked last.
+    [[nodiscard]] bool take_close_request() const;
 
     /// Waits for input, a wake-up, or at most `seconds` (0: only looks), and takes the input.
     [[nodiscard]] Input wait(double seconds);

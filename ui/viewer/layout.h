@@ -33,11 +33,19 @@ struct Shown {
     bool open_form = false;
     bool export_form = false;
     bool settings_form = false;
+    bool palette = false;
+    bool leave_form = false;     ///< Asks what is to become of what is not saved.
+    bool recovery_form = false;  ///< Offers what a killed program has left.
+    bool hole = false;           ///< What is added is taken away from what is selected.
 
     /// Something lies over the picture.
-    [[nodiscard]] bool covered() const { return help || save_form || open_form || export_form || settings_form; }
+    [[nodiscard]] bool covered() const {
+        return help || save_form || open_form || export_form || settings_form || palette || leave_form || recovery_form;
+    }
     [[nodiscard]] ViewMarks marks() const { return {scales, scales, false, false, grid}; }
-    void uncover() { help = save_form = open_form = export_form = settings_form = false; }
+    void uncover() {
+        help = save_form = open_form = export_form = settings_form = palette = leave_form = recovery_form = false;
+    }
 };
 
 struct Layout {

@@ -62,6 +62,8 @@ bool checked(const Session& session, Action tool, Action action) {
             return session.shown().animation;
         case Action::ToggleConsole:
             return session.shown().console;
+        case Action::ToggleHole:
+            return session.shown().hole;
         default:
             return action == tool;
     }
@@ -74,7 +76,8 @@ void menu(const char* name, const Session& session, Action tool, Commands& comma
     for (const ActionInfo& each : actions()) {
         const bool ends_group = each.action == Action::Quit || each.action == Action::Top ||
                                 each.action == Action::ToggleProjection || each.action == Action::ClearConsole ||
-                                each.action == Action::PlayPause;
+                                each.action == Action::PlayPause || each.action == Action::Duplicate ||
+                                each.action == Action::Palette || each.action == Action::ToggleHole;
         if (std::strcmp(each.menu, name) != 0) {
             continue;
         }

@@ -4,9 +4,11 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "base/file.h"
 #include "ui/viewer/panel_window.h"
 #include "ui/viewer/save_path.h"
 
@@ -74,6 +76,9 @@ void OpenForm::take_typed(Commands& commands) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
         look_into(path);
+    } else if (!std::filesystem::exists(path, error) && path.extension() == ".scad" &&
+               std::filesystem::is_directory(path.parent_path(), error)) {
+        create(path, commands);
     } else if (!std::filesystem::is_regular_file(path, error)) {
         error_ = "There is no such file.";
         focus_ = true;
@@ -82,6 +87,22 @@ void OpenForm::take_typed(Commands& commands) {
         focus_ = true;
     } else {
         commands.emplace_back(OpenFile{path});
+    }
+}
+
+void OpenForm::create(const std::filesystem::path& path, Commands& commands) {
+    if (creates_ != path) {
+        creates_ = path;
+        error_ = "There is no such file. Open it once more to begin a new one.";
+        focus_ = true;
+        return;
+    }
+    creates_.clear();
+    try {
+        base::write_file(path, "");
+        commands.emplace_back(OpenFile{path});
+    } catch (const std::runtime_error& reason) {
+        error_ = reason.what();
     }
 }
 

@@ -26,11 +26,14 @@ class OpenForm {
     void look_into(const std::filesystem::path& folder);
     void list(Commands& commands);
     void take_typed(Commands& commands);
+    /// Begins a new program, where that was asked for twice.
+    void create(const std::filesystem::path& path, Commands& commands);
 
     std::filesystem::path folder_;
     std::vector<FolderEntry> entries_;
     std::string typed_;  ///< A name in the folder, or a path.
     std::string error_;
+    std::filesystem::path creates_;  ///< A program that is not there, as was told; asked for once more it is made.
     bool focus_ = false;
 };
 

@@ -60,6 +60,10 @@ void draw_animation(const Rectangle& place, const Animation& animation, Commands
 void draw_selection(const Rectangle& place, const Session& session, const Fonts& fonts, float scale,
                     Commands& commands);
 
+/// Over the picture: how the text follows what was moved, where edits and the file contradict each other, and what
+/// becomes of what is not saved.
+void draw_editing(const Rectangle& place, const Session& session, const Fonts& fonts, float scale, Commands& commands);
+
 /// Mouse and keys, as they are set.
 void draw_help(const Settings& settings, const Fonts& fonts, Commands& commands);
 

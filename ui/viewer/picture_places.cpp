@@ -30,4 +30,11 @@ double unit_at(const base::Camera& camera, const Rectangle& picture, const glm::
     return 2 * away * std::tan(camera.fov / 360 * glm::pi<double>()) / std::max(picture.size.y, 1.0F);
 }
 
+double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+    const glm::dvec2 way = b - a;
+    const double square = glm::dot(way, way);
+    const double t = square > 0 ? std::clamp(glm::dot(p - a, way) / square, 0.0, 1.0) : 0;
+    return glm::distance(p, a + t * way);
+}
+
 }  // namespace ui

@@ -19,4 +19,7 @@ namespace ui {
 /// World units of one unit of the window, at that point.
 [[nodiscard]] double unit_at(const base::Camera& camera, const Rectangle& picture, const glm::dvec3& point);
 
+/// From `p` to the nearest point of the segment.
+[[nodiscard]] double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b);
+
 }  // namespace ui

@@ -41,7 +41,7 @@ void PictureView::run(std::function<PictureResult(Renderer&)> task) {
 
 const Model& PictureView::cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections,
                               Renderer& renderer) {
-    const Model& left = sectioned_.cut(model, sections);
+    const Model& left = sectioned_.cut(model, sections, model == held_in_ ? held_ : HeldPart{});
     if (!sectioned_.change().empty()) {
         renderer.update(left, sectioned_.change());
     }
@@ -62,14 +62,16 @@ void PictureView::mark(base::Image& image, const Model& model, const PictureRequ
 }
 
 void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
-                       const PictureStep& step, std::uint64_t version) {
+                       const PictureStep& step, std::uint64_t version, const HeldPart& held) {
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
     const bool threaded = thread_ != nullptr;
     drawing_ = std::stop_source();
     // Where nobody could ask for a stop meanwhile, drawing need not look for it.
     const std::stop_token stop = threaded ? drawing_.get_token() : std::stop_token();
-    run([this, threaded, stop, model = std::move(model), request = std::move(request), marks, step,
+    run([this, threaded, stop, model = std::move(model), request = std::move(request), marks, held, step,
          version](Renderer& renderer) {
+        held_ = held;
+        held_in_ = model;
         DrawnStep done{step, version, 0, {}, {}, false};
         Stopwatch watch;
         try {

@@ -71,9 +71,10 @@ class PictureView {
 
     // Each asks for something that take() gives later, maybe at once. While busy() nothing further is to be asked for.
     [[nodiscard]] bool busy() const { return thread_ && thread_->busy(); }
-    /// One step of the picture that `request` asks for, with `marks` in it.
+    /// One step of the picture that `request` asks for, with `marks` in it. What is `held` is so for all that is asked
+    /// for afterwards.
     void draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
-              const PictureStep& step, std::uint64_t version);
+              const PictureStep& step, std::uint64_t version, const HeldPart& held = {});
     /// Ends the step that a thread is drawing, some milliseconds later, if it draws one.
     void stop_drawing() { drawing_.request_stop(); }
     /// Steps are drawn by a thread, and can be stopped.
@@ -120,8 +121,10 @@ class PictureView {
     std::vector<PictureResult> results_;
     std::optional<base::Image> image_;  ///< Drawn by the thread, not in the texture yet.
     std::optional<Renderer> renderer_;
-    SectionedModel sectioned_;             ///< Belongs to the tasks, as do …
-    std::shared_ptr<const Model> probed_;  ///< … the model that finder_ is of, …
+    SectionedModel sectioned_;              ///< Belongs to the tasks, as do …
+    HeldPart held_;                         ///< … what is held …
+    std::shared_ptr<const Model> held_in_;  ///< … in the model that was drawn last, …
+    std::shared_ptr<const Model> probed_;   ///< … the model that finder_ is of, …
     std::optional<EdgeFinder> finder_;
     std::shared_ptr<const layers::HostStack> first_layer_;  ///< … and what hides marks in a picture of …
     std::pair<std::uint64_t, int> first_layer_of_;          ///< … that version and width.

@@ -60,26 +60,10 @@ std::shared_ptr<const csg::Tree> shown_tree(const std::shared_ptr<const csg::Tre
 
 void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
                         ProgramRunner& runner, const std::stop_token& stop) {
-    csg::scad::Request request;
-    request.path = source.path;
-    request.text = source.text;
-    request.definitions = source.definitions;
-    if (csg::scad::has_statements(request.definitions)) {
-        if (!source.text) {
-            revision.files.emplace(source.path, csg::scad::disk_state(source.path));
-        }
-        auto text = source.text ? csg::scad::ReadResult(*source.text) : csg::scad::read_source_file(source.path);
-        if (auto* const read = std::get_if<std::string>(&text)) {  // Why there is none, the run tells.
-            csg::scad::append_statements(*read, request.definitions);
-            request.text = std::move(*read);
-        }
+    if (csg::scad::has_statements(source.definitions) && !source.text && !source.edited) {
+        revision.files.emplace(source.path, csg::scad::disk_state(source.path));
     }
-    request.preview = source.preview;
-    request.by_error = source.by_error;
-    request.lazy_union = source.lazy_union;
-    request.view = camera;
-    request.stop = stop;
-    request.time = source.time;
+    csg::scad::Request request = request_of(source, camera, stop);
     revision.parameters = parameters_of(runner, request);
     request.definitions.insert(request.definitions.end(), source.customized.begin(), source.customized.end());
     const ProgramRun run = runner.run(request, source.hard_warnings, [&](const auto& message, const auto& sources) {
@@ -135,6 +119,27 @@ Revision make_revision(const Source& source, const csg::scad::View& camera, Mode
 }
 
 }  // namespace
+
+csg::scad::Request request_of(const Source& source, const csg::scad::View& camera, const std::stop_token& stop) {
+    csg::scad::Request request;
+    request.path = source.path;
+    request.text = source.edited ? source.edited : source.text;
+    request.definitions = source.definitions;
+    if (csg::scad::has_statements(request.definitions)) {
+        auto text = request.text ? csg::scad::ReadResult(*request.text) : csg::scad::read_source_file(source.path);
+        if (auto* const read = std::get_if<std::string>(&text)) {  // Why there is none, the run tells.
+            csg::scad::append_statements(*read, request.definitions);
+            request.text = std::move(*read);
+        }
+    }
+    request.preview = source.preview;
+    request.by_error = source.by_error;
+    request.lazy_union = source.lazy_union;
+    request.view = camera;
+    request.stop = stop;
+    request.time = source.time;
+    return request;
+}
 
 Evaluate make_evaluate() {
     return [builder = std::make_shared<ModelBuilder>(), runner = std::make_shared<ProgramRunner>(make_measures())](

@@ -38,6 +38,8 @@ struct Source {
 
     std::optional<CallAt> explained{};  ///< Shown instead of the model is what this did, while it is there.
 
+    std::optional<std::string> edited{};  ///< The main file's text with what is not saved: counts above all others.
+
     [[nodiscard]] bool nothing() const { return path.empty(); }
     /// The file that is followed; empty where there is none.
     [[nodiscard]] std::string followed() const { return path == "-" ? std::string() : path; }
@@ -53,6 +55,11 @@ struct Revision {
     std::map<std::string, DiskState> files;  ///< All that were looked for, as they were before they were read.
     double evaluate_ms = 0, build_ms = 0;    ///< Wall time.
 };
+
+/// What the source asks of the language, but for what is customized and what is to be measured. Reads its file where
+/// definitions are to stand behind its text.
+[[nodiscard]] csg::scad::Request request_of(const Source& source, const csg::scad::View& camera,
+                                            const std::stop_token& stop = {});
 
 /// Makes a revision; `camera` is what the $vp… variables hold. Never throws; blocks until done or, with a revision of
 /// no worth, until the token has ended it. Not to be called by two threads at a time.

@@ -33,7 +33,11 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
       settings_(read_settings(options.settings)),
       evaluate_(std::move(evaluate)),
       watcher_(options.source.followed()),
+      find_ways_(make_find_ways()),
+      moving_(wake),
       job_(std::move(wake)) {
+    editing_ = Editing(document_.source(), settings_file_);
+    shown_.recovery_form = editing_.left().has_value();
     view_.picture.camera = choose_camera(camera_request_, {}, {});
     this->evaluate();
 }
@@ -41,7 +45,12 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
 void Session::open(const std::filesystem::path& path) {
     document_ = Document(opened(path, document_.source()));
     customizer_ = Customizer(parameter_file(document_.source()));
+    editing_ = Editing(document_.source(), settings_file_);
     clear_selection();
+    take_way(std::nullopt);
+    moving_.cancel();
+    held_ = {};
+    select_next_.reset();
     animation_ = {};
     text_ = {};
     watcher_ = FileWatcher(document_.source().followed());
@@ -49,6 +58,7 @@ void Session::open(const std::filesystem::path& path) {
     camera_placed_ = false;
     view_.picture.sections = {};
     shown_.open_form = false;
+    shown_.recovery_form = editing_.left().has_value();
     evaluate();
 }
 
@@ -71,6 +81,11 @@ std::optional<int> Session::evaluating_for() const {
 void Session::close() {
     if (shown_.covered()) {
         shown_.uncover();
+    } else if (moving_.busy()) {
+        moving_.cancel();
+        held_ = {};
+    } else if (ways_) {
+        take_way(std::nullopt);
     } else if (selected_ != csg::kNoOccurrence || !selection_.empty()) {
         clear_selection();
     } else if (document_.source().explained) {
@@ -93,6 +108,10 @@ LatestJob<Revision>::Job Session::next_revision() const {
 
 void Session::customize() {
     document_.customize(customizer_.definitions());
+    follow_soon();
+}
+
+void Session::follow_soon() {
     if (document_.milliseconds() <= kQuickMilliseconds) {
         job_.start_after(next_revision());
     } else {
@@ -111,16 +130,25 @@ bool Session::update(double now) {
             customizer_.receive(*std::move(revision->parameters));
         }
         const bool other_model = revision->model != nullptr;
+        const std::optional<SelectNext> kept = other_model ? std::optional(same_as_now()) : std::nullopt;
         document_.receive(std::move(*revision));
         if (other_model) {
-            clear_selection();  // It names leaves of the model before.
+            held_ = {};
+            // What is selected names leaves of the model before.
+            select_again(select_next_ ? *std::exchange(select_next_, {}) : *kept);
         }
         renew_text();
         place_camera();
         news = true;
     }
     const bool was_gone = document_.state() == DocumentState::Gone;
+    if (auto answer = moving_.take()) {
+        take_ways(*std::move(answer));
+        news = true;
+    }
+    editing_.keep(now);
     if (watcher_.poll(now)) {
+        look_at_disk();
         evaluate();
         news = true;
     }

@@ -4,14 +4,18 @@
 #include <chrono>
 #include <functional>
 
+#include "ui/pipeline/editing/added_shape.h"
+#include "ui/pipeline/editing/statement_pieces.h"
 #include "ui/viewer/animation.h"
 #include "ui/viewer/camera_control.h"
 #include "ui/viewer/commands.h"
 #include "ui/viewer/customizer.h"
 #include "ui/viewer/document.h"
+#include "ui/viewer/editing.h"
 #include "ui/viewer/ghost.h"
 #include "ui/viewer/latest_job.h"
 #include "ui/viewer/layout.h"
+#include "ui/viewer/moving.h"
 #include "ui/viewer/selection.h"
 #include "ui/viewer/settings.h"
 #include "ui/viewer/view_state.h"
@@ -53,6 +57,20 @@ class Session {
     [[nodiscard]] const Ghost& ghost() const { return ghost_; }  ///< Of that.
     [[nodiscard]] const Animation& animation() const { return animation_; }
     [[nodiscard]] const TextPlace& text() const { return text_; }
+    /// What is edited by hand.
+    [[nodiscard]] const Editing& editing() const { return editing_; }
+    /// What a hand holds in the model that is shown, or has put there while the text follows.
+    [[nodiscard]] const HeldPart& held() const { return held_; }
+    /// Something can be moved: the model is that of the text, and nothing is being moved.
+    [[nodiscard]] bool can_move() const;
+    /// How the text can follow what was moved last, of which way_taken() was taken; or why it cannot. Nothing where
+    /// there is nothing to be told of it any more.
+    [[nodiscard]] const std::optional<MoveAnswer>& ways() const { return ways_; }
+    [[nodiscard]] std::size_t way_taken() const { return way_taken_; }
+    /// What is not saved is given up.
+    void discard_edits();
+    /// The form is shown that asks what is to become of what is not saved.
+    void ask_before_leaving() { shown_.leave_form = true; }
     [[nodiscard]] bool evaluating() const { return job_.busy(); }
     /// Whole seconds since the evaluation that runs was asked for; nothing where none runs.
     [[nodiscard]] std::optional<int> evaluating_for() const;
@@ -62,6 +80,35 @@ class Session {
     [[nodiscard]] int layer_count() const { return layer_count_; }
 
   private:
+    /// What is to be selected in the next model.
+    struct SelectNext {
+        csg::OccurrenceId up = 0;                   ///< So far above that leaf.
+        csg::LeafId leaf = 0, leaves = 0;           ///< As long as there are as many; none: nothing is.
+        std::string name;                           ///< That it is called by; of another name it is something else.
+        std::optional<csg::scad::ByteRange> bytes;  ///< Else what these of the main file make.
+    };
+    bool edit_by_hand(const Command& command);
+    bool edit_text(Action action);
+    void put(const HeldPart& held);
+    void take_ways(MoveAnswer answer);
+    void set_number(const SetNumber& number);
+    void take_way(std::optional<std::size_t> way);
+    void add_shape(AddedShape shape);
+    void edit_statement(Action action);
+    /// The text has changed: the model is to follow.
+    void follow_text();
+    void save();
+    void look_at_disk();
+    /// The model is that of the text as it has been edited.
+    [[nodiscard]] bool in_step() const;
+    /// The byte of the main file's text where the call stands; nothing where it is of another.
+    [[nodiscard]] std::optional<std::size_t> byte_of(const csg::SourceLocation& where) const;
+    /// Of what is selected, in the text.
+    [[nodiscard]] std::optional<StatementText> selected_statement() const;
+    /// From the world to where the statement stands, through the transforms that it is in.
+    [[nodiscard]] glm::dmat4 into_statement(const StatementText& statement) const;
+    [[nodiscard]] SelectNext same_as_now() const;
+    void select_again(const SelectNext& next);
     void open(const std::filesystem::path& path);
     void evaluate();
     [[nodiscard]] LatestJob<Revision>::Job next_revision() const;
@@ -69,6 +116,8 @@ class Session {
     void cancel();
     void close();
     void customize();
+    /// Evaluates again while a value changes: what is quick is waited for.
+    void follow_soon();
     void show_text(const TextPlace& place);
     /// The ghost is that of the selection.
     void mark_selected();
@@ -101,6 +150,13 @@ class Session {
     double now_ = 0;  ///< Of the last update.
     TextPlace text_;  ///< That the text panel shows.
     bool customizing_ = false;
+    Editing editing_;
+    HeldPart held_;
+    std::optional<MoveAnswer> ways_;
+    std::size_t way_taken_ = 0;
+    std::optional<SelectNext> select_next_;        ///< Where that is not the same as now.
+    double typed_at_ = 0;                          ///< When something was typed last.
+    std::optional<std::size_t> number_step_;       ///< Steps of the text with that of the number that is dragged.
     std::chrono::steady_clock::time_point began_;  ///< The evaluation asked for last.
     Shown shown_;
     std::filesystem::path settings_file_;
@@ -109,6 +165,8 @@ class Session {
     std::uint64_t layers_of_ = 0;  ///< Generation of the model that layer_count_ belongs to.
     Evaluate evaluate_;
     FileWatcher watcher_;
+    FindWays find_ways_;
+    LatestJob<MoveAnswer> moving_;
     LatestJob<Revision> job_;  ///< Last: its jobs use the above.
 };
 

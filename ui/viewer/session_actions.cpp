@@ -24,7 +24,7 @@ bool Session::perform(const Command& command) {
     if (const auto* action = std::get_if<Action>(&command)) {
         return act(*action);
     }
-    if (change_settings(command) || animate(command) || look_at_tree(command)) {
+    if (change_settings(command) || animate(command) || look_at_tree(command) || edit_by_hand(command)) {
         return true;
     }
     if (const auto* style = std::get_if<SetStyle>(&command)) {
@@ -143,6 +143,9 @@ bool Session::change_settings(const Command& command) {
 }
 
 bool Session::act(Action action) {
+    if (edit_text(action)) {
+        return true;
+    }
     base::Camera& camera = view_.picture.camera;
     switch (action) {
         case Action::Open:
@@ -270,12 +273,16 @@ bool Session::act(Action action) {
             close();
             break;
         case Action::SelectTool:
+        case Action::MoveTool:
+        case Action::SizeTool:
         case Action::FlyTool:
         case Action::MeasureTool:
         case Action::CopyFound:
         case Action::Quit:
         case Action::CopyConsole:
         case Action::CopyCamera:
+            return false;
+        default:  // Of editing.
             return false;
     }
     return true;

@@ -4,8 +4,10 @@
 
 #include "ui/viewer/tools/fly_tool.h"
 #include "ui/viewer/tools/measure_tool.h"
+#include "ui/viewer/tools/move_tool.h"
 #include "ui/viewer/tools/section_tool.h"
 #include "ui/viewer/tools/select_tool.h"
+#include "ui/viewer/tools/size_tool.h"
 #include "ui/viewer/tools/view_cube.h"
 
 namespace ui {
@@ -15,6 +17,13 @@ std::span<const ToolInfo> tools() {
         ToolInfo{"cube", {}, "", make_view_cube},
         ToolInfo{"section", {}, "", make_section_tool},
         ToolInfo{"select", Action::SelectTool, "", make_select_tool},
+        ToolInfo{"move", Action::MoveTool,
+                 "Move: drag an arrow, a square or the middle of what is selected; Ctrl on the grid, or type how far",
+                 make_move_tool},
+        ToolInfo{
+            "size", Action::SizeTool,
+            "Size: drag a dimension of the cube, sphere or cylinder that is selected; Ctrl on the grid, or type it",
+            make_size_tool},
         ToolInfo{"measure", Action::MeasureTool,
                  "Measure: click a corner, an edge or a face, and another; Ctrl+C copies, Esc begins anew",
                  make_measure_tool},

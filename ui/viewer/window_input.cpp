@@ -94,12 +94,15 @@ void WindowLoop::press_keys(const Input& input, Commands& commands) {
             settings_form_.stop_learning();
             continue;
         }
-        bool used = false;
+        bool used = text_panel_.focused() && (text_panel_.uses(event.chord) || event.chord.key == GLFW_KEY_ESCAPE);
+        if (used && event.chord.key == GLFW_KEY_ESCAPE) {
+            text_panel_.leave();
+        }
         if (!typing && !session_.shown().covered()) {
             use_tools([&](ToolContext& context) { used = toolbox_.key(context, event); }, commands);
         }
         const auto action = used ? std::nullopt : keys.action_of(event.chord);
-        if (action && (!typing || *action == Action::Close)) {
+        if (action && (!typing || text_panel_.focused() || *action == Action::Close)) {
             commands.emplace_back(*action);
         }
     }

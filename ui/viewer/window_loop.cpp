@@ -69,7 +69,12 @@ double WindowLoop::seconds() const {
 }
 
 WindowEnd WindowLoop::run() {
-    while (!quit_ && !window_.close_requested()) {
+    while (!quit_) {
+        if (window_.take_close_request()) {
+            perform(Action::Quit);
+            frames_to_draw_ = kFramesAfterInput;
+            continue;
+        }
         double rest = kPollSeconds;
         if (frames_to_draw_ > 0) {
             rest = advances_ ? kAdvanceSeconds : 0;
@@ -157,6 +162,7 @@ void WindowLoop::frame(const Input& input) {
         perform(command);
         frames_to_draw_ = kFramesAfterInput;  // A form that opens is hidden in its first frame.
     }
+    renew_title();
     const glm::ivec2 corner = pixel_corner(layout.picture), picture_size = pixel_size(layout.picture);
     plan_picture(picture_size);
     draw_picture();
@@ -190,7 +196,7 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     if (session_.shown().tree) {
         tree_panel_.draw(layout.left, session_, fonts, commands);
     } else if (session_.shown().text) {
-        text_panel_.draw(layout.left, session_.text(), fonts, commands);
+        text_panel_.draw(layout.left, session_, fonts, commands);
     } else {
         customizer_panel_.draw(layout.left, session_.customizer(), fonts, commands);
     }
@@ -213,6 +219,10 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     if (session_.shown().export_form) {
         export_form_.draw(commands);
     }
+    draw_editing(layout.picture, session_, fonts, interface_.scale(), commands);
+    if (session_.shown().palette) {
+        palette_.draw(session_.settings().keys, commands);
+    }
     if (session_.shown().save_form) {
         save_form_.draw(session_.view().request(pixel_size(layout.picture)), commands);
     }
@@ -226,7 +236,6 @@ void WindowLoop::open(const OpenFile& file) {
     }
     session_.perform(file);
     const Source& source = session_.document().source();
-    window_.set_title(title_of(source));
     save_form_.propose(proposed_picture(source));
     export_form_.propose(proposed_export(source));
     recent_.add(source.path);
@@ -281,8 +290,48 @@ bool WindowLoop::receive_export() {
     return true;
 }
 
+bool WindowLoop::asks_before(const Command& command) {
+    const auto* action = std::get_if<Action>(&command);
+    const bool leaves = std::holds_alternative<OpenFile>(command) || (action != nullptr && *action == Action::Quit);
+    if (!leaves || !session_.editing().text().unsaved()) {
+        return false;
+    }
+    leaving_ = command;
+    session_.ask_before_leaving();
+    return true;
+}
+
+void WindowLoop::leave(Leave::How how) {
+    const std::optional<Command> waiting = std::exchange(leaving_, std::nullopt);
+    session_.perform(Action::Close);
+    if (how == Leave::How::Save) {
+        session_.perform(Action::Save);
+    } else if (how == Leave::How::Discard) {
+        session_.discard_edits();
+    }
+    if (waiting && how != Leave::How::Stay && !session_.editing().text().unsaved()) {
+        perform(*waiting);
+    }
+}
+
+void WindowLoop::renew_title() {
+    const std::string title =
+        (session_.editing().text().unsaved() ? "● " : "") + title_of(session_.document().source());
+    if (title != title_) {
+        window_.set_title(title);
+        title_ = title;
+    }
+}
+
 void WindowLoop::perform(const Command& command) {
     const auto* action = std::get_if<Action>(&command);
+    if (asks_before(command)) {
+        return;
+    }
+    if (const auto* answer = std::get_if<Leave>(&command)) {
+        leave(answer->how);
+        return;
+    }
     if (const auto* file = std::get_if<OpenFile>(&command)) {
         open(*file);
         return;

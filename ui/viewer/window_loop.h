@@ -13,6 +13,7 @@
 #include "ui/viewer/interface.h"
 #include "ui/viewer/navigator.h"
 #include "ui/viewer/open_form.h"
+#include "ui/viewer/palette.h"
 #include "ui/viewer/panels.h"
 #include "ui/viewer/picture_view.h"
 #include "ui/viewer/recent_files.h"
@@ -49,6 +50,11 @@ class WindowLoop {
     /// The camera's picture of the one pixel at a place of the picture.
     [[nodiscard]] base::Camera narrowed(const glm::dvec2& at);
     void perform(const Command& command);
+    /// Asks first where something is not saved, what is to become of that. True where it is asked.
+    bool asks_before(const Command& command);
+    void leave(Leave::How how);
+    /// As the file is called, and whether it is saved.
+    void renew_title();
     /// False where it is nothing that a tool is concerned with.
     bool perform_by_tools(Action action);
     void select(const glm::dvec2& at);
@@ -93,12 +99,16 @@ class WindowLoop {
     OpenForm open_form_;
     ExportForm export_form_;
     SettingsForm settings_form_;
+    PaletteForm palette_;
+    std::optional<Command> leaving_;  ///< That waits for the answer.
+    std::string title_;               ///< As it was set last.
     ExportJob export_job_;
     SaveForm save_form_;
     FramePlan plan_;
     std::optional<PictureStep> drawing_;  ///< Asked of picture_, and not received yet.
     PictureRequest wanted_;
     ViewMarks wanted_marks_;
+    HeldPart wanted_held_;
     std::shared_ptr<const Model> wanted_model_;
     PictureInfo info_;
     std::uint64_t wanted_version_ = 0, shown_version_ = 0;  ///< Count the pictures that were wanted.

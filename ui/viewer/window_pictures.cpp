@@ -119,13 +119,15 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     const bool other = (other_model && !session_.customizing()) || request.style != wanted_.style ||
                        request.layers != wanted_.layers || request.engine != wanted_.engine;
     const ViewMarks marks = session_.shown().marks();
-    if (!other && !other_model && request == wanted_ && marks == wanted_marks_) {
+    const HeldPart& held = session_.held();
+    if (!other && !other_model && request == wanted_ && marks == wanted_marks_ && held == wanted_held_) {
         return;
     }
     other ? plan_.replaced(seconds()) : plan_.moved(seconds());
     plan_.set_samples(request.samples);
     wanted_ = request;
     wanted_marks_ = marks;
+    wanted_held_ = held;
     wanted_model_ = model;
     ++wanted_version_;
     info_.error.clear();
@@ -145,7 +147,7 @@ void WindowLoop::draw_picture() {
     }
     if (const auto step = busy ? std::nullopt : plan_.next(seconds())) {
         drawing_ = *step;
-        picture_.draw(wanted_model_, wanted_, wanted_marks_, *step, wanted_version_);
+        picture_.draw(wanted_model_, wanted_, wanted_marks_, *step, wanted_version_, wanted_held_);
         news |= receive();
     }
     if (news) {
@@ -174,6 +176,8 @@ void WindowLoop::log(double frame_ms) {
         record.text_line = static_cast<int>(session_.text().range.line);
     }
     record.tool = toolbox_.info().name;
+    record.edits = static_cast<int>(session_.editing().text().steps());
+    record.unsaved = session_.editing().text().unsaved();
     record.found = toolbox_.text();
     record.camera = session_.view().picture.camera;
     log_.write(record);

@@ -190,7 +190,7 @@ TEST_F(WindowFiles, SavesThePicture) {
     open({"--style", "blueprint"});
     wait_for_picture();
     const std::string path = folder_.path("saved.png");
-    robot("key ctrl+s");
+    robot("key ctrl+shift+s");
     ASSERT_TRUE(shows(kForm, 20'000));  // With the proposed name selected, so that typing replaces it.
     robot("type --delay 40 '" + path + "'");
     robot("key Return");

@@ -90,6 +90,13 @@ std::optional<int> Process::wait(std::chrono::seconds most) {
     return status_;
 }
 
+void Process::kill_at_once() {
+    if (!status_) {
+        kill(pid_, SIGKILL);
+        (void)wait(std::chrono::seconds(20));
+    }
+}
+
 double Process::processor_seconds() const {
     std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
     std::string text;

@@ -25,6 +25,8 @@ class Process {
 
     /// The exit status; none where it runs on.
     [[nodiscard]] std::optional<int> wait(std::chrono::seconds most);
+    /// Ends it as nothing can that it could answer.
+    void kill_at_once();
     /// Processor time it has used, in seconds.
     [[nodiscard]] double processor_seconds() const;
     /// Main memory that it holds.

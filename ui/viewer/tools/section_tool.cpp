@@ -25,13 +25,6 @@ glm::dvec3 middle(const npr::PlaneSection& plane, const csg::Box& box) {
     return box.center() + plane.normal * (plane.offset - glm::dot(plane.normal, box.center()));
 }
 
-double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
-    const glm::dvec2 way = b - a;
-    const double square = glm::dot(way, way);
-    const double t = square > 0 ? std::clamp(glm::dot(p - a, way) / square, 0.0, 1.0) : 0;
-    return glm::distance(p, a + t * way);
-}
-
 class SectionTool : public Tool {
   public:
     bool hover(ToolContext& context, const std::optional<glm::dvec2>& at) override {

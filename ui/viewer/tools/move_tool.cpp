@@ -1,0 +1,252 @@
+#include "ui/viewer/tools/move_tool.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ui/pipeline/editing/added_shape.h"
+#include "ui/pipeline/editing/text_edit.h"
+#include "ui/viewer/tool.h"
+#include "ui/viewer/tools/drag_text.h"
+#include "ui/viewer/tools/move_gizmo.h"
+
+namespace ui {
+
+namespace {
+
+constexpr ImU32 kColors[]{IM_COL32(214, 60, 56, 255), IM_COL32(76, 163, 62, 255), IM_COL32(62, 116, 220, 255)};
+constexpr ImU32 kHovered = IM_COL32(255, 140, 26, 255), kShade = IM_COL32(20, 20, 20, 150);
+/// Units of the window that a step is not shorter than, freely and on the grid.
+constexpr double kFine = 1.5, kGrid = 12;
+
+ImVec2 point(const glm::dvec2& p) {
+    return {static_cast<float>(p.x), static_cast<float>(p.y)};
+}
+
+/// The next round number.
+double step_of(double least) {
+    const double below = round_number(least);
+    return below >= least * (1 - 1e-9) ? below : round_number(2.5 * below);
+}
+
+/// As it is drawn on the axis of that number, which is under the pointer or not.
+ImU32 color_of(std::size_t axis, bool hovered, int alpha = 255) {
+    const ImU32 color = hovered ? kHovered : kColors[axis];
+    return (color & ~IM_COL32_A_MASK) | (static_cast<ImU32>(alpha) << IM_COL32_A_SHIFT);
+}
+
+class MoveTool : public Tool {
+  public:
+    bool hover(ToolContext& context, const std::optional<glm::dvec2>& at) override {
+        const auto box = box_of(context);
+        const auto handle = at && box ? gizmo(context, *box).handle_at(*at) : std::nullopt;
+        return std::exchange(over_, handle) != handle;
+    }
+
+    bool press(ToolContext& context, const PointerEvent& event) override {
+        const auto box = box_of(context);
+        if (event.button != Button::Left || !box) {
+            return false;
+        }
+        const MoveGizmo shown = gizmo(context, *box);
+        const auto handle = shown.handle_at(event.position);
+        const auto gripped = handle ? shown.grip(*handle, event.position) : std::nullopt;
+        if (!gripped) {
+            return false;
+        }
+        over_ = handle;
+        typed_.clear();
+        if (!context.session.can_move()) {
+            return true;  // The drag is nobody's: the text is being followed still.
+        }
+        drag_ = Drag{*handle, context.session.selected_occurrence(), *box, *gripped, glm::dvec3(0), event.position};
+        return true;
+    }
+
+    void drag(ToolContext& context, const glm::dvec2& at) override {
+        if (!drag_) {
+            return;
+        }
+        if (context.session.selected_occurrence() != drag_->occurrence) {
+            (void)cancel(context);  // There is another model, in which it is not.
+            return;
+        }
+        drag_->pointer = at;
+        const MoveGizmo begun(context.camera, context.picture, drag_->box.center(), context.scale);
+        if (const auto now = begun.grip(drag_->handle, at)) {
+            const bool on_grid = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
+            const double step = step_of((on_grid ? kGrid : kFine) * static_cast<double>(context.scale) * begun.unit());
+            drag_->by = in_steps(*now - drag_->gripped, drag_->handle, step);
+        }
+        show(context);
+    }
+
+    void release(ToolContext& context, const glm::dvec2& /*at*/) override {
+        if (const auto done = std::exchange(drag_, std::nullopt)) {
+            put(context, *done);
+        }
+    }
+
+    void click(ToolContext& context, const glm::dvec2& at) override {
+        context.commands.emplace_back(SelectAt{at - glm::dvec2(context.picture.corner)});
+    }
+
+    bool key(ToolContext& context, const KeyEvent& event) override {
+        if (!drag_) {
+            return false;
+        }
+        if (ends_drag(event)) {
+            put(context, *std::exchange(drag_, std::nullopt));
+        } else if (type_number(event, typed_)) {
+            show(context);
+        } else {
+            return event.chord.key != GLFW_KEY_ESCAPE;
+        }
+        return true;
+    }
+
+    bool cancel(ToolContext& context) override {
+        if (!std::exchange(drag_, std::nullopt)) {
+            return false;
+        }
+        context.commands.emplace_back(HoldPart{});
+        return true;
+    }
+
+    void end(ToolContext& context) override {
+        over_.reset();
+        (void)cancel(context);
+    }
+
+    /// How far it is by now: "X 12.5".
+    [[nodiscard]] std::string text() const override { return drag_ ? words(*drag_) : ""; }
+
+    void draw(const ToolContext& context, const ToolPainter& painter) const override {
+        const auto box = box_of(context);
+        if (!box) {
+            return;
+        }
+        const Rectangle& place = context.picture;
+        painter.list.PushClipRect({place.corner.x, place.corner.y},
+                                  {place.corner.x + place.size.x, place.corner.y + place.size.y});
+        draw_handles(gizmo(context, *box), painter);
+        if (drag_) {
+            draw_drag_text(words(*drag_), drag_->pointer, painter);
+        }
+        painter.list.PopClipRect();
+    }
+
+  private:
+    struct Drag {
+        MoveHandle handle = MoveHandle::Free;
+        csg::OccurrenceId occurrence = csg::kNoOccurrence;
+        csg::Box box;           ///< As it was gripped, …
+        glm::dvec3 gripped{0};  ///< … from its center, there.
+        glm::dvec3 by{0};
+        glm::dvec2 pointer{0};
+    };
+
+    /// Of what is selected, as the text puts it.
+    [[nodiscard]] std::optional<csg::Box> box_of(const ToolContext& context) const {
+        const auto& model = context.session.document().model();
+        const csg::OccurrenceId selected = context.session.selected_occurrence();
+        if (!model || selected == csg::kNoOccurrence) {
+            return std::nullopt;
+        }
+        if (std::pair key(model->generation, selected); key != box_of_) {
+            box_of_ = key;
+            box_ = box_below(*model, selected);
+        }
+        return box_.empty() ? std::nullopt : std::optional(box_);
+    }
+
+    /// At its center, where it is held.
+    [[nodiscard]] static MoveGizmo gizmo(const ToolContext& context, const csg::Box& box) {
+        return {context.camera, context.picture, box.center() + context.session.held().by, context.scale};
+    }
+
+    [[nodiscard]] glm::dvec3 way(const Drag& drag) const { return typed_way(typed_, drag.handle, drag.by); }
+
+    void show(ToolContext& context) const { context.commands.emplace_back(HoldPart{{drag_->occurrence, way(*drag_)}}); }
+
+    void put(ToolContext& context, const Drag& done) {
+        context.commands.emplace_back(PutPart{{done.occurrence, way(done)}});
+        typed_.clear();
+    }
+
+    [[nodiscard]] std::string words(const Drag& drag) const {
+        const std::array<bool, 3> moves = axes_of(drag.handle);
+        const glm::dvec3 by = way(drag);
+        std::string text;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (moves[i]) {
+                text += fmt::format("{}{} {}", text.empty() ? "" : "   ", "XYZ"[i],
+                                    short_number(by[static_cast<int>(i)], 1e-6));
+            }
+        }
+        return typed_.empty() ? text : text + "   " + typed_ + "_";
+    }
+
+    void draw_handles(const MoveGizmo& shown, const ToolPainter& painter) const {
+        const auto middle = shown.middle();
+        if (!middle) {
+            return;
+        }
+        const auto hovered = drag_ ? std::optional(drag_->handle) : over_;
+        for (const MoveHandle plane : {MoveHandle::YZ, MoveHandle::ZX, MoveHandle::XY}) {
+            const auto corners = shown.square(plane);
+            if (!corners) {
+                continue;
+            }
+            const std::array<ImVec2, 4> at{point((*corners)[0]), point((*corners)[1]), point((*corners)[2]),
+                                           point((*corners)[3])};
+            const auto normal = static_cast<std::size_t>(plane) - static_cast<std::size_t>(MoveHandle::YZ);
+            const bool over = hovered == plane;
+            painter.list.AddQuadFilled(at[0], at[1], at[2], at[3], color_of(normal, over, over ? 170 : 90));
+            painter.list.AddQuad(at[0], at[1], at[2], at[3], color_of(normal, over), 1.5F * painter.scale);
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto handle = static_cast<MoveHandle>(i);
+            if (const auto tip = shown.tip(handle)) {
+                draw_arrow(glm::mix(*middle, *tip, 0.16), *tip, kShade, 5.5F, painter);
+                draw_arrow(glm::mix(*middle, *tip, 0.16), *tip, color_of(i, hovered == handle), 3, painter);
+            }
+        }
+        const bool over = hovered == MoveHandle::Free;
+        painter.list.AddCircleFilled(point(*middle), 7.5F * painter.scale, kShade);
+        painter.list.AddCircleFilled(point(*middle), 5.5F * painter.scale,
+                                     over ? kHovered : IM_COL32(245, 245, 245, 255));
+    }
+
+    static void draw_arrow(const glm::dvec2& from, const glm::dvec2& tip, ImU32 color, float width,
+                           const ToolPainter& painter) {
+        const double length = glm::distance(from, tip);
+        if (length < 1) {
+            return;
+        }
+        const double scale = static_cast<double>(painter.scale), more = 0.5 * static_cast<double>(width);
+        const glm::dvec2 way = (tip - from) / length, side(-way.y, way.x);
+        const glm::dvec2 base = tip - way * (13 * scale);
+        painter.list.AddLine(point(from), point(base), color, width * painter.scale);
+        painter.list.AddTriangleFilled(point(tip + way * (more * scale)), point(base + side * ((4 + more) * scale)),
+                                       point(base - side * ((4 + more) * scale)), color);
+    }
+
+    std::optional<MoveHandle> over_;
+    std::optional<Drag> drag_;
+    std::string typed_;
+    mutable std::pair<std::uint64_t, csg::OccurrenceId> box_of_{0, csg::kNoOccurrence};  ///< What box_ is of.
+    mutable csg::Box box_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_move_tool() {
+    return std::make_unique<MoveTool>();
+}
+
+}  // namespace ui
