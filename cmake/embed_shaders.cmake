@@ -11,6 +11,6 @@ function(csgscope_embed_shaders target namespace)
                 "-DROOT=${PROJECT_SOURCE_DIR}" -P "${PROJECT_SOURCE_DIR}/cmake/write_shader_files.cmake"
         DEPENDS ${shaders} "${PROJECT_SOURCE_DIR}/cmake/write_shader_files.cmake"
         VERBATIM)
-    set_source_files_properties("${output}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    set_source_files_properties("${output}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
     target_sources(${target} PRIVATE "${output}")
 endfunction()

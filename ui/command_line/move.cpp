@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -26,20 +28,56 @@ struct MoveOptions {
     Options run;
     std::string call;  ///< [FILE:]LINE[:COLUMN]
     int number = 1;    ///< Of the solids that come from there.
-    glm::dvec3 by{0.0};
+    /// What is done, of one of these.
+    std::optional<glm::dvec3> by, turn;
+    struct Stretch {
+        int axis = 0;
+        bool upper = true;
+        double by = 0;
+    };
+    std::optional<Stretch> stretch;
     int choice = 1;
     int survey = 0;      ///< Of so many solids it is told whether they can be moved; 0: of none.
     std::string output;  ///< Empty: the ways are told.
     bool help = false;
 };
 
+/// Of "+x,5".
+MoveOptions::Stretch read_stretch(const std::string& text) {
+    constexpr std::string_view kAxisNames = "xyz", kSideNames = "+-";
+    if (text.size() < 4 || kSideNames.find(text[0]) == std::string_view::npos ||
+        kAxisNames.find(text[1]) == std::string_view::npos || text[2] != ',') {
+        throw UsageError(
+            fmt::format("--stretch {}: expected a side and how far, as +x,5 (or -x, +y, -y, +z, -z)", text));
+    }
+    MoveOptions::Stretch stretch{static_cast<int>(kAxisNames.find(text[1])), text[0] == '+', 0};
+    stretch.by = read_numbers("--stretch", text.substr(3), {1}, "a number behind the side")[0];
+    if (stretch.by == 0) {
+        throw UsageError(fmt::format("--stretch {} stretches nothing", text));
+    }
+    return stretch;
+}
+
+std::optional<glm::dvec3> read_vector(const char* option, const std::string& text, const char* does) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const auto n = read_numbers(option, text, {3}, "x,y,z");
+    const glm::dvec3 v(n[0], n[1], n[2]);
+    if (v == glm::dvec3(0.0)) {
+        throw UsageError(fmt::format("{} {} {} nothing", option, text, does));
+    }
+    return v;
+}
+
 MoveOptions read_move_options(const std::vector<std::string>& arguments) {
     MoveOptions o;
-    std::string by;
+    std::string by, turn, stretch;
     double time_limit = 0;
     OptionTable table(
-        "csgscope move moves a solid: it finds the numbers of the text that are to change, or where a "
-        "translate() is to stand.\nWithout -o it tells the ways there are.",
+        "csgscope move moves, turns or stretches a solid: it finds the numbers of the text that are to change, or "
+        "where "
+        "a translate() or rotate() is to stand.\nWithout -o it tells the ways there are.",
         "csgscope move");
     table.lay_out_help("The model", 34);
     table.add({"file", "The .scad file"}, o.run.input, true);
@@ -48,6 +86,10 @@ MoveOptions read_move_options(const std::vector<std::string>& arguments) {
               o.call);
     table.add({"--number", "Of several solids that come from there, which (1)", "N", what}, o.number, 1, 1'000'000'000);
     table.add({"--by", "How far, in the world", "X,Y,Z", what}, by);
+    table.add({"--turn", "Turn it about its own origin: degrees about the world's axes, as one turn", "X,Y,Z", what},
+              turn);
+    table.add({"--stretch", "Move one side of its box outwards, in its own coordinates: +x,5", "SIDE,DISTANCE", what},
+              stretch);
     table.add({"--choice", "Which of the ways (1)", "N", what}, o.choice, 1, 1'000'000);
     table.add({"-o,--o", "Write the text after the first way, or the one chosen, to FILE; it may be the model's",
                "FILE", what},
@@ -64,13 +106,22 @@ MoveOptions read_move_options(const std::vector<std::string>& arguments) {
                 throw UsageError("--survey goes without --call and -o");
             }
             by = by.empty() ? "1.25,-0.75,0" : by;
-        } else if (o.call.empty() || by.empty()) {
-            throw UsageError("--call and --by are needed, or --survey");
+        } else if (o.call.empty()) {
+            throw UsageError("--call is needed, or --survey");
         }
-        const auto n = read_numbers("--by", by, {3}, "x,y,z");
-        o.by = {n[0], n[1], n[2]};
-        if (o.by == glm::dvec3(0.0)) {
-            throw UsageError("--by 0,0,0 moves nothing");
+        if (static_cast<int>(!by.empty()) + static_cast<int>(!turn.empty()) + static_cast<int>(!stretch.empty()) != 1) {
+            throw UsageError("one of --by, --turn and --stretch is needed");
+        }
+        o.by = read_vector("--by", by, "moves");
+        o.turn = read_vector("--turn", turn, "turns");
+        if (!stretch.empty()) {
+            o.stretch = read_stretch(stretch);
+        }
+        if (o.survey > 0 && !o.by) {
+            throw UsageError("--survey goes with --by");
+        }
+        if (o.turn && glm::length(*o.turn) >= 180) {
+            throw UsageError(fmt::format("--turn {}: less than half a turn is expected", turn));
         }
     });
     o.run.time_limit = time_limit;
@@ -101,7 +152,7 @@ std::string name_of_way(const MoveWay& way) {
         case MoveWay::Kind::Wrap:
             break;
     }
-    return fmt::format("put a translate() before {}()", way.name);
+    return fmt::format("put a {} before {}()", way.put, way.name);
 }
 
 std::string text_of_way(const csg::Tree& tree, const MoveWay& way, const std::string& text) {
@@ -153,7 +204,7 @@ int move_within(const MoveOptions& o, TimeLimit& limit) {
     if (o.survey > 0) {
         const MovableSurvey survey =
             survey_movable(*tree, scene, *language.evaluation().program, read_source(o.run.input),
-                           static_cast<std::size_t>(o.survey), o.by, tree_of, limit.token());
+                           static_cast<std::size_t>(o.survey), *o.by, tree_of, limit.token());
         write_output("-", printable(text_of_survey(*tree, survey)));
         return 0;
     }
@@ -165,16 +216,22 @@ int move_within(const MoveOptions& o, TimeLimit& limit) {
                                                       leaves.size() == 1 ? " comes" : "s come"));
     }
     const std::string text = read_source(o.run.input);
-    std::vector<MoveWay> ways =
-        ways_to_move(*tree, scene, *language.evaluation().program, text, leaves[static_cast<std::size_t>(o.number) - 1],
-                     o.by, tree_of, limit.token());
+    const csg::LeafId leaf = leaves[static_cast<std::size_t>(o.number) - 1];
+    const csg::scad::LoadedProgram& program = *language.evaluation().program;
+    std::vector<MoveWay> ways = o.by ? ways_to_move(*tree, scene, program, text, leaf, *o.by, tree_of, limit.token())
+                                : o.turn
+                                    ? ways_to_turn(*tree, scene, program, text, leaf, *o.turn, tree_of, limit.token())
+                                    : ways_to_stretch(*tree, scene, program, text, leaf, o.stretch->axis,
+                                                      o.stretch->upper, o.stretch->by, tree_of, limit.token());
     // Of ways that do alike, the one at the call that was named.
     std::stable_sort(ways.begin(), ways.end(), [&](const MoveWay& a, const MoveWay& b) {
         return std::tuple(a.changed, a.moved, a.kind, a.where != call) <
                std::tuple(b.changed, b.moved, b.kind, b.where != call);
     });
     if (ways.empty()) {
-        throw UsageError("no edit of this file moves it there: no call of the file leads to it");
+        throw UsageError(fmt::format(
+            "no edit of this file does that: {}",
+            o.stretch ? "no number of it moves that side" : why_no_way(*tree, scene, program, text, leaf, tree_of)));
     }
     if (static_cast<std::size_t>(o.choice) > ways.size()) {
         throw UsageError(fmt::format("--choice {}: there are {} ways", o.choice, ways.size()));

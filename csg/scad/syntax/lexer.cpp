@@ -206,7 +206,8 @@ bool Lexer::skip_blanks() {
         } else if (c == '\n') {
             ++place_.line;
             place_.line_start = ++place_.at;
-        } else if (c > ' ' && (c != '/' || (peek(1) != '/' && peek(1) != '*'))) {
+        } else if (c > ' ' && (c != '/' || (peek(1) != '/' &&
+                                            peek(1) != '*'))) {  // NOLINT(bugprone-branch-clone): what is usual first.
             break;
         } else if (c == '/') {
             const Place begin = place_;

@@ -45,6 +45,22 @@ TEST_F(MoveProgram, WritesTheText) {
     }
 }
 
+TEST_F(MoveProgram, TurnsAndStretches) {
+    folder_.write("part.scad", "translate([5, 0, 0]) cube([10, 4, 2]);\nrotate([0, 0, 15]) cylinder(h = 8, r = 2);\n");
+    EXPECT_EQ(
+        run("move part.scad --call 1 --turn 0,0,30 -o -").out,
+        "translate([5, 0, 0]) rotate([0, 0, 30]) cube([10, 4, 2]);\nrotate([0, 0, 15]) cylinder(h = 8, r = 2);\n");
+    EXPECT_EQ(run("move part.scad --call 2 --turn 0,0,30 -o -").out,
+              "translate([5, 0, 0]) cube([10, 4, 2]);\nrotate([0, 0, 45]) cylinder(h = 8, r = 2);\n");
+    EXPECT_EQ(run("move part.scad --call 1 --stretch +x,2.5 -o -").out,
+              "translate([5, 0, 0]) cube([12.5, 4, 2]);\nrotate([0, 0, 15]) cylinder(h = 8, r = 2);\n");
+    EXPECT_EQ(run("move part.scad --call 2 --stretch +z,-3 -o -").out,
+              "translate([5, 0, 0]) cube([10, 4, 2]);\nrotate([0, 0, 15]) cylinder(h = 5, r = 2);\n");
+    const Result below = run("move part.scad --call 1 --stretch -x,1");
+    EXPECT_EQ(below.status, 1);
+    EXPECT_NE(below.err.find("no number of it moves that side"), std::string::npos) << below.err;
+}
+
 TEST_F(MoveProgram, TellsHowManyCanBeMoved) {
     const Result all = run("move box.scad --survey 9");
     EXPECT_EQ(all.status, 0) << all.err;
@@ -77,6 +93,13 @@ TEST_F(MoveProgram, RefusesWhatItCannotDo) {
           std::pair("move box.scad --call 3 --by 1,0,0 --choice 99", "there are"),
           std::pair("move box.scad --call 3 --by 1,0", "x,y,z"),
           std::pair("move box.scad --cal 3 --by 1,0,0", "--call"), std::pair("move box.scad --by 1,0,0", "--survey"),
+          std::pair("move box.scad --call 3 --by 1,0,0 --turn 0,0,1", "one of --by"),
+          std::pair("move box.scad --call 3", "one of --by"),
+          std::pair("move box.scad --call 3 --turn 0,0,180", "half a turn"),
+          std::pair("move box.scad --call 3 --turn 0,0,0", "turns nothing"),
+          std::pair("move box.scad --call 3 --stretch x,2", "a side and how far"),
+          std::pair("move box.scad --call 3 --stretch +x,0", "stretches nothing"),
+          std::pair("move box.scad --survey 3 --turn 0,0,1", "with --by"),
           std::pair("move box.scad --survey 3 --call 3", "without --call"),
           std::pair("move box.scad --survey 0", "--survey"),
           std::pair("move none.scad --call 3 --by 1,0,0", "none.scad")}) {

@@ -42,6 +42,32 @@ Moved move(const std::string& text, csg::LeafId leaf, const glm::dvec3& by,
     return moved;
 }
 
+/// What a search of ways makes of the text, of its only leaf; empty where there is none.
+template <typename Search>
+std::string text_by(const std::string& text, const Search& search) {
+    csg::scad::ProgramCache programs, kept;
+    const TreeOfText tree_of = [&](const std::string& changed) {
+        return test::run_kept(programs, changed, {}).evaluation.tree;
+    };
+    const test::Run run = test::run_kept(kept, text, {});
+    EXPECT_TRUE(run.evaluation.ok) << run.console;
+    const csg::Scene scene = csg::make_scene(*run.evaluation.tree);
+    const std::vector<MoveWay> ways = search(*run.evaluation.tree, scene, *run.evaluation.program, tree_of);
+    return ways.empty() ? "" : edited(text, ways.front().edits);
+}
+
+std::string turned_text(const std::string& text, const glm::dvec3& turn) {
+    return text_by(text, [&](const auto& tree, const auto& scene, const auto& program, const auto& tree_of) {
+        return ways_to_turn(tree, scene, program, text, 0, turn, tree_of);
+    });
+}
+
+std::string stretched_text(const std::string& text, int axis, bool upper, double by) {
+    return text_by(text, [&](const auto& tree, const auto& scene, const auto& program, const auto& tree_of) {
+        return ways_to_stretch(tree, scene, program, text, 0, axis, upper, by, tree_of);
+    });
+}
+
 std::string moved_text(const std::string& text, const glm::dvec3& by, csg::LeafId leaf = 0) {
     return move(text, leaf, by).text;
 }
@@ -86,6 +112,36 @@ TEST(MoveLeaf, ChangesAsFewNumbersAsDo) {
     ASSERT_FALSE(both.ways.empty());
     EXPECT_EQ(both.ways.front().name, "for() and translate");
     EXPECT_EQ(both.ways.front().kind, Kind::Call);
+}
+
+TEST(TurnLeaf, ChangesAnglesOrPutsARotationThere) {
+    EXPECT_EQ(turned_text("rotate([0, 0, 10]) cube(1);", {0, 0, 25}), "rotate([0, 0, 35]) cube(1);");
+    EXPECT_EQ(turned_text("rotate(10) cube(1);", {0, 0, -15}), "rotate(-5) cube(1);");
+    EXPECT_EQ(turned_text("cube(1);", {90, 0, 0}), "rotate([90, 0, 0]) cube(1);");
+    EXPECT_EQ(turned_text("translate([1, 2, 3]) cube(1);", {0, 90, 0}),
+              "translate([1, 2, 3]) rotate([0, 90, 0]) cube(1);");
+    // In the world, about its own origin: what is above is undone.
+    EXPECT_EQ(turned_text("rotate([90, 0, 0]) cube(1);", {0, 0, 30}), "rotate([90, 0, 30]) cube(1);");
+    EXPECT_EQ(turned_text("module m() translate([4, 0, 0]) sphere(1);\nm();", {0, 0, 90}),
+              "module m() translate([4, 0, 0]) rotate([0, 0, 90]) sphere(1);\nm();");
+    // Below a scale that is not even no rotation does it.
+    EXPECT_EQ(turned_text("scale([1, 2, 1]) cube(1);", {0, 0, 30}), "rotate([0, 0, 30]) scale([1, 2, 1]) cube(1);");
+}
+
+TEST(StretchLeaf, ChangesTheNumberOfThatSide) {
+    EXPECT_EQ(stretched_text("cube([1, 2, 3]);", 1, true, 0.5), "cube([1, 2.5, 3]);");
+    EXPECT_EQ(stretched_text("cube(3);", 0, true, 1), "cube(4);");
+    EXPECT_EQ(stretched_text("scale(2) cube([1, 2, 3], center = true);", 0, true, 1),
+              "scale(2) cube([2, 2, 3], center = true);");
+    EXPECT_EQ(stretched_text("h = 4;\nrotate([90, 0, 0]) cylinder(h = 2 * h, r = 1);", 2, true, 1),
+              "h = 4;\nrotate([90, 0, 0]) cylinder(h = 2.25 * h, r = 1);");
+    EXPECT_EQ(stretched_text("h = 4;\nrotate([90, 0, 0]) cylinder(h = h, r = 1);", 2, true, 1),
+              "h = 5;\nrotate([90, 0, 0]) cylinder(h = h, r = 1);");
+    EXPECT_EQ(stretched_text("sphere(r = 2, $fn = 64);", 0, false, -0.5), "sphere(r = 1.5, $fn = 64);");
+    EXPECT_EQ(stretched_text("linear_extrude(5) square(2);", 2, true, 2), "linear_extrude(7) square(2);");
+    // A translate() moves that side, and is no way to stretch it; nor is there one for the side at the origin.
+    EXPECT_EQ(stretched_text("translate([1, 0, 0]) cube([1, 2, 3]);", 0, false, 1), "");
+    EXPECT_EQ(stretched_text("hull() { cube(1); sphere(2); }", 0, true, 1), "");
 }
 
 TEST(SparseStep, ReachesWithTheFewest) {

@@ -16,7 +16,7 @@ MovableSurvey survey_movable(const csg::Tree& tree, const csg::Scene& scene, con
         std::vector<MoveWay> ways =
             ways_to_move(tree, scene, program, text, solid.leaf, by, tree_of, stop, Ways::First);
         if (ways.empty()) {
-            solid.why = why_not_moved(tree, scene, program, text, solid.leaf, tree_of);
+            solid.why = why_no_way(tree, scene, program, text, solid.leaf, tree_of);
         } else {
             solid.way = std::move(ways.front());
         }

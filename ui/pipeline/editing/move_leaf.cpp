@@ -2,287 +2,78 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <numeric>
-#include <optional>
+#include <glm/gtc/quaternion.hpp>
+#include <variant>
 
 #include <fmt/format.h>
 
-#include "base/stop.h"
-#include "csg/scad/program/loaded_program.h"
-#include "csg/scad/syntax/call_text.h"
-#include "ui/pipeline/editing/sparse_step.h"
+#include "csg/solid/solid.h"
 
 namespace ui {
 
 namespace {
 
-/// World units: how near to where it was put the leaf must lie.
-constexpr double kNear = 1e-6;
-/// Numbers of one place that are tried together.
-constexpr std::size_t kMostNumbers = 12, kMostTogether = 24;
+constexpr double kDegrees = 57.29577951308232;
+constexpr double kTolerance = 0.1 * kNearEnough;  ///< Of numbers that are written.
 
-using csg::scad::LiteralText;
-
-double apart(const glm::dmat4& a, const glm::dmat4& b) {
-    double most = 0;
-    for (int k = 0; k < 4; ++k) {
-        const glm::dvec4 d = glm::abs(a[k] - b[k]);
-        most = std::max({most, d.x, d.y, d.z});
-    }
-    return most;
+std::string vector_text(const glm::dvec3& v) {
+    return fmt::format("[{}, {}, {}]", short_number(v.x, kTolerance), short_number(v.y, kTolerance),
+                       short_number(v.z, kTolerance));
 }
 
-bool of_main_file(const csg::Tree& tree, const csg::scad::LoadedProgram& program, const csg::SourceLocation& where) {
-    return where.known() && where.file < tree.files().size() && program.look([&](const csg::scad::Program& p) {
-        return tree.files()[where.file] == p.sources[p.units[0].file].name();
-    });
+bool same_shape(const csg::Tree& a, csg::NodeId in_a, const csg::Tree& b, csg::NodeId in_b) {
+    return a.node(in_a).hash == b.node(in_b).hash;
 }
 
-class MoveFinder {
-  public:
-    MoveFinder(const csg::Tree& tree, const csg::Scene& scene, const csg::scad::LoadedProgram& program,
-               const std::string& text, csg::LeafId leaf, const glm::dvec3& by, const TreeOfText& tree_of,
-               const std::stop_token& stop)
-        : tree_(tree),
-          scene_(scene),
-          program_(program),
-          text_(text),
-          leaf_(leaf),
-          tree_of_(tree_of),
-          stop_(stop),
-          target_(scene.leaves[leaf].to_world) {
-        target_[3] += glm::dvec4(by, 0);
-    }
+/// A vector along the axis as long as the angle in radians.
+glm::dvec3 rotation_vector(const glm::dmat3& rotation) {
+    const glm::dquat q = glm::normalize(glm::quat_cast(rotation));
+    const glm::dvec3 v(q.x, q.y, q.z);
+    const double sine = glm::length(v);
+    const double angle = 2 * std::atan2(sine, std::abs(q.w));
+    return sine > 0 ? v * ((q.w < 0 ? -angle : angle) / sine) : v * 2.0;
+}
 
-    std::vector<MoveWay> find(Ways wanted) {
-        std::vector<csg::OccurrenceId> path = path_to(scene_, scene_.leaves[leaf_].occurrence);
-        std::vector<std::size_t> calls;  // Of the main file on that path, from the leaf upward.
-        csg::SourceLocation last;
-        for (std::size_t i = path.size(); i-- > 0;) {
-            const csg::SourceLocation where = tree_.node(scene_.occurrences[path[i]].node).where;
-            if (where != last && of_main_file(tree_, program_, where)) {
-                calls.push_back(i);
-            }
-            last = where;
-        }
-        const auto enough = [&] { return wanted == Ways::First && !ways_.empty(); };
-        for (std::size_t i = 0; i < calls.size() && !enough(); ++i) {
-            try_numbers(scene_.occurrences[path[calls[i]]].node);
-        }
-        // An axis by one call, another by the next.
-        if (numbers_.size() > 1 && numbers_.size() <= kMostTogether && !by_a_call_) {
-            try_together();
-        }
-        for (std::size_t i = 0; i < calls.size() && !enough(); ++i) {
-            const csg::SourceLocation where = tree_.node(scene_.occurrences[path[calls[i]]].node).where;
-            try_wrap(where, std::span(path).first(calls[i]));
-        }
-        std::stable_sort(ways_.begin(), ways_.end(), [](const MoveWay& a, const MoveWay& b) {
-            return std::tuple(a.changed, a.moved, a.kind) < std::tuple(b.changed, b.moved, b.kind);
-        });
-        return std::move(ways_);
+/// Degrees about x, then y, then z, as rotate() takes them.
+glm::dvec3 rotate_angles(const glm::dmat3& r) {
+    const double y = std::asin(std::clamp(-r[0][2], -1.0, 1.0));
+    if (std::abs(r[0][2]) > 1 - 1e-12) {
+        return glm::dvec3(std::atan2(-r[2][1], r[1][1]), y, 0) * kDegrees;
     }
+    return glm::dvec3(std::atan2(r[1][2], r[2][2]), y, std::atan2(r[0][1], r[0][0])) * kDegrees;
+}
 
-  private:
-    /// The same place as the program's sources have it.
-    [[nodiscard]] csg::SourceLocation in_program(csg::SourceLocation where) const {
-        where.file = program_.look([](const csg::scad::Program& p) { return p.units[0].file; });
-        return where;
+/// The box of a leaf's own shape, along one axis: its ends.
+std::optional<glm::dvec2> extent(const csg::Tree& tree, csg::NodeId id, int axis) {
+    const csg::Node& node = tree.node(id);
+    if (node.operation == csg::Operation::Mesh) {
+        const auto* const extrude = std::get_if<csg::LinearExtrude>(&tree.mesh(id));
+        if (extrude == nullptr || axis != 2 || extrude->has_direction) {
+            return std::nullopt;
+        }
+        return extrude->center ? glm::dvec2(-0.5, 0.5) * extrude->height : glm::dvec2(0, extrude->height);
     }
-
-    void try_numbers(csg::NodeId node) {
-        const csg::SourceLocation where = tree_.node(node).where;
-        const csg::SourceLocation place = in_program(where);
-        const auto sources =
-            program_.look([&](const csg::scad::Program& p) { return csg::scad::numbers_behind(p, place); });
-        for (const auto& source : sources) {
-            const bool tried = std::any_of(tried_.begin(), tried_.end(), [&](std::size_t begin) {
-                return begin == source.numbers.front().bytes.begin;
-            });
-            if (source.numbers.size() > kMostNumbers || tried) {
-                continue;
-            }
-            tried_.push_back(source.numbers.front().bytes.begin);
-            if (source.variable.empty()) {
-                numbers_.insert(numbers_.end(), source.numbers.begin(), source.numbers.end());
-                const csg::Statement* call = tree_.statement(node);
-                names_.resize(numbers_.size(), call != nullptr ? call->name : "");
-                places_.resize(numbers_.size(), where);
-            }
-            if (auto way = solved(source.numbers)) {
-                way->kind = source.variable.empty() ? MoveWay::Kind::Call : MoveWay::Kind::Variable;
-                const csg::Statement* call = tree_.statement(node);
-                way->name = !source.variable.empty() ? source.variable : call != nullptr ? call->name : "";
-                way->where = where;
-                by_a_call_ |= way->kind == MoveWay::Kind::Call;
-                ways_.push_back(std::move(*way));
-            }
-        }
+    if (node.operation != csg::Operation::Leaf) {
+        return std::nullopt;
     }
-
-    /// Numbers of all calls at once.
-    void try_together() {
-        auto way = solved(numbers_);
-        if (!way) {
-            return;
-        }
-        std::sort(way->edits.begin(), way->edits.end(),
-                  [](const TextEdit& a, const TextEdit& b) { return a.bytes.begin < b.bytes.begin; });
-        for (const TextEdit& edit : way->edits) {
-            const auto at = std::find_if(numbers_.begin(), numbers_.end(),
-                                         [&](const LiteralText& n) { return n.bytes.begin == edit.bytes.begin; });
-            const auto i = static_cast<std::size_t>(at - numbers_.begin());
-            if (way->where != places_[i]) {
-                way->name += (way->name.empty() ? "" : "() and ") + names_[i];
-                way->where = way->where.known() ? way->where : places_[i];
-            }
-        }
-        ways_.push_back(std::move(*way));
+    // Round ones by their radius: their points do not all lie where they touch their box.
+    const csg::LeafShape& shape = tree.shape(id);
+    if (const auto* const sphere = std::get_if<csg::Sphere>(&shape)) {
+        return glm::dvec2(-1, 1) * sphere->radius;
     }
-
-    /// Newton's method on as few of the numbers as do, since how they lead to the place is not known: the program
-    /// tells.
-    std::optional<MoveWay> solved(const std::vector<LiteralText>& numbers) {
-        std::vector<double> x;
-        x.reserve(numbers.size());
-        for (const LiteralText& n : numbers) {
-            x.push_back(std::strtod(text_.substr(n.bytes.begin, n.bytes.end - n.bytes.begin).c_str(), nullptr));
-        }
-        const std::vector<double> first = x;
-        std::vector<std::size_t> used(x.size());  // Which of them, from the first step on.
-        std::iota(used.begin(), used.end(), std::size_t{0});
-        std::optional<glm::dvec3> at = glm::dvec3(scene_.leaves[leaf_].to_world[3]);
-        const glm::dvec3 wanted(target_[3]);
-        for (int round = 0; round < 8 && glm::distance(*at, wanted) > 0.05 * kNear; ++round) {
-            std::vector<glm::dvec3> columns;
-            std::vector<double> values;
-            for (const std::size_t i : used) {
-                std::vector<double> moved = x;
-                const double h = 1e-5 * std::max(1.0, std::abs(x[i]));
-                moved[i] += h;
-                const auto there = place(edits_to(numbers, moved, first, 0));
-                columns.push_back(there ? (*there - *at) / h : glm::dvec3(0.0));
-                values.push_back(x[i]);
-            }
-            const auto step = sparse_step(columns, wanted - *at, values, 0.2 * kNear);
-            if (!step) {
-                return {};
-            }
-            std::vector<std::size_t> chosen;
-            for (const auto& [column, change] : *step) {
-                chosen.push_back(used[column]);
-                x[chosen.back()] += change;
-            }
-            used = std::move(chosen);
-            at = place(edits_to(numbers, x, first, 0));
-            if (!at) {
-                return {};
-            }
-        }
-        // With as few digits as do.
-        for (const double tolerance : {0.2 * kNear, 0.01 * kNear, 0.0}) {
-            MoveWay way;
-            way.edits = edits_to(numbers, x, first, tolerance);
-            if (holds(way)) {
-                return way;
-            }
-        }
-        return {};
+    if (const auto* const cylinder = std::get_if<csg::Cylinder>(&shape); cylinder != nullptr && axis < 2) {
+        return glm::dvec2(-1, 1) * std::max(cylinder->radius1, cylinder->radius2);
     }
-
-    static std::vector<TextEdit> edits_to(const std::vector<LiteralText>& numbers, const std::vector<double>& x,
-                                          const std::vector<double>& first, double tolerance) {
-        std::vector<TextEdit> edits;
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            if (std::abs(x[i] - first[i]) > tolerance) {
-                edits.push_back(
-                    {numbers[i].bytes, tolerance > 0 ? short_number(x[i], tolerance) : fmt::format("{}", x[i])});
-            }
-        }
-        return edits;
+    const auto solid = csg::solid::make_solid(shape);
+    if (solid == nullptr || solid->points.empty()) {
+        return std::nullopt;
     }
-
-    /// Where the leaf lies after the edits.
-    std::optional<glm::dvec3> place(const std::vector<TextEdit>& edits) {
-        if (edits.empty()) {
-            return glm::dvec3(scene_.leaves[leaf_].to_world[3]);
-        }
-        const auto after = scene_after(edits);
-        return after ? std::optional(glm::dvec3(after->second.leaves[leaf_].to_world[3])) : std::nullopt;
+    glm::dvec2 ends(solid->points[0][axis]);
+    for (const glm::dvec3& p : solid->points) {
+        ends = {std::min(ends.x, p[axis]), std::max(ends.y, p[axis])};
     }
-
-    /// Nothing where there are not as many leaves as before.
-    std::optional<std::pair<std::shared_ptr<const csg::Tree>, csg::Scene>> scene_after(
-        const std::vector<TextEdit>& edits) {
-        base::end_if_asked(stop_);
-        auto tree = tree_of_(edited(text_, edits));
-        if (tree == nullptr) {
-            return {};
-        }
-        csg::Scene scene = csg::make_scene(*tree);
-        if (scene.leaves.size() != scene_.leaves.size()) {
-            return {};
-        }
-        return std::pair(std::move(tree), std::move(scene));
-    }
-
-    bool holds(MoveWay& way) {
-        const auto after = scene_after(way.edits);
-        if (!after) {
-            return false;
-        }
-        const auto& [tree, scene] = *after;
-        way.moved = way.changed = 0;
-        for (csg::LeafId i = 0; i < scene.leaves.size(); ++i) {
-            way.changed += tree->node(scene.leaves[i].node).hash != tree_.node(scene_.leaves[i].node).hash ? 1 : 0;
-            way.moved += apart(scene.leaves[i].to_world, scene_.leaves[i].to_world) > kNear ? 1 : 0;
-        }
-        return tree->node(scene.leaves[leaf_].node).hash == tree_.node(scene_.leaves[leaf_].node).hash &&
-               apart(scene.leaves[leaf_].to_world, target_) <= kNear;
-    }
-
-    void try_wrap(const csg::SourceLocation& where, std::span<const csg::OccurrenceId> above) {
-        const csg::SourceLocation place = in_program(where);
-        const auto call = program_.look([&](const csg::scad::Program& p) { return csg::scad::call_at(p, place); });
-        glm::dmat3 linear(1.0);
-        for (const csg::OccurrenceId o : above) {
-            const csg::NodeId node = scene_.occurrences[o].node;
-            if (tree_.node(node).operation == csg::Operation::Transform) {
-                linear = linear * glm::dmat3(tree_.matrix(node));
-            }
-        }
-        if (!call || std::abs(glm::determinant(linear)) < 1e-12) {
-            return;
-        }
-        const glm::dvec3 by =
-            glm::inverse(linear) * (glm::dvec3(target_[3]) - glm::dvec3(scene_.leaves[leaf_].to_world[3]));
-        MoveWay way{MoveWay::Kind::Wrap, call->name, where, {}, 0, 0};
-        const double tolerance = 0.1 * kNear;
-        way.edits.push_back({{call->bytes.begin, call->bytes.begin},
-                             fmt::format("translate([{}, {}, {}]) ", short_number(by.x, tolerance),
-                                         short_number(by.y, tolerance), short_number(by.z, tolerance))});
-        if (holds(way)) {
-            ways_.push_back(std::move(way));
-        }
-    }
-
-    const csg::Tree& tree_;
-    const csg::Scene& scene_;
-    const csg::scad::LoadedProgram& program_;
-    const std::string& text_;
-    csg::LeafId leaf_;
-    const TreeOfText& tree_of_;
-    const std::stop_token& stop_;
-    glm::dmat4 target_;
-    std::vector<std::size_t> tried_;  ///< Where numbers begin that have been tried.
-    /// Those of calls, with the names and places of the calls.
-    std::vector<LiteralText> numbers_;
-    std::vector<std::string> names_;
-    std::vector<csg::SourceLocation> places_;
-    bool by_a_call_ = false;  ///< There is a way by numbers of one.
-    std::vector<MoveWay> ways_;
-};
+    return ends;
+}
 
 }  // namespace
 
@@ -290,25 +81,101 @@ std::vector<MoveWay> ways_to_move(const csg::Tree& tree, const csg::Scene& scene
                                   const csg::scad::LoadedProgram& program, const std::string& text, csg::LeafId leaf,
                                   const glm::dvec3& by, const TreeOfText& tree_of, const std::stop_token& stop,
                                   Ways wanted) {
-    return MoveFinder(tree, scene, program, text, leaf, by, tree_of, stop).find(wanted);
+    const csg::LeafInstance& before = scene.leaves[leaf];
+    glm::dmat4 target = before.to_world;
+    target[3] += glm::dvec4(by, 0);
+    EditGoal goal;
+    goal.left = [&](const csg::Tree&, const csg::LeafInstance& now) {
+        return std::optional(glm::dvec3(target[3] - now.to_world[3]));
+    };
+    goal.reached = [&](const csg::Tree& changed, const csg::LeafInstance& now) {
+        return same_shape(changed, now.node, tree, before.node) && apart(now.to_world, target) <= kNearEnough;
+    };
+    goal.put = [&](const glm::dmat4& to_world) {
+        const glm::dvec3 here = glm::inverse(glm::dmat3(to_world)) * by;
+        return std::optional(std::pair(fmt::format("translate({}) ", vector_text(here)), std::string("translate()")));
+    };
+    return edit_ways(tree, scene, program, text, leaf, goal, tree_of, stop, wanted);
 }
 
-std::string why_not_moved(const csg::Tree& tree, const csg::Scene& scene, const csg::scad::LoadedProgram& program,
-                          const std::string& text, csg::LeafId leaf, const TreeOfText& tree_of) {
-    const std::vector<csg::OccurrenceId> path = path_to(scene, scene.leaves[leaf].occurrence);
-    if (std::none_of(path.begin(), path.end(), [&](csg::OccurrenceId o) {
-            return of_main_file(tree, program, tree.node(scene.occurrences[o].node).where);
-        })) {
-        return "no call of this file leads to it";
+std::vector<MoveWay> ways_to_turn(const csg::Tree& tree, const csg::Scene& scene,
+                                  const csg::scad::LoadedProgram& program, const std::string& text, csg::LeafId leaf,
+                                  const glm::dvec3& turn, const TreeOfText& tree_of, const std::stop_token& stop,
+                                  Ways wanted) {
+    const csg::LeafInstance& before = scene.leaves[leaf];
+    const double angle = glm::length(turn);
+    if (!(angle > 0)) {
+        return {};
     }
-    const auto again = tree_of(text);
-    if (again == nullptr || again->node(again->root()).hash != tree.node(tree.root()).hash) {
-        return "each run of the program makes something else: of random numbers without a seed";
+    const glm::dmat4 rotation = glm::mat4_cast(glm::angleAxis(angle / kDegrees, turn / angle));
+    glm::dmat4 target = rotation * before.to_world;
+    target[3] = before.to_world[3];
+    EditGoal goal;
+    goal.left = [&](const csg::Tree&, const csg::LeafInstance& now) -> std::optional<glm::dvec3> {
+        const glm::dmat3 linear(now.to_world);
+        return std::abs(glm::determinant(linear)) > 1e-12
+                   ? std::optional(rotation_vector(glm::dmat3(target) * glm::inverse(linear)))
+                   : std::nullopt;
+    };
+    goal.reached = [&](const csg::Tree& changed, const csg::LeafInstance& now) {
+        return same_shape(changed, now.node, tree, before.node) && apart(now.to_world, target) <= kNearEnough;
+    };
+    goal.put = [&](const glm::dmat4& to_world) -> std::optional<std::pair<std::string, std::string>> {
+        if (std::abs(glm::determinant(glm::dmat3(before.to_world))) < 1e-12) {
+            return std::nullopt;
+        }
+        const glm::dmat4 here = glm::inverse(to_world) * target * glm::inverse(before.to_world) * to_world;
+        const glm::dmat3 linear(here);
+        if (apart(glm::dmat4(glm::transpose(linear) * linear), glm::dmat4(1.0)) > kTolerance) {
+            return std::nullopt;  // Behind a scale() that is not even it is no rotation.
+        }
+        const glm::dvec3 by(here[3]);
+        const std::string rotate = fmt::format("rotate({}) ", vector_text(rotate_angles(linear)));
+        return glm::length(by) <= kTolerance ? std::pair(rotate, std::string("rotate()"))
+                                             : std::pair(fmt::format("translate({}) {}", vector_text(by), rotate),
+                                                         std::string("translate() and rotate()"));
+    };
+    return edit_ways(tree, scene, program, text, leaf, goal, tree_of, stop, wanted);
+}
+
+std::vector<MoveWay> ways_to_stretch(const csg::Tree& tree, const csg::Scene& scene,
+                                     const csg::scad::LoadedProgram& program, const std::string& text, csg::LeafId leaf,
+                                     int axis, bool upper, double by, const TreeOfText& tree_of,
+                                     const std::stop_token& stop, Ways wanted) {
+    const csg::LeafInstance& before = scene.leaves[leaf];
+    const double scale = glm::length(glm::dvec3(before.to_world[axis]));
+    if (!(scale > 0)) {
+        return {};
     }
-    if (std::abs(glm::determinant(glm::dmat3(scene.leaves[leaf].to_world))) < 1e-12) {
-        return "it is squeezed flat";
+    const glm::dvec3 outwards = glm::dvec3(before.to_world[axis]) / (upper ? scale : -scale);
+    // Where that side is, along its normal; of what moves aside within its plane nothing.
+    const auto side = [=](const csg::Tree& of, const csg::LeafInstance& now) -> std::optional<double> {
+        const auto ends = extent(of, now.node, axis);
+        if (!ends) {
+            return std::nullopt;
+        }
+        const glm::dvec4 middle = now.to_world[axis] * (upper ? ends->y : ends->x) + now.to_world[3];
+        return glm::dot(glm::dvec3(middle), outwards);
+    };
+    const auto first = side(tree, before);
+    if (!first) {
+        return {};
     }
-    return "the program makes something else where it is moved";
+    EditGoal goal;
+    goal.left = [&](const csg::Tree& changed, const csg::LeafInstance& now) -> std::optional<glm::dvec3> {
+        // What only moves it is no way to stretch it.
+        if (&changed != &tree && same_shape(changed, now.node, tree, before.node)) {
+            return std::nullopt;
+        }
+        const auto there = side(changed, now);
+        return there ? std::optional(glm::dvec3(*first + by - *there, 0, 0)) : std::nullopt;
+    };
+    goal.reached = [&](const csg::Tree& changed, const csg::LeafInstance& now) {
+        const auto left = goal.left(changed, now);
+        return left && std::abs(left->x) <= kNearEnough &&
+               apart(glm::dmat4(glm::dmat3(now.to_world)), glm::dmat4(glm::dmat3(before.to_world))) <= kNearEnough;
+    };
+    return edit_ways(tree, scene, program, text, leaf, goal, tree_of, stop, wanted);
 }
 
 }  // namespace ui
