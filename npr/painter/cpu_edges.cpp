@@ -118,8 +118,8 @@ struct EdgeSearch : PlaneFrame {
         bool upper;
     };
 
-    /// One edge a link and layer: profile edges win, then thicker ones, then that farther along the link. Found from both
-    /// ends of the link alike, it has the larger words of both facts, as in npr/edges/edge_facts.comp.
+    /// One edge a link and layer: profile edges win, then thicker ones, then that farther along the link. Found from
+    /// both ends of the link alike, it has the larger words of both facts, as in npr/edges/edge_facts.comp.
     void keep(const CpuEdge& edge, std::vector<CpuEdge>& edges, std::ptrdiff_t first) {
         const auto same =
             std::find_if(edges.begin() + first, edges.end(), [&](const CpuEdge& e) { return e.layer == edge.layer; });

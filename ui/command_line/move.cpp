@@ -105,7 +105,7 @@ MoveOptions read_move_options(const std::vector<std::string>& arguments) {
             if (!o.call.empty() || !o.output.empty()) {
                 throw UsageError("--survey goes without --call and -o");
             }
-            by = by.empty() ? "1.25,-0.75,0" : by;
+            by = by.empty() && turn.empty() && stretch.empty() ? "1.25,-0.75,0" : by;
         } else if (o.call.empty()) {
             throw UsageError("--call is needed, or --survey");
         }
@@ -225,8 +225,8 @@ int move_within(const MoveOptions& o, TimeLimit& limit) {
                                                       o.stretch->upper, o.stretch->by, tree_of, limit.token());
     // Of ways that do alike, the one at the call that was named.
     std::stable_sort(ways.begin(), ways.end(), [&](const MoveWay& a, const MoveWay& b) {
-        return std::tuple(a.changed, a.moved, a.kind, a.where != call) <
-               std::tuple(b.changed, b.moved, b.kind, b.where != call);
+        return std::tuple(a.changed, a.moved, a.kind, a.put.size(), a.where != call) <
+               std::tuple(b.changed, b.moved, b.kind, b.put.size(), b.where != call);
     });
     if (ways.empty()) {
         throw UsageError(fmt::format(
