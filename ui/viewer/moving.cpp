@@ -62,7 +62,7 @@ MoveAnswer find(const MoveQuestion& question, ProgramRunner& runner, const std::
     prefer(answer.ways, question.call);
     if (answer.ways.empty()) {
         answer.trouble =
-            why_not_moved(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, tree_of);
+            why_no_way(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, tree_of);
     }
     return answer;
 }
