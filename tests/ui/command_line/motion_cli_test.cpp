@@ -132,6 +132,27 @@ TEST_F(MotionProgram, WritesFilms) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path("ends.apng")));
 }
 
+/// That pictures are the same all the same: tests/ui/pipeline/moving_model_test.
+TEST_F(MotionProgram, MakesNothingAgainThatStays) {
+    folder_.write("wheel.scad", "translate([-9, -9, -2]) cube([18, 18, 1]); rotate(90 * $t) cube([5, 1, 1]);");
+    const auto film = [&](const std::string& model) {
+        EXPECT_EQ(run(model + " -o film.png --animate 5 --imgsize 40,40 --stats stats.json").status, 0);
+        return nlohmann::json::parse(folder_.read("stats.json")).at("film");
+    };
+    const auto wheel = film("wheel.scad");
+    EXPECT_EQ(wheel.at("frames"), 5);
+    EXPECT_EQ(wheel.at("drawn"), 5);
+    EXPECT_EQ(wheel.at("leaves_placed"), 2 + 4) << "both, and then the one that turns";
+    EXPECT_EQ(wheel.at("leaves_kept"), 4);
+    EXPECT_EQ(run("wheel.scad -o one.png --time 0.6 --imgsize 40,40").status, 0);
+    EXPECT_EQ(folder_.read("one.png"), folder_.read("film00003.png"));
+    folder_.write("still.scad", "cube(3);");
+    const auto still = film("still.scad");
+    EXPECT_EQ(still.at("drawn"), 1);
+    EXPECT_EQ(still.at("leaves_placed"), 1);
+    EXPECT_EQ(folder_.read("film00000.png"), folder_.read("film00004.png"));
+}
+
 TEST_F(MotionProgram, RefusesWhatItCannotDo) {
     for (const char* const bad :
          {"motion", "motion none.scad", "motion door.scad --interval 1,0", "motion door.scad --interval 1",

@@ -58,10 +58,12 @@ void expect_within(const Annotated& made, const base::View& view) {
             box.lo = glm::min(box.lo, seen.pixel);
             box.hi = glm::max(box.hi, seen.pixel);
         }
-        texts += std::count_if(made.texts.begin(), made.texts.end(), [&](const PlacedText& text) {
+        for (const PlacedText& text : made.texts) {
             const PixelBox wide = text.place.box.grown(0.5);
-            return box.lo.x >= wide.lo.x && box.lo.y >= wide.lo.y && box.hi.x <= wide.hi.x && box.hi.y <= wide.hi.y;
-        });
+            const bool within =
+                box.lo.x >= wide.lo.x && box.lo.y >= wide.lo.y && box.hi.x <= wide.hi.x && box.hi.y <= wide.hi.y;
+            texts += within ? 1 : 0;
+        }
     }
     EXPECT_GE(texts, made.texts.size()) << "each text is in its box";
 }

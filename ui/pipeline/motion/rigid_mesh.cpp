@@ -77,10 +77,11 @@ RigidMesh::Near RigidMesh::nearest(const RigidMesh& a, const glm::dmat4& motion_
     };
     Near best{glm::distance(moved[a.triangles_.front().x], b.points_[b.triangles_.front().x]),
               moved[a.triangles_.front().x], b.points_[b.triangles_.front().x]};
-    for (const auto& [least, i] : order) {
-        if (least > best.distance) {
+    for (const auto& next : order) {
+        if (next.first > best.distance) {
             break;
         }
+        const std::uint32_t i = next.second;
         const Corners own = corners(moved, a.triangles_[i]);
         b.tree_.meeting({boxes[i].lo - best.distance, boxes[i].hi + best.distance}, [&](std::uint32_t k) {
             if (apart(boxes[i], b.boxes_[k]) < best.distance) {
