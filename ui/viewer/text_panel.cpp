@@ -260,15 +260,18 @@ void TextPanel::draw(const Rectangle& place, const Session& session, const Fonts
         }
         draw_header(session, fonts, commands);
         focused_ = focused_ && !session.shown().covered();
-        ImGui::PushStyleColor(ImGuiCol_Border, focused_ ? theme::accent() : ImVec4{0, 0, 0, 0});
-        if (ImGui::BeginChild("lines", {0, 0}, focused_,
-                              ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav)) {
+        const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+        if (ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNav)) {
             ImGui::PushFont(fonts.mono);
             draw_lines(session, commands);
             ImGui::PopFont();
         }
         ImGui::EndChild();
-        ImGui::PopStyleColor();
+        if (focused_) {
+            ImGui::GetWindowDrawList()->AddRect({corner.x - 3, corner.y - 3},
+                                                {corner.x + room.x + 3, corner.y + room.y + 3},
+                                                ImGui::GetColorU32(theme::accent()), 3);
+        }
     }
     ImGui::End();
 }
