@@ -20,8 +20,11 @@ int open_window(const Options& options) {
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
     }
-    if (!(options.explain.empty() && options.without.empty() && options.depictions.empty()) || options.thickness) {
-        throw UsageError("--explain, --without, --thickness and --depict are of pictures: write one with -o");
+    if (!(options.explain.empty() && options.without.empty() && options.depictions.empty() &&
+          options.depiction_rules.empty()) ||
+        options.thickness) {
+        throw UsageError(
+            "--explain, --without, --thickness, --depict and --depict-rules are of pictures: write one with -o");
     }
     WindowOptions window;
     window.source.path = options.input;

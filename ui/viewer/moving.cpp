@@ -61,8 +61,7 @@ MoveAnswer find(const MoveQuestion& question, ProgramRunner& runner, const std::
                                tree_of, stop);
     prefer(answer.ways, question.call);
     if (answer.ways.empty()) {
-        answer.trouble =
-            why_no_way(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, tree_of);
+        answer.trouble = why_no_way(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, tree_of);
     }
     return answer;
 }
