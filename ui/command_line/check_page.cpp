@@ -8,6 +8,7 @@
 #include "npr/style.h"
 #include "ui/command_line/html.h"
 #include "ui/pipeline/call_chain.h"
+#include "ui/pipeline/inspection/finding_text.h"
 #include "ui/pipeline/picture/renderer.h"
 #include "ui/pipeline/sections.h"
 
@@ -131,8 +132,9 @@ std::string check_page(const CheckReport& report, const std::shared_ptr<const Mo
         const glm::dvec3& p = finding.point;
         page += fmt::format(
             "<div class=\"finding\">{}<div><h2>{}</h2><p>at [{:.6g}, {:.6g}, {:.6g}]</p><pre>{}</pre></div></div>\n",
-            i < kMostPictures ? picture(pictures.draw(finding), "the place") : "", html(headline(report, finding)), p.x,
-            p.y, p.z, html(calls_text(report.model, report.sources, steps_to(report.model, finding.occurrence))));
+            i < kMostPictures ? picture(pictures.draw(finding), "the place") : "",
+            html(headline(report.model, finding)), p.x, p.y, p.z,
+            html(calls_text(report.model, report.sources, steps_to(report.model, finding.occurrence))));
     }
     return page + "</body></html>\n";
 }

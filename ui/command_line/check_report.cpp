@@ -7,22 +7,13 @@
 
 #include "ui/command_line/html.h"
 #include "ui/pipeline/call_chain.h"
+#include "ui/pipeline/inspection/finding_text.h"
 #include "ui/pipeline/plain_text.h"
 #include "ui/pipeline/statistics.h"
 
 namespace ui {
 
 namespace {
-
-const FindingKindInfo& info(FindingKind kind) {
-    return *std::find_if(finding_kinds().begin(), finding_kinds().end(),
-                         [&](const FindingKindInfo& each) { return each.kind == kind; });
-}
-
-const char* unit(const Finding& finding) {
-    const bool volume = finding.kind == FindingKind::Size && !finding.direction;
-    return finding.kind == FindingKind::Overhang ? "°" : volume ? " mm³" : " mm";
-}
 
 bool was_asked(FindingKind kind, const CheckRequest& r) {
     switch (kind) {
@@ -46,14 +37,6 @@ bool was_asked(FindingKind kind, const CheckRequest& r) {
             return r.max_size || r.min_volume || r.max_volume;
     }
     return false;
-}
-
-std::string number(double value) {
-    return fmt::format("{:.6g}", std::abs(value) < 1e-9 ? 0.0 : value);
-}
-
-std::string point_text(const glm::dvec3& p) {
-    return fmt::format("[{}, {}, {}]", number(p.x), number(p.y), number(p.z));
 }
 
 Json part_json(const CheckReport& report, const std::optional<csg::PartId>& part) {
@@ -87,34 +70,10 @@ std::string counted(const CheckReport& report) {
 
 }  // namespace
 
-std::string headline(const CheckReport& report, const Finding& finding) {
-    std::string text = info(finding.kind).headline;
-    if (!finding.text.empty()) {
-        text += ": " + finding.text;
-    }
-    if (finding.value) {
-        text += fmt::format(", {}{}", number(*finding.value), unit(finding));
-        if (finding.error > 1e-6 * std::abs(*finding.value)) {
-            text += fmt::format(" (the worst may be {:.2g} {})", finding.error,
-                                finding.kind == FindingKind::Size           ? "off"
-                                : finding.kind == FindingKind::Interference ? "more"
-                                                                            : "less");
-        }
-    }
-    if (finding.limit && finding.kind != FindingKind::Interference) {
-        text += fmt::format(", limit {}", number(*finding.limit));
-    }
-    if (finding.part && finding.other_part && finding.part != finding.other_part) {
-        const auto& parts = report.model.scene.parts;
-        text += fmt::format(", {} and {}", parts[*finding.part].name, parts[*finding.other_part].name);
-    }
-    return text;
-}
-
 std::string check_text(const CheckReport& report) {
     std::string out;
     for (const Finding& f : report.result.findings) {
-        out += fmt::format("{}\n   at {}", headline(report, f), point_text(f.point));
+        out += fmt::format("{}\n   at {}", headline(report.model, f), point_text(f.point));
         if (f.part) {
             out += fmt::format(", part {}", report.model.scene.parts[*f.part].name);
         }
@@ -140,7 +99,7 @@ Json check_json(const CheckReport& report) {
     for (const Finding& f : report.result.findings) {
         const auto optional = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
         findings.push_back({{"kind", info(f.kind).name},
-                            {"message", headline(report, f)},
+                            {"message", headline(report.model, f)},
                             {"value", optional(f.value)},
                             {"error", f.error},
                             {"limit", optional(f.limit)},
@@ -169,9 +128,10 @@ Json check_sarif(const CheckReport& report) {
         }
     }
     for (const Finding& f : report.result.findings) {
-        Json result = {{"ruleId", info(f.kind).name},
-                       {"level", "error"},
-                       {"message", {{"text", fmt::format("{}, at {}", headline(report, f), point_text(f.point))}}}};
+        Json result = {
+            {"ruleId", info(f.kind).name},
+            {"level", "error"},
+            {"message", {{"text", fmt::format("{}, at {}", headline(report.model, f), point_text(f.point))}}}};
         Json locations = Json::array(), related = Json::array();
         if (const auto where = place(report, f.occurrence)) {
             locations.push_back(location(report, *where));
@@ -209,8 +169,8 @@ std::string check_junit(const CheckReport& report) {
                 ++found;
                 const std::string calls =
                     calls_text(report.model, report.sources, steps_to(report.model, f.occurrence));
-                add(fmt::format("\n    <failure message=\"{}\">at {}\n{}</failure>\n  ", attribute(headline(report, f)),
-                                html(point_text(f.point)), html(calls)));
+                add(fmt::format("\n    <failure message=\"{}\">at {}\n{}</failure>\n  ",
+                                attribute(headline(report.model, f)), html(point_text(f.point)), html(calls)));
             }
         }
         if (found == 0) {

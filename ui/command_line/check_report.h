@@ -18,9 +18,6 @@ struct CheckReport {
     const CheckResult& result;
 };
 
-/// "thin wall, 0.4 mm (at least 0.8; the worst may be 0.01 less)"; of one finding.
-[[nodiscard]] std::string headline(const CheckReport& report, const Finding& finding);
-
 /// For people: a paragraph for each finding, with the calls that made the faces.
 [[nodiscard]] std::string check_text(const CheckReport& report);
 

@@ -65,6 +65,26 @@ std::vector<CallStep> steps_to(const Model& model, csg::OccurrenceId occurrence)
     return steps;
 }
 
+csg::OccurrenceId occurrence_like(const Model& model, csg::OccurrenceId occurrence, const Model& other) {
+    const std::vector<CallStep> wanted = steps_to(model, occurrence);
+    const auto same = [&](const CallStep& a, const CallStep& b) {
+        return a.child == b.child && a.node.where.line == b.node.where.line &&
+               a.node.where.column == b.node.where.column &&
+               model.tree->files()[a.node.where.file] == other.tree->files()[b.node.where.file];
+    };
+    for (csg::OccurrenceId id = 0; !wanted.empty() && id < other.scene.occurrences.size(); ++id) {
+        const csg::SourceLocation& where = other.tree->node(other.scene.occurrences[id].node).where;
+        if (where.line != wanted.back().node.where.line || where.column != wanted.back().node.where.column) {
+            continue;
+        }
+        const std::vector<CallStep> steps = steps_to(other, id);
+        if (std::equal(wanted.begin(), wanted.end(), steps.begin(), steps.end(), same)) {
+            return id;
+        }
+    }
+    return csg::kNoOccurrence;
+}
+
 std::string_view shape_of(const csg::LeafInstance& leaf, const std::vector<CallStep>& steps) {
     return leaf.hatching != 0 ? "section" : steps.empty() ? "leaf" : name_of(steps.back());
 }

@@ -24,6 +24,10 @@ struct CallStep {
 /// refer to the model's tree.
 [[nodiscard]] std::vector<CallStep> steps_to(const Model& model, csg::OccurrenceId occurrence);
 
+/// The occurrence in another model to which the same calls lead, at the same places of the text; kNoOccurrence where
+/// there is none.
+[[nodiscard]] csg::OccurrenceId occurrence_like(const Model& model, csg::OccurrenceId occurrence, const Model& other);
+
 /// What the last step calls; "section" of leaves that cut, "leaf" where nothing is known.
 [[nodiscard]] std::string_view shape_of(const csg::LeafInstance& leaf, const std::vector<CallStep>& steps);
 

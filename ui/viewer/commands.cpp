@@ -81,6 +81,7 @@ constexpr std::array kActions{
     ActionInfo{Action::ToggleCustomizer, "Window", "Customizer", {{GLFW_KEY_F7}}},
     ActionInfo{Action::ToggleTree, "Window", "Tree", {{GLFW_KEY_F10}}},
     ActionInfo{Action::ToggleAnimation, "Window", "Animation", {{GLFW_KEY_F11}}},
+    ActionInfo{Action::ToggleInspection, "Window", "Inspection", {{GLFW_KEY_I}}},
     ActionInfo{Action::ToggleConsole, "Window", "Console", {{GLFW_KEY_F9}, {GLFW_KEY_C}}},
     ActionInfo{Action::Settings, "Window", "Settings…", {{GLFW_KEY_COMMA, kCtrl}}},
     ActionInfo{Action::ClearConsole, "Window", "Clear console", {}},

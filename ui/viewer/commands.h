@@ -15,6 +15,7 @@
 #include "npr/parameter.h"
 #include "ui/pipeline/editable_model.h"
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/viewer/inspection_commands.h"
 #include "ui/viewer/selection.h"
 
 namespace ui {
@@ -79,6 +80,7 @@ enum class Action {
     PlayPause,
     StepBack,
     StepOn,
+    ToggleInspection,
     ToggleConsole,
     Settings,  ///< Opens the form.
     ClearConsole,
@@ -275,7 +277,7 @@ using Command =
                  StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
                  DeleteParameterSet, SetEngine, WritePicture, ExportModel, SetMouse, SetLightTheme, SetTextSize, SetKey,
                  ResetKeys, SelectCall, HideCall, ShowAlone, SetStep, SetSteps, SetRate, ExportFrames, HoldPart,
-                 PutPart, TakeWay, SetNumber, TypeText, SelectByte, ResolveConflict, Recover, Leave>;
+                 PutPart, TakeWay, SetNumber, TypeText, SelectByte, ResolveConflict, Recover, Leave, InspectionCommand>;
 using Commands = std::vector<Command>;
 
 /// "Ctrl+Shift+V"

@@ -13,6 +13,9 @@ void Document::receive(Revision revision) {
     if (revision.model) {
         model_ = std::move(revision.model);
         model_sources_ = revision.sources;
+        tree_ = std::move(revision.tree);
+        before_ = std::move(revision.before);
+        first_tree_ = first_tree_ ? first_tree_ : tree_;
         view_ = revision.view;
     }
     sources_ = std::move(revision.sources);

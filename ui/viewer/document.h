@@ -32,6 +32,8 @@ class Document {
     void customize(std::vector<std::string> definitions) { source_.customized = std::move(definitions); }
     /// What revisions to come show instead of the model; nothing: the model.
     void explain(std::optional<CallAt> call) { source_.explained = std::move(call); }
+    /// Revisions to come show what has changed since; nothing: the model.
+    void compare(std::optional<Baseline> before) { source_.before = std::move(before); }
     /// Revisions to come are without what the call makes, or have it again.
     void hide(const CallAt& call, bool hidden);
     /// Revisions to come show that alone; nothing: all.
@@ -47,6 +49,10 @@ class Document {
     [[nodiscard]] std::string file_name() const;  ///< Without its folder; empty where nothing is open.
     [[nodiscard]] DocumentState state() const;
     [[nodiscard]] const std::shared_ptr<const Model>& model() const { return model_; }  ///< Null before the first.
+    /// Of the model's text, all of it; of the first that the file gave; of the baseline. Null where there is none.
+    [[nodiscard]] const std::shared_ptr<const csg::Tree>& tree() const { return tree_; }
+    [[nodiscard]] const std::shared_ptr<const csg::Tree>& first_tree() const { return first_tree_; }
+    [[nodiscard]] const std::shared_ptr<const csg::Tree>& before() const { return before_; }
     /// The texts of the newest revision; null before the first.
     [[nodiscard]] const std::shared_ptr<const csg::scad::SourceSet>& sources() const { return sources_; }
     /// The texts of the model; null before the first.
@@ -60,6 +66,7 @@ class Document {
   private:
     Source source_;
     std::shared_ptr<const Model> model_;
+    std::shared_ptr<const csg::Tree> tree_, first_tree_, before_;
     std::shared_ptr<const csg::scad::SourceSet> sources_, model_sources_;
     csg::scad::ViewSettings view_;
     MessageLog messages_;

@@ -38,6 +38,15 @@ std::string to_json(const FrameRecord& record) {
                        {"found", record.found},
                        {"edits", record.edits},
                        {"unsaved", record.unsaved},
+                       {"inspection",
+                        {{"task", record.inspection.task},
+                         {"range", record.inspection.range},
+                         {"thin_places", record.inspection.thin_places},
+                         {"findings", record.inspection.findings},
+                         {"volume", record.inspection.volume},
+                         {"changed_parts", record.inspection.changed_parts},
+                         {"marked", record.inspection.marked},
+                         {"error", record.inspection.error}}},
                        {"camera", camera}};
     return json.dump();
 }

@@ -30,6 +30,17 @@ struct FrameRecord {
     std::string found;     ///< Tool::text of it.
     int edits = 0;         ///< Steps that can be undone.
     bool unsaved = false;  ///< The text is not that of the file.
+    /// Of the inspections.
+    struct Inspection {
+        std::string task;     ///< That is under way: "check", "measure", "changes"; empty: none.
+        double range = 0;     ///< Of the tones of thickness that are seen; 0: none are.
+        int thin_places = 0;  ///< That are marked.
+        int findings = -1;    ///< Of the last check; -1: there is none.
+        double volume = 0;    ///< Of the model, as measured last.
+        int changed_parts = -1;
+        std::string marked;  ///< The finding or thin place that was clicked.
+        std::string error;   ///< Of the last task.
+    } inspection;
     base::Camera camera;
 };
 

@@ -22,6 +22,7 @@ struct Rectangle {
 /// What is open.
 struct Shown {
     bool panel = true;
+    bool inspection = false;                              ///< In the panel's place.
     bool customizer = false, text = false, tree = false;  ///< One of them at most.
     bool animation = false;
     bool console = true;

@@ -14,6 +14,7 @@
 #include "ui/pipeline/picture/legend.h"
 #include "ui/pipeline/picture/radiograph.h"
 #include "ui/viewer/panels.h"
+#include "ui/viewer/tone_legend.h"
 
 namespace ui {
 
@@ -128,8 +129,7 @@ void draw_media(const Session& session, Commands& commands) {
 void draw_thickness_legend(const Rectangle& place, const Session& session, const Fonts& fonts, float scale) {
     const npr::Picture& picture = session.view().picture;
     const auto& model = session.document().model();
-    if (!is_radiograph(picture) || !model || !parameter<bool>(picture, "legend") || place.size.x < 160 * scale ||
-        place.size.y < 160 * scale) {
+    if (!is_radiograph(picture) || !model || !parameter<bool>(picture, "legend")) {
         return;
     }
     const int colors = parameter<int>(picture, "colors");
@@ -138,28 +138,9 @@ void draw_thickness_legend(const Rectangle& place, const Session& session, const
     if (!(full > 0)) {
         return;
     }
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImFont& font = *fonts.text;
-    const float width = 10 * scale, height = 0.4F * place.size.y;
-    const ImVec2 corner{place.corner.x + 104 * scale, place.corner.y + place.size.y - 14 * scale - height};
-    const auto color_of = [](const glm::vec3& c) { return ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)); };
-    const glm::vec3 ground = npr::radiograph_tone(colors, 0);
-    const ImU32 ink = color_of(glm::vec3(ground.x + ground.y + ground.z > 1.5F ? 0.0F : 1.0F));
-    list.AddRect({corner.x - 1, corner.y - 1}, {corner.x + width + 1, corner.y + height + 1}, ink);
-    constexpr int kSteps = 64;
-    for (int i = 0; i < kSteps; ++i) {
-        const float share = (static_cast<float>(i) + 0.5F) / kSteps, low = corner.y + height;
-        list.AddRectFilled({corner.x, low - height * static_cast<float>(i + 1) / kSteps},
-                           {corner.x + width, low - height * static_cast<float>(i) / kSteps},
-                           color_of(npr::radiograph_tone(colors, share)));
-    }
-    const double step = legend_step(full);
-    for (int i = 0; i * step <= full * (1 + 1e-9); ++i) {
-        const float y = corner.y + height - static_cast<float>(i * step / full) * height;
-        list.AddLine({corner.x + width, y}, {corner.x + width + 4 * scale, y}, ink, scale);
-        list.AddText(&font, font.FontSize, {corner.x + width + 7 * scale, y - 0.5F * font.FontSize}, ink,
-                     fmt::format("{:g}{}", i * step, i == 0 ? " mm" : "").c_str());
-    }
+    draw_tone_legend(
+        place, full, [colors](float share) { return npr::radiograph_tone(colors, share); },
+        npr::radiograph_tone(colors, 0), fonts, scale);
 }
 
 }  // namespace ui

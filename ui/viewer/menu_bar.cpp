@@ -60,6 +60,8 @@ bool checked(const Session& session, Action tool, Action action) {
             return session.shown().tree;
         case Action::ToggleAnimation:
             return session.shown().animation;
+        case Action::ToggleInspection:
+            return session.shown().inspection;
         case Action::ToggleConsole:
             return session.shown().console;
         case Action::ToggleHole:

@@ -86,6 +86,14 @@ void draw_overlay(const Rectangle& place, const Session& session, const PictureI
     if (const auto& call = document.source().explained; call && document.state() == DocumentState::Good) {
         top += banner(place, top, theme::kNoteBanner, explanation(*call), fonts, scale);
     }
+    if (const auto& before = document.source().before; before && document.state() == DocumentState::Good) {
+        top +=
+            banner(place, top, theme::kNoteBanner,
+                   fmt::format("What has changed since {}: new is green, what is gone red, what has stayed gray. Esc "
+                               "shows the model again.",
+                               before->name),
+                   fonts, scale);
+    }
     if (!picture.error.empty()) {
         banner(place, top, theme::kErrorBanner, "The picture cannot be drawn: " + picture.error, fonts, scale);
     }

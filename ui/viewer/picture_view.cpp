@@ -41,11 +41,27 @@ void PictureView::run(std::function<PictureResult(Renderer&)> task) {
 
 const Model& PictureView::cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections,
                               Renderer& renderer) {
-    const Model& left = sectioned_.cut(model, sections, model == held_in_ ? held_ : HeldPart{});
+    const Model& left = sectioned_.cut(plain_ && model == colored_ ? plain_ : model, sections,
+                                       model == held_in_ ? held_ : HeldPart{});
     if (!sectioned_.change().empty()) {
         renderer.update(left, sectioned_.change());
     }
     return left;
+}
+
+std::shared_ptr<const Model> PictureView::plain(const std::shared_ptr<const Model>& model) {
+    if (colored_ != model) {
+        gauge_ = std::make_unique<ThicknessGauge>(*model);
+        plain_ = without_colors(*model);
+        colored_ = model;
+    }
+    return plain_;
+}
+
+ThicknessMap PictureView::measure(const Model& shown, const PictureRequest& request, const ThicknessRequest& thickness,
+                                  int sample, Renderer& renderer, const std::stop_token& stop) {
+    gauge_->measure(renderer, shown, request, thickness, sample, stop);
+    return gauge_->map();
 }
 
 void PictureView::mark(base::Image& image, const Model& model, const PictureRequest& request, const ViewMarks& marks,
@@ -62,23 +78,36 @@ void PictureView::mark(base::Image& image, const Model& model, const PictureRequ
 }
 
 void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
-                       const PictureStep& step, std::uint64_t version, const HeldPart& held) {
+                       const std::optional<ThicknessRequest>& thickness, const PictureStep& step,
+                       std::uint64_t version, const HeldPart& held) {
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
     const bool threaded = thread_ != nullptr;
     drawing_ = std::stop_source();
     // Where nobody could ask for a stop meanwhile, drawing need not look for it.
     const std::stop_token stop = threaded ? drawing_.get_token() : std::stop_token();
-    run([this, threaded, stop, model = std::move(model), request = std::move(request), marks, held, step,
-         version](Renderer& renderer) {
+    run([this, threaded, stop, model = std::move(model), request = std::move(request), marks, thickness, held, step,
+         version](Renderer& renderer) mutable {
         held_ = held;
         held_in_ = model;
-        DrawnStep done{step, version, 0, {}, {}, false};
+        DrawnStep done{step, version, 0, {}, {}, {}, false};
         Stopwatch watch;
         try {
+            if (thickness) {
+                (void)plain(model);
+                request.scheme.face = request.scheme.cut = glm::vec3(1);
+            } else {
+                colored_ = plain_ = nullptr;
+                gauge_.reset();
+            }
             const Model& shown = cut(model, request.sections, renderer);
             renderer.draw_sample(shown, request, step.sample, stop);
-            if (threaded || !renderer.drawn_with_opengl() || marks.any()) {
+            if (threaded || !renderer.drawn_with_opengl() || marks.any() || thickness) {
                 base::Image image = renderer.image();
+                if (thickness) {
+                    const ThicknessMap map = measure(shown, request, *thickness, step.sample, renderer, stop);
+                    tint(image, map);
+                    done.thickness = std::make_shared<const ThicknessMap>(ThicknessMap{map.range, {}, map.places});
+                }
                 if (marks.any()) {
                     mark(image, shown, request, marks, version, renderer);
                 }
@@ -101,12 +130,23 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
     });
 }
 
-void PictureView::save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path) {
-    run([this, model = std::move(model), request = std::move(request), path = std::move(path)](Renderer& renderer) {
+void PictureView::save(std::shared_ptr<const Model> model, PictureRequest request,
+                       const std::optional<ThicknessRequest>& thickness, std::filesystem::path path) {
+    run([this, model = std::move(model), request = std::move(request), thickness,
+         path = std::move(path)](Renderer& renderer) mutable {
         SavedPicture done{path, request.size, {}};
         try {
-            base::write_file(path, base::encode_png(renderer.render(cut(model, request.sections, renderer), request),
-                                                    {}, request.dots_per_inch));
+            if (thickness) {
+                (void)plain(model);
+                request.scheme.face = request.scheme.cut = glm::vec3(1);
+            }
+            const Model& shown = cut(model, request.sections, renderer);
+            base::Image image = renderer.render(shown, request);
+            if (thickness) {
+                draw_thickness(image, thickness_map(renderer, *model, shown, request, *thickness),
+                               request.scheme.background);
+            }
+            base::write_file(path, base::encode_png(image, {}, request.dots_per_inch));
         } catch (const std::exception& error) {
             done.error = error.what();
         }

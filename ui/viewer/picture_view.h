@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ui/pipeline/inspection/measured.h"
+#include "ui/pipeline/picture/thickness_map.h"
 #include "ui/pipeline/picture/view_marks.h"
 #include "ui/pipeline/sections.h"
 #include "ui/viewer/frame_plan.h"
@@ -26,7 +27,8 @@ struct DrawnStep {
     std::uint64_t version = 0;  ///< As it was given to draw().
     double seconds = 0;         ///< That it took.
     PictureStatistics statistics;
-    std::string error;     ///< Why it could not be drawn; empty where it was.
+    std::shared_ptr<const ThicknessMap> thickness;  ///< Of a picture of thickness, without the tints.
+    std::string error;                              ///< Why it could not be drawn; empty where it was.
     bool stopped = false;  ///< It was stopped: nothing new is to be seen, and the picture is to be begun anew.
 };
 
@@ -71,16 +73,18 @@ class PictureView {
 
     // Each asks for something that take() gives later, maybe at once. While busy() nothing further is to be asked for.
     [[nodiscard]] bool busy() const { return thread_ && thread_->busy(); }
-    /// One step of the picture that `request` asks for, with `marks` in it. What is `held` is so for all that is asked
-    /// for afterwards.
+    /// One step of the picture that `request` asks for, with `marks` in it. `thickness`: in the tones of that, instead
+    /// of the model's colors. What is `held` is so for all that is asked for afterwards.
     void draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
-              const PictureStep& step, std::uint64_t version, const HeldPart& held = {});
+              const std::optional<ThicknessRequest>& thickness, const PictureStep& step, std::uint64_t version,
+              const HeldPart& held = {});
     /// Ends the step that a thread is drawing, some milliseconds later, if it draws one.
     void stop_drawing() { drawing_.request_stop(); }
     /// Steps are drawn by a thread, and can be stopped.
     [[nodiscard]] bool threaded() const { return thread_ != nullptr; }
     /// Writes a picture of its own. The picture that is shown must be begun anew afterwards.
-    void save(std::shared_ptr<const Model> model, PictureRequest request, std::filesystem::path path);
+    void save(std::shared_ptr<const Model> model, PictureRequest request,
+              const std::optional<ThicknessRequest>& thickness, std::filesystem::path path);
     /// See Renderer::pick.
     void pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera,
               PickFor purpose = PickFor::Center);
@@ -105,6 +109,11 @@ class PictureView {
     void run(std::function<PictureResult(Renderer&)> task);
     /// What the sections leave of the model, for tasks.
     const Model& cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections, Renderer& renderer);
+    /// The model without its colors, which takes its place until another one is drawn.
+    std::shared_ptr<const Model> plain(const std::shared_ptr<const Model>& model);
+    /// Measures what the step of a picture of `shown`, the plain model less sections, sees.
+    ThicknessMap measure(const Model& shown, const PictureRequest& request, const ThicknessRequest& thickness,
+                         int sample, Renderer& renderer, const std::stop_token& stop);
     void resize(glm::ivec2 size);
     void upload(const base::Image& image);
     /// Draws marks into a picture. A task of the drawer.
@@ -121,10 +130,12 @@ class PictureView {
     std::vector<PictureResult> results_;
     std::optional<base::Image> image_;  ///< Drawn by the thread, not in the texture yet.
     std::optional<Renderer> renderer_;
-    SectionedModel sectioned_;              ///< Belongs to the tasks, as do …
-    HeldPart held_;                         ///< … what is held …
-    std::shared_ptr<const Model> held_in_;  ///< … in the model that was drawn last, …
-    std::shared_ptr<const Model> probed_;   ///< … the model that finder_ is of, …
+    SectionedModel sectioned_;                      ///< Belongs to the tasks, as do …
+    HeldPart held_;                                 ///< … what is held …
+    std::shared_ptr<const Model> held_in_;          ///< … in the model that was drawn last, …
+    std::shared_ptr<const Model> colored_, plain_;  ///< … the model of the picture in tones, that without colors, …
+    std::unique_ptr<ThicknessGauge> gauge_;         ///< … of colored_, …
+    std::shared_ptr<const Model> probed_;           ///< … the model that finder_ is of, …
     std::optional<EdgeFinder> finder_;
     std::shared_ptr<const layers::HostStack> first_layer_;  ///< … and what hides marks in a picture of …
     std::pair<std::uint64_t, int> first_layer_of_;          ///< … that version and width.

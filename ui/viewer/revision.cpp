@@ -4,6 +4,7 @@
 
 #include "base/stop.h"
 #include "csg/scad/syntax/appended_text.h"
+#include "csg/tree/changes.h"
 #include "csg/tree/explain.h"
 #include "csg/tree/left_over.h"
 #include "csg/tree/out_of_memory.h"
@@ -58,6 +59,22 @@ std::shared_ptr<const csg::Tree> shown_tree(const std::shared_ptr<const csg::Tre
     return hidden.empty() && !alone ? tree : std::make_shared<const csg::Tree>(csg::left_over(*tree, hidden, alone));
 }
 
+/// That of the file, with the same definitions; null, with messages, where it has errors.
+std::shared_ptr<const csg::Tree> tree_of(const Baseline& before, csg::scad::Request request, ProgramRunner& runner,
+                                         Revision& revision) {
+    if (before.tree) {
+        return before.tree;
+    }
+    request.path = before.path;
+    request.text.reset();
+    const ProgramRun run = runner.run(request, false, [&](const auto& message, const auto& sources) {
+        revision.messages.add(message, sources);
+        return revision.messages.warnings();
+    });
+    revision.files.insert(run.evaluation.looked_for.begin(), run.evaluation.looked_for.end());
+    return run.good() ? run.evaluation.tree : nullptr;
+}
+
 void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
                         ProgramRunner& runner, const std::stop_token& stop) {
     if (csg::scad::has_statements(source.definitions) && !source.text && !source.edited) {
@@ -81,10 +98,19 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     if (!run.good() || stop.stop_requested()) {
         return;
     }
+    revision.tree = evaluation.tree;
+    if (source.before) {
+        revision.before = tree_of(*source.before, request, runner, revision);
+        if (!revision.before) {
+            return;
+        }
+    }
     Stopwatch watch;
     const std::shared_ptr<const csg::Tree> tree =
-        source.explained ? explained_tree(evaluation.tree, *source.explained, revision.messages)
-                         : shown_tree(evaluation.tree, source);
+        source.before      ? std::make_shared<const csg::Tree>(csg::changes(*revision.before, *evaluation.tree))
+        : source.explained ? explained_tree(evaluation.tree, *source.explained, revision.messages)
+                           : shown_tree(evaluation.tree, source);
+    builder.show(source.showing);
     builder.divide(source.parts);
     builder.cut(source.sections);
     auto model = builder.build(tree, stop, evaluation.program);

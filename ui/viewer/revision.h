@@ -18,6 +18,14 @@
 
 namespace ui {
 
+/// An earlier state of a model.
+struct Baseline {
+    std::string name;                       ///< For people: "it was opened", "old.scad".
+    std::shared_ptr<const csg::Tree> tree;  ///< Null: as the file says.
+    std::string path;                       ///< Of that file.
+    bool operator==(const Baseline&) const = default;
+};
+
 /// What is shown: where the text comes from and how it is evaluated.
 struct Source {
     /// Names the text; read from there unless `text` is given. Empty: nothing is open. "-": standard input.
@@ -37,6 +45,8 @@ struct Source {
     double time = 0;                ///< $t
 
     std::optional<CallAt> explained{};  ///< Shown instead of the model is what this did, while it is there.
+    std::optional<Baseline> before{};   ///< … or what has changed since.
+    csg::Showing showing = csg::Showing::Preview;
 
     std::optional<std::string> edited{};  ///< The main file's text with what is not saved: counts above all others.
 
@@ -46,7 +56,9 @@ struct Source {
 };
 
 struct Revision {
-    std::shared_ptr<const Model> model;  ///< Null where there was an error.
+    std::shared_ptr<const Model> model;       ///< Null where there was an error.
+    std::shared_ptr<const csg::Tree> tree;    ///< Of the program: all of it, whatever of it the model shows.
+    std::shared_ptr<const csg::Tree> before;  ///< Of the source's baseline, where it has one.
     csg::scad::ViewSettings view;
     /// Of the main file, with the source's definitions as their values; nothing where that cannot be parsed.
     std::optional<std::vector<csg::scad::CustomizerParameter>> parameters;

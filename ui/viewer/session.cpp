@@ -91,6 +91,9 @@ void Session::close() {
     } else if (document_.source().explained) {
         document_.explain(std::nullopt);
         evaluate();
+    } else if (document_.source().before) {
+        document_.compare(std::nullopt);
+        evaluate();
     } else if (evaluating()) {
         cancel();
     }

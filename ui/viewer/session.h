@@ -127,6 +127,8 @@ class Session {
     void run_animation();
     bool animate(const Command& command);
     bool look_at_tree(const Command& command);
+    /// False where it is for others to do.
+    bool inspect(const InspectionCommand& command);
     /// The newest texts take the place of what is shown.
     void renew_text();
     void place_camera();

@@ -27,6 +27,9 @@ bool Session::perform(const Command& command) {
     if (change_settings(command) || animate(command) || look_at_tree(command) || edit_by_hand(command)) {
         return true;
     }
+    if (const auto* asked = std::get_if<InspectionCommand>(&command)) {
+        return inspect(*asked);
+    }
     if (const auto* style = std::get_if<SetStyle>(&command)) {
         view_.show_style(std::min(style->style, npr::styles().size() - 1));
     } else if (const auto* set = std::get_if<SetParameter>(&command)) {
@@ -56,6 +59,7 @@ bool Session::perform(const Command& command) {
         view_.picture.camera.rotation = rotation_from(look->side, view_.picture.camera.rotation);
     } else if (const auto* explain = std::get_if<Explain>(&command)) {
         document_.explain(explain->call);
+        document_.compare(std::nullopt);
         clear_selection();
         evaluate();
     } else if (const auto* text = std::get_if<ShowText>(&command)) {
@@ -114,6 +118,19 @@ bool Session::look_at_tree(const Command& command) {
         evaluate();
     } else if (const auto* alone = std::get_if<ShowAlone>(&command)) {
         document_.show_alone(alone->call);
+        evaluate();
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool Session::inspect(const InspectionCommand& command) {
+    if (const auto* thickness = std::get_if<SetThickness>(&command)) {
+        view_.thickness = thickness->thickness;
+    } else if (const auto* compared = std::get_if<CompareWith>(&command)) {
+        document_.explain(std::nullopt);
+        document_.compare(compared->before);
         evaluate();
     } else {
         return false;
@@ -226,7 +243,8 @@ bool Session::act(Action action) {
             shown_.cube = !shown_.cube;
             break;
         case Action::TogglePanel:
-            shown_.panel = !shown_.panel;
+            shown_.panel = !shown_.panel || shown_.inspection;
+            shown_.inspection = false;
             break;
         case Action::ToggleText:
             shown_.text = !shown_.text;
@@ -253,6 +271,9 @@ bool Session::act(Action action) {
             shown_.animation = true;
             animation_.go_to(animation_.step() + (action == Action::StepOn ? 1 : -1));
             run_animation();
+            break;
+        case Action::ToggleInspection:
+            shown_.inspection = !shown_.inspection;
             break;
         case Action::Settings:
             shown_.settings_form = true;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/pipeline/picture/thickness_request.h"
 
 namespace ui {
 
@@ -15,6 +17,7 @@ class ViewState {
     explicit ViewState(const PictureRequest& first);
 
     PictureRequest picture;
+    std::optional<ThicknessRequest> thickness;  ///< Surfaces have the tones of that, not their colors.
 
     /// The picture, `size` pixels large.
     [[nodiscard]] PictureRequest request(glm::ivec2 size) const;

@@ -1,6 +1,7 @@
 #include "ui/viewer/window_loop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 #include <variant>
@@ -55,6 +56,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       interface_(window_),
       picture_(*context_, options.engine, context_->software(), GlfwWindow::wake),
       session_(options, make_evaluate(), GlfwWindow::wake),
+      inspection_(make_evaluate(), GlfwWindow::wake),
       open_form_(first_folder(options.source)),
       export_form_(proposed_export(options.source)),
       export_job_(GlfwWindow::wake),
@@ -89,11 +91,14 @@ WindowEnd WindowLoop::run() {
             input_.add(std::move(input));
         }
         const bool exported = receive_export(), received = receive() || exported;
-        const bool updated = session_.update(seconds());
+        const bool updated = session_.update(seconds()), inspected = inspection_.update();
         // The status line counts the seconds of an evaluation, and says when it has ended without a result.
-        const std::optional<int> counted = session_.evaluating_for();
+        std::optional<int> counted = session_.evaluating_for();
+        if (!inspection_.task().empty()) {
+            counted = counted.value_or(0) + inspection_.task_seconds();
+        }
         const bool counts = std::exchange(counted_, counted) != counted;
-        if (updated || !input_.empty() || received || counts) {
+        if (updated || inspected || !input_.empty() || received || counts) {
             frames_to_draw_ = kFramesAfterInput;
         }
         if (frames_to_draw_ > 0 || (!picture_.busy() && plan_.next(seconds()))) {
@@ -190,8 +195,14 @@ Layout WindowLoop::draw_interface(Commands& commands) {
         make_layout({size.x, size.y}, menu_height, interface_.scale(), session_.shown(), console_height_);
     draw_overlay(layout.picture, session_, info_, fonts, interface_.scale());
     draw_thickness_legend(layout.picture, session_, fonts, interface_.scale());
-    draw_panel(layout.panel, session_, info_, fonts, commands);
+    const InspectionView inspected{session_, inspection_, fonts};
+    if (session_.shown().inspection) {
+        inspection_panel_.draw(layout.panel, inspected, commands);
+    } else {
+        draw_panel(layout.panel, session_, info_, fonts, commands);
+    }
     draw_ghost(layout.picture, session_, interface_.scale());
+    draw_inspected(layout.picture, inspected, interface_.scale());
     draw_animation(layout.animation, session_.animation(), commands);
     if (session_.shown().tree) {
         tree_panel_.draw(layout.left, session_, fonts, commands);
@@ -235,6 +246,7 @@ void WindowLoop::open(const OpenFile& file) {
         return;
     }
     session_.perform(file);
+    inspection_.clear();
     const Source& source = session_.document().source();
     save_form_.propose(proposed_picture(source));
     export_form_.propose(proposed_export(source));
@@ -339,6 +351,9 @@ void WindowLoop::perform(const Command& command) {
     if (action != nullptr && perform_by_tools(*action)) {
         return;
     }
+    if (action != nullptr && *action == Action::Close && !session_.shown().covered()) {
+        inspection_.unmark();
+    }
     const bool flies = std::holds_alternative<LookFrom>(command) || (action != nullptr && looks_from(*action));
     flight_.finish(session_.camera());
     const glm::dvec3 before = session_.camera().rotation;
@@ -346,6 +361,8 @@ void WindowLoop::perform(const Command& command) {
         if (flies) {
             flight_.start(session_.camera(), before, seconds());
         }
+    } else if (const auto* asked = std::get_if<InspectionCommand>(&command)) {
+        inspect(*asked);
     } else if (const auto* selected = std::get_if<SelectAt>(&command)) {
         select(selected->at);
     } else if (const auto* exported = std::get_if<ExportModel>(&command)) {
@@ -360,6 +377,42 @@ void WindowLoop::perform(const Command& command) {
         quit_ = quit_ || *action == Action::Quit;
         copy(*action);
     }
+}
+
+void WindowLoop::inspect(const InspectionCommand& command) {
+    const Document& document = session_.document();
+    if (const auto* finding = std::get_if<ShowFinding>(&command)) {
+        show(inspection_.finding(finding->index, document), true);
+    } else if (const auto* thin = std::get_if<ShowThinPlace>(&command)) {
+        show(inspection_.thin_place(thin->index, document), false);
+    } else if (const auto* text = std::get_if<CopyText>(&command)) {
+        window_.set_clipboard(text->text);
+        note_ = "Copied";
+    } else if (!document.source().nothing()) {
+        (void)inspection_.perform(command, document, scad_view(session_.camera()));
+    }
+}
+
+void WindowLoop::show(const InspectedPlace& place, bool turns) {
+    base::Camera& camera = session_.camera();
+    const glm::dvec3 before = camera.rotation,
+                     middle = place.point + 0.5 * place.value * place.direction.value_or(glm::dvec3(0));
+    if (const auto& model = session_.document().model(); turns && model) {
+        const glm::dvec3 from = inspection_.sight(place, glm::normalize(camera.eye() - camera.target));
+        const double diagonal = model->box.diagonal();
+        const double height = std::clamp(12 * place.value, 0.2 * diagonal, diagonal);
+        camera.rotation = base::camera_between(place.point + from, place.point).rotation;
+        camera.distance = 0.5 * height / std::tan(glm::radians(0.5 * camera.fov));
+        camera.target = middle;
+    } else {
+        session_.look_at(middle);
+    }
+    flight_.start(camera, before, seconds());
+    session_.perform(SelectCall{place.occurrence, place.text, place.place});
+    if (place.text.text) {
+        session_.perform(ShowText{place.text});
+    }
+    inspection_.mark(place);
 }
 
 void WindowLoop::copy(Action action) {

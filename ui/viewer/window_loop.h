@@ -10,6 +10,7 @@
 #include "ui/viewer/export_form.h"
 #include "ui/viewer/export_job.h"
 #include "ui/viewer/frame_log.h"
+#include "ui/viewer/inspection_panel.h"
 #include "ui/viewer/interface.h"
 #include "ui/viewer/navigator.h"
 #include "ui/viewer/open_form.h"
@@ -59,6 +60,9 @@ class WindowLoop {
     bool perform_by_tools(Action action);
     void select(const glm::dvec2& at);
     void copy(Action action);
+    void inspect(const InspectionCommand& command);
+    /// What is there is selected, marked, and brought into the middle; `turns`: and the camera to where it is seen.
+    void show(const InspectedPlace& place, bool turns);
     void open(const OpenFile& file);
     void export_model(const ExportModel& what);
     void export_frames();
@@ -85,6 +89,7 @@ class WindowLoop {
     bool hovers_ = false;      ///< All that happened last was the pointer moving over the picture.
     PictureView picture_;
     Session session_;
+    Inspection inspection_;
     Navigator navigator_;
     Toolbox toolbox_;
     std::optional<glm::dvec2> question_;  ///< Of a tool, from the window's corner, not asked yet.
@@ -95,6 +100,7 @@ class WindowLoop {
     CustomizerPanel customizer_panel_;
     TextPanel text_panel_;
     TreePanel tree_panel_;
+    InspectionPanel inspection_panel_;
     RecentFiles recent_;
     OpenForm open_form_;
     ExportForm export_form_;
@@ -109,6 +115,7 @@ class WindowLoop {
     PictureRequest wanted_;
     ViewMarks wanted_marks_;
     HeldPart wanted_held_;
+    std::optional<ThicknessRequest> wanted_thickness_;
     std::shared_ptr<const Model> wanted_model_;
     PictureInfo info_;
     std::uint64_t wanted_version_ = 0, shown_version_ = 0;  ///< Count the pictures that were wanted.

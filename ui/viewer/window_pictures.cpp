@@ -34,7 +34,7 @@ void WindowLoop::save_picture(const WritePicture& what) {
     }
     note_ = "Saving the picture…";
     ++saving_;
-    picture_.save(wanted_model_, what.picture, what.path);
+    picture_.save(wanted_model_, what.picture, session_.view().thickness, what.path);
 }
 
 bool WindowLoop::receive() {
@@ -107,6 +107,7 @@ void WindowLoop::receive(const DrawnStep& drawn) {
     info_.ms = 1000 * drawn.seconds;
     info_.engine = drawn.statistics.engine;
     info_.walk = drawn.statistics.walk;
+    inspection_.see(wanted ? wanted_model_ : nullptr, drawn.thickness);
     if (wanted && wanted_model_) {
         session_.see_layers(*wanted_model_, std::max(info_.walk.layers, wanted_.layers));
     }
@@ -117,10 +118,12 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     const auto& model = session_.document().model();
     const bool other_model = model != wanted_model_;
     const bool other = (other_model && !session_.customizing()) || request.style != wanted_.style ||
-                       request.layers != wanted_.layers || request.engine != wanted_.engine;
+                       request.layers != wanted_.layers || request.engine != wanted_.engine ||
+                       session_.view().thickness.has_value() != wanted_thickness_.has_value();
     const ViewMarks marks = session_.shown().marks();
     const HeldPart& held = session_.held();
-    if (!other && !other_model && request == wanted_ && marks == wanted_marks_ && held == wanted_held_) {
+    if (!other && !other_model && request == wanted_ && marks == wanted_marks_ && held == wanted_held_ &&
+        session_.view().thickness == wanted_thickness_) {
         return;
     }
     other ? plan_.replaced(seconds()) : plan_.moved(seconds());
@@ -128,6 +131,7 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     wanted_ = request;
     wanted_marks_ = marks;
     wanted_held_ = held;
+    wanted_thickness_ = session_.view().thickness;
     wanted_model_ = model;
     ++wanted_version_;
     info_.error.clear();
@@ -147,7 +151,7 @@ void WindowLoop::draw_picture() {
     }
     if (const auto step = busy ? std::nullopt : plan_.next(seconds())) {
         drawing_ = *step;
-        picture_.draw(wanted_model_, wanted_, wanted_marks_, *step, wanted_version_, wanted_held_);
+        picture_.draw(wanted_model_, wanted_, wanted_marks_, wanted_thickness_, *step, wanted_version_, wanted_held_);
         news |= receive();
     }
     if (news) {
@@ -179,6 +183,7 @@ void WindowLoop::log(double frame_ms) {
     record.edits = static_cast<int>(session_.editing().text().steps());
     record.unsaved = session_.editing().text().unsaved();
     record.found = toolbox_.text();
+    record.inspection = inspection_.record();
     record.camera = session_.view().picture.camera;
     log_.write(record);
 }

@@ -59,7 +59,7 @@ class PictureViewTest : public test_support::GlTest {
         PictureView view = make(threaded);
         request_.samples = 4;
         for (int sample = 0; sample < samples; ++sample) {
-            view.draw(model_, request_, {}, {1, sample}, 7);
+            view.draw(model_, request_, {}, {}, {1, sample}, 7);
             const auto done = wait<DrawnStep>(view);
             EXPECT_EQ(done.error, "");
             EXPECT_EQ(done.version, 7U);
@@ -103,14 +103,14 @@ TEST_P(PictureViewTest, AStepThatIsStoppedShowsNothingAndTheNextIsRight) {
     PictureRequest large = request_;
     large.size = {2000, 2000};
     for (int i = 0; i < 3; ++i) {
-        view.draw(model_, large, {}, {1, 0}, 1);
+        view.draw(model_, large, {}, {}, {1, 0}, 1);
         std::this_thread::sleep_for(i * 5ms);
         view.stop_drawing();
         EXPECT_TRUE(wait<DrawnStep>(view).stopped);
     }
     EXPECT_EQ(shown(view, {8, 8})[0], 128) << "nothing is drawn yet";
     request_.samples = 4;
-    view.draw(model_, request_, {}, {1, 0}, 2);
+    view.draw(model_, request_, {}, {}, {1, 0}, 2);
     EXPECT_FALSE(wait<DrawnStep>(view).stopped);
     EXPECT_EQ(shown(view, request_.size), expected);
 }
@@ -119,7 +119,7 @@ TEST_P(PictureViewTest, ACoarsePictureFillsItsPlace) {
     for (const bool threaded : {false, true}) {
         PictureView view = make(threaded);
         EXPECT_EQ(shown(view, {8, 8})[0], 128) << "nothing is drawn yet";
-        view.draw(model_, request_, {}, {4, 0}, 1);
+        view.draw(model_, request_, {}, {}, {4, 0}, 1);
         (void)wait<DrawnStep>(view);
         const auto coarse = shown(view, request_.size);
         const auto differs = std::count_if(coarse.begin(), coarse.end(), [&](auto c) { return c != coarse[0]; });
@@ -144,14 +144,49 @@ TEST_P(PictureViewTest, PicksThePointInTheMiddle) {
     }
 }
 
+TEST_P(PictureViewTest, ThicknessHasTheTintsOfTheCommandLineAndPicksGoOn) {
+    const ThicknessRequest wall{ThicknessRequest::What::Wall, false, 20.0};
+    request_.samples = 4;
+    PictureRequest white = request_;
+    white.scheme.face = white.scheme.cut = glm::vec3(1);
+    Renderer renderer(*context_);
+    const auto plain = without_colors(*model_);
+    base::Image whole = renderer.render(*plain, white);
+    tint(whole, thickness_map(renderer, *model_, *plain, white, wall));
+    for (const bool threaded : {false, true}) {
+        PictureView view = make(threaded);
+        for (int sample = 0; sample < 4; ++sample) {
+            view.draw(model_, request_, {}, wall, {1, sample}, 1);
+            const auto done = wait<DrawnStep>(view);
+            ASSERT_EQ(done.error, "");
+            ASSERT_NE(done.thickness, nullptr);
+            EXPECT_EQ(done.thickness->range, 20);
+            ASSERT_FALSE(done.thickness->places.empty());
+            EXPECT_NEAR(done.thickness->places[0].value, 10, 1e-9);
+            base::Camera camera = request_.camera;
+            camera.target = {4, 3, 10};
+            view.pick(model_, {}, camera);
+            EXPECT_TRUE(wait<PickedPoint>(view).surface.has_value());
+        }
+        const auto steps = shown(view, request_.size);
+        for (int y = 0; y < whole.height; ++y) {
+            const auto row = static_cast<std::size_t>(whole.height - 1 - y) * 96 * 4;
+            ASSERT_TRUE(std::equal(whole.pixel(0, y), whole.pixel(0, y) + 96 * 4, &steps[row])) << "row " << y;
+        }
+        view.draw(model_, request_, {}, {}, {1, 0}, 2);
+        EXPECT_EQ(wait<DrawnStep>(view).thickness, nullptr);
+        EXPECT_NE(shown(view, request_.size), steps) << "its colors are there again";
+    }
+}
+
 TEST_P(PictureViewTest, SavesOrSaysWhyNot) {
     const test_support::TemporaryFolder folder;
     for (const bool threaded : {false, true}) {
         PictureView view = make(threaded);
-        view.save(model_, request_, folder.path("saved.png"));
+        view.save(model_, request_, {}, folder.path("saved.png"));
         EXPECT_EQ(wait<SavedPicture>(view).error, "");
         EXPECT_EQ(base::read_png(folder.path("saved.png")).width, 96);
-        view.save(model_, request_, "/nowhere/at/all.png");
+        view.save(model_, request_, {}, "/nowhere/at/all.png");
         EXPECT_NE(wait<SavedPicture>(view).error.find("/nowhere/at/all.png"), std::string::npos);
     }
 }
@@ -166,7 +201,7 @@ TEST_P(PictureViewTest, AnErrorIsAResult) {
             [](const gl::Functions&) -> std::unique_ptr<npr::Style> { throw gl::Error("no such style"); },
             []() -> npr::Paint { throw gl::Error("no such style"); }};
         request_.draw_as(broken);
-        view.draw(model_, request_, {}, {1, 0}, 1);
+        view.draw(model_, request_, {}, {}, {1, 0}, 1);
         EXPECT_EQ(wait<DrawnStep>(view).error, "no such style");
     }
 }
@@ -174,7 +209,7 @@ TEST_P(PictureViewTest, AnErrorIsAResult) {
 TEST_P(PictureViewTest, ItsEndDropsWhatWaits) {
     PictureView view = make(true);
     for (int i = 0; i < 50; ++i) {
-        view.draw(model_, request_, {}, {1, 0}, 1);
+        view.draw(model_, request_, {}, {}, {1, 0}, 1);
     }
     EXPECT_TRUE(view.busy());
 }

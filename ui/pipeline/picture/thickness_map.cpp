@@ -159,16 +159,6 @@ glm::vec3 tint_of(float value, double range) {
                                   : linear(thickness_tone(static_cast<float>(std::min(1.0, value / range))));
 }
 
-void multiply(base::Image& image, const std::vector<glm::vec3>& tint) {
-    const npr::SrgbTables& tables = npr::SrgbTables::get();
-    for (std::size_t i = 0; i < tint.size(); ++i) {
-        for (int c = 0; c < 3; ++c) {
-            std::uint8_t& byte = image.rgba[4 * i + static_cast<std::size_t>(c)];
-            byte = tables.byte(tables.linear(static_cast<float>(byte) / 255) * tint[i][c]);
-        }
-    }
-}
-
 }  // namespace
 
 glm::vec3 thickness_tone(float share) {
@@ -180,41 +170,78 @@ glm::vec3 thickness_tone(float share) {
     return glm::mix(kTones[below], kTones[below + 1], at - static_cast<float>(below));
 }
 
-ThicknessMap thickness_map(Renderer& renderer, const Model& model, const Model& shown, const PictureRequest& picture,
-                           const ThicknessRequest& request, const std::stop_token& stop) {
-    ThicknessMap map;
+struct ThicknessGauge::State {
+    explicit State(const Model& model) : probe(model.scene, model.geometry), links(model.scene) {}
+
+    SolidProbe probe;
+    ExpressionLinks links;
+    std::optional<double> range;             ///< That was asked for.
+    std::vector<std::vector<float>> values;  ///< By sample and pixel.
+    Places places;
+};
+
+ThicknessGauge::ThicknessGauge(const Model& model) : state_(std::make_unique<State>(model)) {}
+ThicknessGauge::~ThicknessGauge() = default;
+
+void ThicknessGauge::measure(Renderer& renderer, const Model& shown, const PictureRequest& picture,
+                             const ThicknessRequest& request, int sample, const std::stop_token& stop) {
+    State& state = *state_;
+    if (sample == 0) {
+        state.values.clear();
+        state.places.clear();
+        state.range = request.range;
+    }
     if (shown.empty()) {
+        return;
+    }
+    const base::View view =
+        npr::sample_view(picture, static_cast<std::size_t>(sample), shown.geometry.box.lo, shown.geometry.box.hi);
+    const auto stack = renderer.first_layer(shown, view);
+    std::vector<float> values(static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y),
+                              kEmpty);
+    std::mutex mutex;
+    base::for_each_index(
+        picture.size.y,
+        [&] {
+            return RowGauge{view, *stack, values, mutex, state.places, Gauge(state.probe, state.links, shown, request)};
+        },
+        0, stop);
+    state.values.push_back(std::move(values));
+}
+
+ThicknessMap ThicknessGauge::map() const {
+    ThicknessMap map;
+    const std::size_t samples = state_->values.size();
+    if (samples == 0) {
         return map;
     }
-    const SolidProbe probe(model.scene, model.geometry);
-    const ExpressionLinks links(model.scene);
-    const auto pixels = static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y);
-    const std::size_t samples = npr::sample_offsets(picture.samples).size();
-    std::vector<std::vector<float>> values(samples, std::vector<float>(pixels, kEmpty));
-    Places places;
-    std::mutex mutex;
-    for (std::size_t sample = 0; sample < samples; ++sample) {
-        const base::View view = npr::sample_view(picture, sample, shown.geometry.box.lo, shown.geometry.box.hi);
-        const auto stack = renderer.first_layer(shown, view);
-        base::for_each_index(
-            picture.size.y,
-            [&] { return RowGauge{view, *stack, values[sample], mutex, places, Gauge(probe, links, shown, request)}; },
-            0, stop);
-    }
-    map.range = request.range ? *request.range : own_range(values.front());
-    map.tint.assign(pixels, glm::vec3(0));
-    for (const std::vector<float>& of_sample : values) {
-        for (std::size_t i = 0; i < pixels; ++i) {
+    map.range = state_->range ? *state_->range : own_range(state_->values.front());
+    map.tint.assign(state_->values.front().size(), glm::vec3(0));
+    for (const std::vector<float>& of_sample : state_->values) {
+        for (std::size_t i = 0; i < of_sample.size(); ++i) {
             map.tint[i] += tint_of(of_sample[i], std::max(map.range, 1e-300)) / static_cast<float>(samples);
         }
     }
-    for (const auto& [pair, place] : places) {
+    for (const auto& [pair, place] : state_->places) {
         map.places.push_back(place);
     }
     std::stable_sort(map.places.begin(), map.places.end(),
                      [](const ThinPlace& a, const ThinPlace& b) { return a.value < b.value; });
     map.places.resize(std::min(map.places.size(), kMostPlaces));
     return map;
+}
+
+ThicknessMap thickness_map(Renderer& renderer, const Model& model, const Model& shown, const PictureRequest& picture,
+                           const ThicknessRequest& request, const std::stop_token& stop) {
+    if (shown.empty()) {
+        return {};
+    }
+    ThicknessGauge gauge(model);
+    const auto samples = static_cast<int>(npr::sample_offsets(picture.samples).size());
+    for (int sample = 0; sample < samples; ++sample) {
+        gauge.measure(renderer, shown, picture, request, sample, stop);
+    }
+    return gauge.map();
 }
 
 std::shared_ptr<const Model> without_colors(const Model& model) {
@@ -230,11 +257,21 @@ std::shared_ptr<const Model> without_colors(const Model& model) {
     return plain;
 }
 
+void tint(base::Image& image, const ThicknessMap& map) {
+    const npr::SrgbTables& tables = npr::SrgbTables::get();
+    for (std::size_t i = 0; i < map.tint.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            std::uint8_t& byte = image.rgba[4 * i + static_cast<std::size_t>(c)];
+            byte = tables.byte(tables.linear(static_cast<float>(byte) / 255) * map.tint[i][c]);
+        }
+    }
+}
+
 void draw_thickness(base::Image& image, const ThicknessMap& map, const glm::vec3& ground) {
     if (map.tint.empty()) {
         return;
     }
-    multiply(image, map.tint);
+    tint(image, map);
     for (std::size_t i = 0; i < map.places.size(); ++i) {
         const glm::dvec2 at = map.places[i].pixel;
         const auto crowds = [&](const ThinPlace& other) {

@@ -1,6 +1,7 @@
 // How thick walls are and how narrow gaps, at every place that a picture shows.
 #pragma once
 
+#include <memory>
 #include <stop_token>
 #include <vector>
 
@@ -25,6 +26,26 @@ struct ThicknessMap {
     std::vector<ThinPlace> places;  ///< The thinnest first; of two calls that made the faces one, a few in all.
 };
 
+/// Measures a picture's samples one after the other, for who shows it before all are there.
+class ThicknessGauge {
+  public:
+    /// Rays run through the model, which must outlive it.
+    explicit ThicknessGauge(const Model& model);
+    ~ThicknessGauge();
+    ThicknessGauge(const ThicknessGauge&) = delete;
+    ThicknessGauge& operator=(const ThicknessGauge&) = delete;
+
+    /// What one sample of the picture sees; the first (0) begins a new map. See thickness_map.
+    void measure(Renderer& renderer, const Model& shown, const PictureRequest& picture, const ThicknessRequest& request,
+                 int sample, const std::stop_token& stop = {});
+    /// Of the samples so far.
+    [[nodiscard]] ThicknessMap map() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Of the model's surfaces that a picture of `shown` (the model, or what sections leave of it) sees first. Rays run
 /// through the model itself, in double precision, whoever finds the layer; faces of sections are measured nowhere, nor
 /// are `%` and `#`. Along normals, only roughly opposite faces count, as in csgscope check. Throws as Renderer does.
@@ -37,6 +58,9 @@ struct ThicknessMap {
 
 /// The model with all of its colors taken away, for light to be multiplied with. Opacities stay.
 [[nodiscard]] std::shared_ptr<const Model> without_colors(const Model& model);
+
+/// Multiplies the picture with the tints.
+void tint(base::Image& image, const ThicknessMap& map);
 
 /// Tints the picture, draws rings around the places, with their sizes, and the legend on a ground of that
 /// color (sRGB).

@@ -14,6 +14,8 @@ struct ThicknessRequest {
     What what = What::Wall;
     bool along_view = false;      ///< Along the ray of the pixel, else along the face's normal.
     std::optional<double> range;  ///< World units: what is thicker looks the same; absent: by the picture.
+
+    bool operator==(const ThicknessRequest&) const = default;
 };
 
 }  // namespace ui
