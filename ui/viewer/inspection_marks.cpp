@@ -11,25 +11,25 @@ namespace ui {
 
 namespace {
 
-constexpr ImU32 kDark = IM_COL32(20, 20, 20, 255), kLight = IM_COL32(255, 255, 255, 255),
+constexpr ImU32 kMarkEdge = IM_COL32(20, 20, 20, 255), kMarkLight = IM_COL32(255, 255, 255, 255),
                 kMarked = IM_COL32(240, 60, 40, 255);
 
-ImVec2 im(const glm::dvec2& p) {
+ImVec2 on_screen(const glm::dvec2& p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y)};
 }
 
 /// A text on a ground of its own, so that it is seen on everything.
-void label(ImDrawList& list, const glm::dvec2& at, const std::string& text, const Fonts& fonts, float scale) {
+void size_label(ImDrawList& list, const glm::dvec2& at, const std::string& text, const Fonts& fonts, float scale) {
     const ImFont& font = *fonts.text;
     const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, text.c_str());
-    const ImVec2 corner = im(at), end{corner.x + size.x + 6 * scale, corner.y + size.y + 2 * scale};
+    const ImVec2 corner = on_screen(at), end{corner.x + size.x + 6 * scale, corner.y + size.y + 2 * scale};
     list.AddRectFilled(corner, end, IM_COL32(20, 20, 20, 190), 3 * scale);
-    list.AddText(&font, font.FontSize, {corner.x + 3 * scale, corner.y + scale}, kLight, text.c_str());
+    list.AddText(&font, font.FontSize, {corner.x + 3 * scale, corner.y + scale}, kMarkLight, text.c_str());
 }
 
 void ring(ImDrawList& list, const glm::dvec2& at, ImU32 color, float radius, float scale) {
-    list.AddCircle(im(at), radius * scale, kDark, 0, 4.5F * scale);
-    list.AddCircle(im(at), radius * scale, color, 0, 2.5F * scale);
+    list.AddCircle(on_screen(at), radius * scale, kMarkEdge, 0, 4.5F * scale);
+    list.AddCircle(on_screen(at), radius * scale, color, 0, 2.5F * scale);
 }
 
 /// A ring, the line that is measured, and how long that is.
@@ -41,12 +41,12 @@ void draw_marked(ImDrawList& list, const Rectangle& place, const base::Camera& c
     }
     if (marked.direction) {
         if (const auto to = place_of(camera, place, marked.point + marked.value * *marked.direction)) {
-            list.AddLine(im(*at), im(*to), kDark, 5 * scale);
-            list.AddLine(im(*at), im(*to), kMarked, 2.5F * scale);
+            list.AddLine(on_screen(*at), on_screen(*to), kMarkEdge, 5 * scale);
+            list.AddLine(on_screen(*at), on_screen(*to), kMarked, 2.5F * scale);
         }
     }
     ring(list, *at, kMarked, 14, scale);
-    label(list, *at + glm::dvec2(18, -38) * static_cast<double>(scale), marked.headline, fonts, scale);
+    size_label(list, *at + glm::dvec2(18, -38) * static_cast<double>(scale), marked.headline, fonts, scale);
 }
 
 }  // namespace
@@ -64,9 +64,9 @@ void draw_inspected(const Rectangle& place, const InspectionView& view, float sc
                          scale);
         for (const ThinPlace& thin : map->places) {
             if (const auto at = place_of(camera, place, thin.point)) {
-                ring(list, *at, kLight, 7, scale);
-                label(list, *at + glm::dvec2(11, -9) * static_cast<double>(scale), fmt::format("{:.3g}", thin.value),
-                      view.fonts, scale);
+                ring(list, *at, kMarkLight, 7, scale);
+                size_label(list, *at + glm::dvec2(11, -9) * static_cast<double>(scale),
+                           fmt::format("{:.3g}", thin.value), view.fonts, scale);
             }
         }
     }

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
 
+#include "base/file.h"
 #include "npr/style.h"
 #include "tests/csg/scad/evaluate_text.h"
 #include "tests/support/gl_test.h"
+#include "ui/pipeline/mesh/mesh.h"
 #include "ui/pipeline/picture/renderer.h"
 
 namespace ui {
@@ -80,6 +83,52 @@ double cut_area(const Model& model, const glm::dvec3& rotation, const glm::dvec3
     return count * (size / kPixels) * (size / kPixels);
 }
 
+/// Of the closed mesh, in the plane, which goes through no corner of it: by the segments that its triangles leave
+/// there.
+double mesh_section_area(const csg::reference::Mesh& mesh, const glm::dvec3& normal, double offset) {
+    double twice = 0;
+    const glm::dvec3 origin = offset * normal;
+    for (const glm::uvec3& t : mesh.triangles) {
+        std::array<glm::dvec3, 2> ends{};  // Where the border of the triangle goes up through the plane, and down.
+        bool crossed = false;
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec3 &p = mesh.points[t[i]], &q = mesh.points[t[(i + 1) % 3]];
+            const double a = glm::dot(normal, p) - offset, b = glm::dot(normal, q) - offset;
+            if ((a < 0) != (b < 0)) {
+                ends[a < 0 ? 0 : 1] = p + a / (a - b) * (q - p) - origin;
+                crossed = true;
+            }
+        }
+        twice += crossed ? glm::dot(normal, glm::cross(ends[0], ends[1])) : 0;
+    }
+    return 0.5 * std::abs(twice);
+}
+
+/// Cuts of a model of the gallery at a share of its height (or length), against its exact mesh (CGAL).
+void expect_areas_of_mesh(const std::string& name, double share) {
+    SCOPED_TRACE(name);
+    const auto text = base::read_regular_file(CSGSCOPE_SOURCE_DIR "/models/" + name + ".scad");
+    ASSERT_TRUE(text.has_value());
+    const auto model = whole(*text);
+    const csg::reference::Mesh mesh = make_mesh(*model).mesh;
+    const csg::Box& box = model->box;
+    struct Way {
+        glm::dvec3 normal, rotation;
+    };
+    // Turned within the plane, so that no edge goes along rows of pixels.
+    for (const Way& way : {Way{{0, 0, 1}, {0, 0, 17}}, Way{{1, 0, 0}, {90, 17, 90}}, Way{{0, -1, 0}, {90, 17, 0}}}) {
+        const double low = std::min(glm::dot(way.normal, box.lo), glm::dot(way.normal, box.hi));
+        const double offset = low + share * glm::dot(glm::abs(way.normal), box.size());
+        const double expected = mesh_section_area(mesh, way.normal, offset);
+        ASSERT_GT(expected, 0);
+        SectionedModel keeper;
+        const Model& left = keeper.cut(model, resolved(sections({plane(way.normal, offset)}), box, {}));
+        const glm::dvec3 across = box.size() * (glm::dvec3(1) - glm::abs(way.normal));
+        EXPECT_NEAR(cut_area(left, way.rotation, box.center(), glm::length(across)), expected, 1e-3 * expected)
+            << "along " << way.normal.x << ", " << way.normal.y << ", " << way.normal.z;
+    }
+}
+
 /// Is the point in the part, whose leaves are boxes?
 bool remains(const Model& model, csg::PartId part, const glm::dvec3& point) {
     std::vector<char> values;
@@ -112,6 +161,16 @@ TEST(Sections, CutAreasAreThoseOfTheSolid) {
     // At 45 degrees through the middle of a cube: a rectangle of 10 by 10 √2.
     const Cut slant = cut("cube(10, center = true);", sections({plane({0, -1, 1}, 0)}));
     EXPECT_NEAR(cut_area(*slant.model, {45, 0, 0}, {0, 0, 0}, 20), 100 * std::numbers::sqrt2, 0.15);
+}
+
+TEST(Sections, CutAreasAreThoseOfTheMesh) {
+    expect_areas_of_mesh("box", 0.41);
+    expect_areas_of_mesh("pipe_tee", 0.437);
+    expect_areas_of_mesh("widget", 0.463);
+}
+
+TEST(Sections, CutAreasOfAssembliesAreThoseOfTheMesh) {
+    expect_areas_of_mesh("padlock", 0.437);
 }
 
 TEST(Sections, ShellsThatOverlapAreCutAsOneSolid) {

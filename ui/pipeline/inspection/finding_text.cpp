@@ -14,7 +14,7 @@ const char* unit(const Finding& finding) {
     return finding.kind == FindingKind::Overhang ? "°" : volume ? " mm³" : " mm";
 }
 
-std::string number(double value) {
+std::string six_digits(double value) {
     return fmt::format("{:.6g}", std::abs(value) < 1e-9 ? 0.0 : value);
 }
 
@@ -31,7 +31,7 @@ std::string headline(const Model& model, const Finding& finding) {
         text += ": " + finding.text;
     }
     if (finding.value) {
-        text += fmt::format(", {}{}", number(*finding.value), unit(finding));
+        text += fmt::format(", {}{}", six_digits(*finding.value), unit(finding));
         if (finding.error > 1e-6 * std::abs(*finding.value)) {
             text += fmt::format(" (the worst may be {:.2g} {})", finding.error,
                                 finding.kind == FindingKind::Size           ? "off"
@@ -40,7 +40,7 @@ std::string headline(const Model& model, const Finding& finding) {
         }
     }
     if (finding.limit && finding.kind != FindingKind::Interference) {
-        text += fmt::format(", limit {}", number(*finding.limit));
+        text += fmt::format(", limit {}", six_digits(*finding.limit));
     }
     if (finding.part && finding.other_part && finding.part != finding.other_part) {
         const auto& parts = model.scene.parts;
@@ -50,7 +50,7 @@ std::string headline(const Model& model, const Finding& finding) {
 }
 
 std::string point_text(const glm::dvec3& p) {
-    return fmt::format("[{}, {}, {}]", number(p.x), number(p.y), number(p.z));
+    return fmt::format("[{}, {}, {}]", six_digits(p.x), six_digits(p.y), six_digits(p.z));
 }
 
 }  // namespace ui
