@@ -61,12 +61,16 @@ void ChangesTab::draw(const InspectionView& view, Commands& commands) {
         }
     };
     of_tree("Changes since it was opened", "it was opened", document.first_tree());
+    const bool of_own = shown && !shown->tree && shown->path == document.source().path;
+    if (ImGui::RadioButton("Changes since it was saved", of_own) && !document.source().followed().empty()) {
+        compare(Baseline{"it was saved", nullptr, document.source().path});
+    }
     of_tree("Changes since it was kept", "it was kept", kept_);
     ImGui::SameLine();
     if (ImGui::SmallButton("Keep now")) {
         kept_ = document.tree();
     }
-    const bool of_file = shown && !shown->tree;
+    const bool of_file = shown && !shown->tree && !of_own;
     if (ImGui::RadioButton("Changes since a file", of_file) && of_file) {
         compare(std::nullopt);
     }

@@ -41,8 +41,8 @@ void PictureView::run(std::function<PictureResult(Renderer&)> task) {
 
 const Model& PictureView::cut(const std::shared_ptr<const Model>& model, const npr::Sections& sections,
                               Renderer& renderer) {
-    const Model& left = sectioned_.cut(plain_ && model == colored_ ? plain_ : model, sections,
-                                       model == held_in_ ? held_ : HeldPart{});
+    const Model& left =
+        sectioned_.cut(plain_ && model == colored_ ? plain_ : model, sections, model == held_in_ ? held_ : HeldPart{});
     if (!sectioned_.change().empty()) {
         renderer.update(left, sectioned_.change());
     }
@@ -78,8 +78,8 @@ void PictureView::mark(base::Image& image, const Model& model, const PictureRequ
 }
 
 void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
-                       const std::optional<ThicknessRequest>& thickness, const PictureStep& step,
-                       std::uint64_t version, const HeldPart& held) {
+                       const std::optional<ThicknessRequest>& thickness, const PictureStep& step, std::uint64_t version,
+                       const HeldPart& held) {
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
     const bool threaded = thread_ != nullptr;
     drawing_ = std::stop_source();

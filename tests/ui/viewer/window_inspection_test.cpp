@@ -105,7 +105,7 @@ TEST_F(WindowInspection, ChangesSinceItWasOpenedAreTinted) {
     EXPECT_GT(count(is_green), green + 10'000) << "what is new";
     EXPECT_LT(count(is_red), red + 500);
     from = frames().size();
-    robot("mousemove 1120 218 click 1");  // Volumes, part by part.
+    robot("mousemove 1120 248 click 1");  // Volumes, part by part.
     wait_for_inspection(from, [](const Json& inspection) { return inspection.at("changed_parts") == 1; });
     robot("mousemove 480 300 key Escape");
     EXPECT_TRUE(shows_faces());
