@@ -67,19 +67,28 @@ Contour contour_at(EndLink link) {
 
 // So many to either side, if the border goes on so far.
 Contour longer_contour(Contour c, int links) {
-    // To the left of the way out, and to the right.
-    while (c.begin.found && c.first > kContour - links) {
-        c.begin = next_end(c.begin, ivec2(c.begin.offset.y, -c.begin.offset.x));
-        if (c.begin.found) {
-            c.at[--c.first] = middle_of(c.begin);
-            c.one_facet = c.one_facet && surface_ids(c.begin.pixel, c.begin.layer).y == c.facet;
+    for (int way = -1; way <= 1; way += 2) {
+        EndLink end = c.end;
+        int known = c.last - kContour;
+        if (way < 0) {
+            end = c.begin;
+            known = kContour - c.first;
         }
-    }
-    while (c.end.found && c.last < kContour + links) {
-        c.end = next_end(c.end, ivec2(-c.end.offset.y, c.end.offset.x));
-        if (c.end.found) {
-            c.at[++c.last] = middle_of(c.end);
-            c.one_facet = c.one_facet && surface_ids(c.end.pixel, c.end.layer).y == c.facet;
+        while (end.found && known < links) {
+            // To the left of the way out, or to the right.
+            end = next_end(end, way * ivec2(-end.offset.y, end.offset.x));
+            if (end.found) {
+                ++known;
+                c.at[kContour + way * known] = middle_of(end);
+                c.one_facet = c.one_facet && surface_ids(end.pixel, end.layer).y == c.facet;
+            }
+        }
+        if (way < 0) {
+            c.begin = end;
+            c.first = kContour - known;
+        } else {
+            c.end = end;
+            c.last = kContour + known;
         }
     }
     return c;

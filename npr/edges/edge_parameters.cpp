@@ -22,6 +22,9 @@ Parameter line_halo() {
 Parameter line_taper() {
     return Parameter::number("taper", "Thinner the farther", 0, 0, 1);
 }
+Parameter line_taper_ends() {
+    return Parameter::number("taper-ends", "Thinner toward their ends", 0, 0, 1);
+}
 Parameter crease_angle() {
     return Parameter::number("crease", "Angle of creases in meshes", EdgeSettings().crease_degrees, 0, 180);
 }

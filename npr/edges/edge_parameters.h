@@ -21,6 +21,8 @@ namespace npr {
 [[nodiscard]] Parameter line_halo();
 /// "taper": how much thinner lines are at the far end of the scene, 0 to 1.
 [[nodiscard]] Parameter line_taper();
+/// "taper-ends": how much thinner lines are where they end before what hides them, 0 to 1.
+[[nodiscard]] Parameter line_taper_ends();
 /// "layers": the first so many are drawn, or all.
 [[nodiscard]] Parameter first_layers();
 

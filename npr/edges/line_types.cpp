@@ -55,8 +55,8 @@ void LinedSettings::complete_lines(const Picture& picture) {
     }
     const float cut = picture.sections.cuts.empty() || hard ? 1 : section_share;
     types.of(LineKind::SectionEdge, Visibility::Visible).width = cut;
-    clearances = halo > 0;
-    halo_gap = clearances ? std::min(halo + 0.5F * width, shader::LineCode().kClear - 0.5F) : 0;
+    clearances = halo > 0 || taper_ends > 0;
+    halo_gap = halo > 0 ? std::min(halo + 0.5F * width, shader::LineCode().kClear - 0.5F) : 0;
     facts = types != plain || clearances || taper > 0;
     if (cut > 1) {  // The widest lines are the measure of all.
         width *= cut;

@@ -28,6 +28,13 @@ float weight_by_distance(LineFacts f, float taper) {
     return 1.0f - taper * f.remoteness;
 }
 
+// The same toward where a line ends before something nearer, `gap` pixels from its border: 1 - taper at the end.
+float weight_by_end(LineFacts f, float gap, float taper) {
+    if (taper <= 0.0f || f.clearance >= kClear)
+        return 1.0f;
+    return 1.0f - taper * (1.0f - clamp((f.clearance - gap) / (kClear - gap), 0.0f, 1.0f));
+}
+
 // Is there ink at this place of the line's pattern? Dashes lie on the model: their middles are where the coordinate
 // along the line is a multiple of the period. `unit`: of the world, as large as a pixel where the camera looks at.
 float pattern_ink(LineType t, LineFacts f, float unit) {

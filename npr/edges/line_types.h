@@ -44,6 +44,7 @@ struct LinedSettings : EdgeSettings {
     float section_share = 1.5F;  ///< The same of edges of faces that sections leave, where there are sections.
     float halo = 0;              ///< Pixels; see line_halo().
     float taper = 0;             ///< See line_taper().
+    float taper_ends = 0;        ///< See line_taper_ends().
     float halo_gap = 0;          ///< From the border of what hides a line to where the line begins; 0: no gaps.
     float inner_width{};         ///< Pixels, as the next.
     float hidden_width{};

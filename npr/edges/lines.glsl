@@ -27,6 +27,11 @@ layout(std430, binding = 4) readonly buffer LineTypes { LineType line_types[]; }
 uniform float line_unit;   // see pattern_ink
 uniform float line_halo;   // see halo_ink
 uniform float line_taper;  // see weight_by_distance
+uniform float line_taper_ends;  // see weight_by_end
+
+float weight_of(LineFacts facts) {
+    return weight_by_distance(facts, line_taper) * weight_by_end(facts, line_halo, line_taper_ends);
+}
 
 // What is known of the line on a link; there must be one.
 LineFacts facts_at(ivec2 lower, int layer, int axis) {
@@ -62,7 +67,7 @@ Edge edge_at(vec2 at, int layer, float width, float inner, int way) {
 #ifdef LINE_TYPES
                 LineFacts facts = facts_at(ivec2(x, y), layer, axis);
                 LineType type = line_types[type_of_line(facts)];
-                own = type.width * width * weight_by_distance(facts, line_taper);
+                own = type.width * width * weight_of(facts);
                 strength = pattern_ink(type, facts, line_unit) * halo_ink(facts, line_halo);
                 if (facts.kind == kSectionEdge)
                     e.kind = kProfileEdge;
@@ -98,7 +103,7 @@ struct Pen {
 Pen pen_of(EdgePoint e, ivec2 lower, int layer, int axis, Pens pens) {
     LineFacts facts = facts_at(lower, layer, axis);
     LineType type = line_types[type_of_line(facts)];
-    return Pen(type.width * pens.width * weight_by_distance(facts, line_taper),
+    return Pen(type.width * pens.width * weight_of(facts),
                type.strength * pattern_ink(type, facts, line_unit) * halo_ink(facts, line_halo));
 }
 #else

@@ -36,7 +36,8 @@ TileInk::Pen TileInk::pen_of(const CpuEdge& edge, shader::Frame& rules) const {
     const float strength = !lines_.visible_only ? type.strength
                            : outline            ? lines_.profile_strength
                                                 : lines_.inner_strength;
-    return {type.width * lines_.width * rules.weight_by_distance(facts, lines_.taper),
+    return {type.width * lines_.width * rules.weight_by_distance(facts, lines_.taper) *
+                rules.weight_by_end(facts, lines_.halo_gap, lines_.taper_ends),
             strength * rules.pattern_ink(type, facts, lines_.line_unit) * rules.halo_ink(facts, lines_.halo_gap)};
 }
 

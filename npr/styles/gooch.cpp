@@ -32,6 +32,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::section_share>(section_line_width()),
         setting<&Settings::halo>(line_halo()),
         setting<&Settings::taper>(line_taper()),
+        setting<&Settings::taper_ends>(line_taper_ends()),
     };
     return all;
 }

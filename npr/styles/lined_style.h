@@ -63,6 +63,7 @@ class LinedStyle : public Style {
         typed_pass_->program().set("line_unit", settings.line_unit);
         typed_pass_->program().set("line_halo", settings.halo_gap);
         typed_pass_->program().set("line_taper", settings.taper);
+        typed_pass_->program().set("line_taper_ends", settings.taper_ends);
         return *typed_pass_;
     }
 

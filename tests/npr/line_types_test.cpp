@@ -145,6 +145,31 @@ TEST(LineTypes, HalosAreGapsBesideWhatIsNearer) {
     }
 }
 
+TEST(LineTypes, LinesAreThinnerTowardTheirEnds) {
+    scene::Easel easel(crossing());
+    const npr::Picture plain = from_the_front(easel.box(), "0", "0");
+    npr::Picture tapered = plain;
+    tapered.parameters.read("taper-ends", "0.9");
+    const base::Image without = easel.paint(plain), with = easel.paint(tapered);
+    const double half = plain.camera.distance * std::tan(glm::radians(plain.camera.fov) / 2);
+    const double post = 3 / half * 60;  // Pixels from the middle to its border.
+    // Darkness of the bar's two lines in a column.
+    const auto ink = [&](const base::Image& image, int x) {
+        int sum = 0;
+        for (int y = 0; y < image.height; ++y) {
+            sum += 255 - image.pixel(x, y)[0];
+        }
+        return sum;
+    };
+    const int border = static_cast<int>(60 + post);
+    for (int x = border + 10; x < border + 14; ++x) {
+        EXPECT_EQ(ink(with, x), ink(without, x)) << "not far from the post";
+    }
+    EXPECT_LT(ink(with, border + 3), 0.75 * ink(without, border + 3));
+    EXPECT_LE(ink(with, border + 3), ink(with, border + 5));
+    EXPECT_LE(ink(with, border + 5), ink(with, border + 7));
+}
+
 TEST(LineTypes, TaperedLinesAreThinnerFarAway) {
     scene::Easel easel(crossing());
     const auto ink_in = [](const base::Image& image, int x) {

@@ -64,7 +64,7 @@ std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>
     add("blueprint", {{"grid", "on"}, {"ground", "white"}, {"layers", "2"}, {"width", "0.5"}});
     add("blueprint", {{"width", "3.3"}, {"crease", "4"}, {"inner", "0.3"}});
     add("blueprint", {{"dashes", "on"}, {"width", "2"}});
-    add("blueprint", {{"halo", "3"}, {"taper", "0.7"}});
+    add("blueprint", {{"halo", "3"}, {"taper", "0.7"}, {"taper-ends", "0.9"}});
     add("lines", {{"halo", "2"}, {"taper", "0.4"}, {"width", "2.5"}});
     add("xray", {{"dashes", "on"}});
     add("xray", {{"colors", "layers"}, {"rim", "0"}, {"layers", "3"}});
