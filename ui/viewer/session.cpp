@@ -22,6 +22,13 @@ std::filesystem::path parameter_file(const Source& source) {
                                            : std::filesystem::path(source.path).replace_extension(".json");
 }
 
+/// Of sections that miss the model, or leave nothing of it.
+void warn(Document& document, const Model& model, const npr::Sections& sections) {
+    for (const std::string& text : section_warnings(model, sections)) {
+        document.add_message(LineKind::Warning, "WARNING: " + text);
+    }
+}
+
 }  // namespace
 
 Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<void()> wake)
@@ -142,6 +149,9 @@ bool Session::update(double now) {
         }
         renew_text();
         place_camera();
+        if (document_.model()) {
+            warn(document_, *document_.model(), view_.picture.sections);
+        }
         news = true;
     }
     const bool was_gone = document_.state() == DocumentState::Gone;
@@ -236,7 +246,11 @@ void Session::place_camera() {
 /// Cut faces have the color of what was cut, where that is known of the parts.
 void Session::cut(const npr::Sections& sections) {
     const auto& model = document_.model();
+    const bool missed = model && !section_warnings(*model, view_.picture.sections).empty();
     view_.picture.sections = model ? resolved(sections, model->box, view_.picture.camera) : sections;
+    if (model && !missed) {
+        warn(document_, *model, view_.picture.sections);
+    }
     if (!sections.cuts.empty() && document_.source().parts == csg::PartRule{}) {
         document_.divide({csg::PartRule::Kind::Color, 1, {}});
         evaluate();

@@ -262,5 +262,17 @@ TEST_F(SessionTest, SectionsAreResolvedByTheCameraAndDivideTheModelByColor) {
     EXPECT_TRUE(session_->view().picture.sections.cuts.empty());
 }
 
+TEST_F(SessionTest, ASectionBesideTheModelIsAWarning) {
+    open("good");
+    ASSERT_TRUE(reach(DocumentState::Good));
+    const auto at = [](double offset) { return SetSections{{{{npr::PlaneSection{{0, 0, 1}, offset}, "z"}}, {}, 0}}; };
+    session_->perform(at(5));
+    ASSERT_TRUE(reach(DocumentState::Good));
+    EXPECT_EQ(session_->document().messages().warnings(), 0U);
+    session_->perform(at(50));
+    ASSERT_TRUE(reach(DocumentState::Good));
+    EXPECT_EQ(session_->document().messages().warnings(), 1U) << "it misses, or takes all, by the side of the eye";
+}
+
 }  // namespace
 }  // namespace ui

@@ -21,6 +21,14 @@ std::vector<csg::Box> widened(std::vector<csg::Box> boxes, double by) {
     return boxes;
 }
 
+std::vector<csg::Box> boxes_of(const csg::solid::Geometry& geometry) {
+    std::vector<csg::Box> boxes;
+    for (const PlacedLeaf& leaf : geometry.leaves) {
+        boxes.push_back(leaf.box.empty() ? csg::Box{glm::dvec3(0), glm::dvec3(0)} : leaf.box);  // Without triangles.
+    }
+    return boxes;
+}
+
 bool before(const glm::dvec3& a, const glm::dvec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
@@ -60,16 +68,14 @@ bool nearer(const Crossing& a, const Crossing& b) {
 }  // namespace
 
 SolidProbe::SolidProbe(const csg::Scene& scene, const csg::solid::Geometry& geometry)
-    : scene_(scene), geometry_(geometry), event_(std::max(4 * geometry.planes.tolerance(), 1e-12)) {
-    std::vector<csg::Box> boxes;
-    for (csg::LeafId leaf = 0; leaf < geometry.leaves.size(); ++leaf) {
-        const csg::Box& box = geometry.leaves[leaf].box;
-        boxes.push_back(box.empty() ? csg::Box{glm::dvec3(0), glm::dvec3(0)} : box);  // Without triangles.
-    }
-    leaves_ = std::make_unique<const Tree>(widened(std::move(boxes), 2 * event_));
+    : scene_(scene),
+      geometry_(geometry),
+      event_(std::max(4 * geometry.planes.tolerance(), 1e-12)),
+      leaf_boxes_(widened(boxes_of(geometry), 2 * event_)),
+      leaves_(leaf_boxes_),
+      leaf_rays_(leaf_boxes_) {
     for (const PlacedLeaf& leaf : geometry.leaves) {
-        triangles_.push_back(std::make_unique<const Tree>(
-            widened(csg::reference::triangle_boxes(leaf.points, leaf.triangles), 2 * event_)));
+        triangles_.emplace_back(widened(csg::reference::triangle_boxes(leaf.points, leaf.triangles), 2 * event_));
         plain_.push_back(leaf.solid->closed && leaf.solid->simple && volume(leaf) > 0 ? 1 : 0);
     }
 }
@@ -120,14 +126,14 @@ void SolidProbe::sides(const glm::dvec3& point, const glm::dvec3& normal,
     out.behind.clear();
     out.met.clear();
     const glm::dvec3 origin = point - 2 * event_ * normal;
-    leaves_->tree.meeting({point, point}, [&](std::uint32_t leaf) {
+    leaves_.meeting({point, point}, [&](std::uint32_t leaf) {
         if (own && own->first == leaf && plain_[leaf] != 0) {
             out.behind.push_back({leaf, 1});
             out.met.push_back({0, leaf, own->second, -1});
             return;
         }
         int front = 0, here = 0;
-        (void)triangles_[leaf]->tree.along(origin, normal, [&](std::uint32_t triangle) {
+        triangles_[leaf].along(origin, normal, kInfinity, [&](std::uint32_t triangle) {
             if (const auto met = crossing(leaf, triangle, point, normal, -event_, kInfinity)) {
                 if (met->t > event_) {
                     front -= met->step;
@@ -136,7 +142,6 @@ void SolidProbe::sides(const glm::dvec3& point, const glm::dvec3& normal,
                     out.met.push_back(*met);
                 }
             }
-            return true;
         });
         if (front != 0) {
             out.front.push_back({leaf, front});
@@ -156,20 +161,14 @@ void SolidProbe::sides(const glm::dvec3& point, const glm::dvec3& normal,
 void SolidProbe::crossings(const glm::dvec3& origin, const glm::dvec3& direction, double most,
                            std::vector<Crossing>& out) const {
     out.clear();
-    const auto look = [&](std::uint32_t leaf, std::uint32_t triangle) {
-        const auto met = crossing(leaf, triangle, origin, direction, event_, most);
-        if (met && met->t > event_) {
-            out.push_back(*met);
-        }
-        return true;
-    };
-    (void)leaves_->tree.along(
-        origin, direction,
-        [&](std::uint32_t leaf) {
-            return triangles_[leaf]->tree.along(
-                origin, direction, [&](std::uint32_t triangle) { return look(leaf, triangle); }, most);
-        },
-        most);
+    leaf_rays_.along(origin, direction, most, [&](std::uint32_t leaf) {
+        triangles_[leaf].along(origin, direction, most, [&](std::uint32_t triangle) {
+            const auto met = crossing(leaf, triangle, origin, direction, event_, most);
+            if (met && met->t > event_) {
+                out.push_back(*met);
+            }
+        });
+    });
     std::sort(out.begin(), out.end(), nearer);
 }
 

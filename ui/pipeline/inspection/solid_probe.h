@@ -13,6 +13,7 @@
 #include "csg/solid/placed.h"
 #include "csg/tree/scene.h"
 #include "ui/pipeline/inspection/point_values.h"
+#include "ui/pipeline/inspection/ray_tree.h"
 
 namespace ui {
 
@@ -36,6 +37,8 @@ class SolidProbe {
   public:
     /// Both must outlive it.
     SolidProbe(const csg::Scene& scene, const csg::solid::Geometry& geometry);
+    SolidProbe(const SolidProbe&) = delete;
+    SolidProbe& operator=(const SolidProbe&) = delete;
 
     /// Two distances that differ by no more are the same.
     [[nodiscard]] double event() const { return event_; }
@@ -68,11 +71,6 @@ class SolidProbe {
     void inside(const Covers& covers, std::vector<csg::LeafId>& out) const;
 
   private:
-    struct Tree {
-        explicit Tree(std::vector<csg::Box> of) : boxes(std::move(of)), tree(boxes) {}
-        std::vector<csg::Box> boxes;
-        csg::reference::BoxTree tree;
-    };
     void sides(const glm::dvec3& point, const glm::dvec3& normal,
                const std::optional<std::pair<csg::LeafId, std::uint32_t>>& own, Sides& out) const;
     /// From `least` to `most` along the ray.
@@ -82,9 +80,11 @@ class SolidProbe {
     const csg::Scene& scene_;
     const csg::solid::Geometry& geometry_;
     double event_;
-    std::unique_ptr<const Tree> leaves_;
-    std::vector<std::unique_ptr<const Tree>> triangles_;  ///< By leaf.
-    std::vector<char> plain_;  ///< By leaf: it winds around no point but once, and its faces look outwards.
+    std::vector<csg::Box> leaf_boxes_;
+    csg::reference::BoxTree leaves_;
+    RayTree leaf_rays_;
+    std::vector<RayTree> triangles_;  ///< By leaf.
+    std::vector<char> plain_;         ///< By leaf: it winds around no point but once, and its faces look outwards.
 };
 
 /// What a ray meets of the parts of a scene. One for each thread.
