@@ -56,6 +56,7 @@ void draw_camera(DepictionStage& stage, const DepictionTask& task) {
     constexpr int kCurve = 33;
     const csg::Rgba color = task.what.color.value_or(kShot);
     std::vector<Shot> shots;
+    shots.reserve(kCurve);
     for (int i = 0; i < kCurve; ++i) {
         shots.emplace_back(stage.source.camera_at(task.from + (task.to - task.from) * i / (kCurve - 1)),
                            stage.source.aspect);

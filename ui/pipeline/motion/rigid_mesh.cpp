@@ -83,8 +83,9 @@ RigidMesh::Near RigidMesh::nearest(const RigidMesh& a, const glm::dmat4& motion_
         }
         const std::uint32_t i = next.second;
         const Corners own = corners(moved, a.triangles_[i]);
-        b.tree_.meeting({boxes[i].lo - best.distance, boxes[i].hi + best.distance}, [&](std::uint32_t k) {
-            if (apart(boxes[i], b.boxes_[k]) < best.distance) {
+        const csg::Box& box = boxes[i];
+        b.tree_.meeting({box.lo - best.distance, box.hi + best.distance}, [&](std::uint32_t k) {
+            if (apart(box, b.boxes_[k]) < best.distance) {
                 const Nearest found = nearest_points(own, corners(b.points_, b.triangles_[k]));
                 if (found.distance < best.distance) {
                     best = {found.distance, found.a, found.b};
