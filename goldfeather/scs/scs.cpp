@@ -14,9 +14,9 @@ namespace {
 /// As in goldfeather/scs/scs.glsl.
 constexpr std::size_t kScsPixelBytes = 9 * sizeof(std::uint32_t);
 
-using PixelBox = base::View::Rectangle;
+using ScreenRectangle = base::View::Rectangle;
 
-PixelBox intersected(const PixelBox& a, const PixelBox& b) {
+ScreenRectangle intersected(const ScreenRectangle& a, const ScreenRectangle& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
@@ -24,16 +24,17 @@ PixelBox intersected(const PixelBox& a, const PixelBox& b) {
 
 /// Pixels of the picture.
 struct Scs::Rectangle {
-    PixelBox box;
+    ScreenRectangle box;
 };
 
 /// Subtracted leaves that are apart from each other on the screen.
 struct Scs::Group {
     std::vector<csg::LeafId> leaves;
-    std::vector<PixelBox> boxes;
+    std::vector<ScreenRectangle> boxes;
 
-    [[nodiscard]] bool apart_from(const PixelBox& box) const {
-        return std::all_of(boxes.begin(), boxes.end(), [&](const PixelBox& b) { return intersected(b, box).empty(); });
+    [[nodiscard]] bool apart_from(const ScreenRectangle& box) const {
+        return std::all_of(boxes.begin(), boxes.end(),
+                           [&](const ScreenRectangle& b) { return intersected(b, box).empty(); });
     }
 };
 
@@ -91,7 +92,9 @@ std::string Scs::obstacle(const base::View& view, const csg::solid::Geometry& ge
 }
 
 std::vector<Scs::PlannedProduct> Scs::plan(const base::View& view, const PartProducts& part, WalkStats& stats) {
-    const auto box_of = [&](const csg::Box& box) { return box.empty() ? PixelBox{} : view.screen_box(box.lo, box.hi); };
+    const auto box_of = [&](const csg::Box& box) {
+        return box.empty() ? ScreenRectangle{} : view.screen_box(box.lo, box.hi);
+    };
     const auto distance = [&](csg::LeafId leaf) {
         return -(view.eye_from_world() * glm::dvec4(part.leaf_boxes[leaf].center(), 1.0)).z;
     };
@@ -100,7 +103,7 @@ std::vector<Scs::PlannedProduct> Scs::plan(const base::View& view, const PartPro
         PlannedProduct p{{box_of(product.box)}, {}, {}};
         std::vector<csg::LeafId> subtracted;
         for (const Literal& literal : product.literals) {
-            const PixelBox box = box_of(part.leaf_boxes[literal.leaf]);
+            const ScreenRectangle box = box_of(part.leaf_boxes[literal.leaf]);
             if (!literal.complement) {
                 p.intersected.push_back(literal.leaf);
                 p.rectangle.box = intersected(p.rectangle.box, box);
@@ -118,7 +121,7 @@ std::vector<Scs::PlannedProduct> Scs::plan(const base::View& view, const PartPro
         std::stable_sort(subtracted.begin(), subtracted.end(),
                          [&](csg::LeafId a, csg::LeafId b) { return distance(a) < distance(b); });
         for (const csg::LeafId leaf : subtracted) {
-            const PixelBox box = box_of(part.leaf_boxes[leaf]);
+            const ScreenRectangle box = box_of(part.leaf_boxes[leaf]);
             auto group = std::find_if(p.subtracted.begin(), p.subtracted.end(),
                                       [&](const Group& g) { return g.apart_from(box); });
             if (group == p.subtracted.end()) {
@@ -185,8 +188,8 @@ layers::TextureStack Scs::peel(const base::View& view, LeafBuffers& leaves, cons
 }
 
 void Scs::draw_product(const PlannedProduct& product, const Band& band, WalkStats& stats) {
-    const PixelBox rows{0, band.first_row, band.size.x, band.first_row + band.size.y};
-    const PixelBox box = intersected(product.rectangle.box, rows);
+    const ScreenRectangle rows{0, band.first_row, band.size.x, band.first_row + band.size.y};
+    const ScreenRectangle box = intersected(product.rectangle.box, rows);
     if (box.empty()) {
         return;
     }
@@ -251,7 +254,7 @@ void Scs::draw_leaves(const gl::Program& program, std::span<const csg::LeafId> i
 }
 
 void Scs::for_pixels(const gl::Program& program, const Rectangle& rectangle, const Band& band) const {
-    const PixelBox& box = rectangle.box;
+    const ScreenRectangle& box = rectangle.box;
     const glm::ivec2 size{box.x1 - box.x0, box.y1 - box.y0};
     program.set("band_size", band.size);
     program.set("rectangle_first", glm::ivec2(box.x0, box.y0 - band.first_row));

@@ -2,6 +2,8 @@
 // tenth as many edits.
 #include <random>
 
+#include <fmt/format.h>
+
 #include "tests/ui/viewer/window_fixture.h"
 
 namespace ui {
@@ -22,7 +24,8 @@ std::string random_action(std::minstd_rand& random) {
         "period", "ctrl+space", "Left", "Right", "Up", "4",       "5",    "8",      "0",      "shift+l", "equal",
         "minus",  "Tab",        "F5",   "w",     "e",  "shift+s", "Home", "ctrl+z", "ctrl+y", "ctrl+d",  "Delete"};
     const auto pick = [&](int from, int to) { return std::uniform_int_distribution(from, to)(random); };
-    const std::string at = " " + std::to_string(pick(2, 1277)) + " " + std::to_string(pick(30, 797));
+    const int x = pick(2, 1277), y = pick(30, 797);
+    const std::string at = fmt::format(" {} {}", x, y);
     switch (pick(0, 9)) {
         case 0:
         case 1:
@@ -32,7 +35,8 @@ std::string random_action(std::minstd_rand& random) {
         case 3:
         case 4: {
             const std::string button = std::to_string(pick(1, 3));
-            const std::string to = " " + std::to_string(pick(2, 1277)) + " " + std::to_string(pick(30, 797));
+            const int to_x = pick(2, 1277), to_y = pick(30, 797);
+            const std::string to = fmt::format(" {} {}", to_x, to_y);
             return "mousemove" + at + " mousedown " + button + " mousemove" + to + " mouseup " + button;
         }
         case 5:
