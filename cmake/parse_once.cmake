@@ -33,8 +33,9 @@ endfunction()
 function(csgscope_batches target)
     if(CSGSCOPE_BATCHES)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-        # So that a program can leave out what it does not refer to.
-        target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
+        # So that a program can leave out what it does not refer to. A source that is included looks like a header.
+        target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     endif()
 endfunction()
 

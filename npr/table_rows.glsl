@@ -15,11 +15,8 @@ struct CornerNormals {
     vec3 third;
 };
 
-// Of a corner: zero at the tip of a cone.
-vec3 corner_normal(uint bits) {
-    if (bits == 0u)
-        return vec3(0.0f);
-    vec2 e = (vec2(float(bits & 0xffffu), float(bits >> 16)) - 32768.0f) / 32767.0f;
+// A unit vector whose octahedron has been unfolded to a square from -1 to 1.
+vec3 from_octahedron(vec2 e) {
     vec3 v = vec3(e, 1.0f - abs(e.x) - abs(e.y));
     if (v.z < 0.0f) {
         float x = v.x;
@@ -27,6 +24,13 @@ vec3 corner_normal(uint bits) {
         v.y = (1.0f - abs(x)) * (v.y < 0.0f ? -1.0f : 1.0f);
     }
     return normalize(v);
+}
+
+// Of a corner: zero at the tip of a cone.
+vec3 corner_normal(uint bits) {
+    if (bits == 0u)
+        return vec3(0.0f);
+    return from_octahedron((vec2(float(bits & 0xffffu), float(bits >> 16)) - 32768.0f) / 32767.0f);
 }
 
 CornerNormals normals_of_corners(uint facet) {

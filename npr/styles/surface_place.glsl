@@ -37,14 +37,7 @@ vec2 rate(Place p, vec3 direction) {
 // Of a leaf: a unit vector along its z axis, about which cylinders, cones, spheres and what is extruded go around.
 vec3 axis_of(uint leaf) {
     uint bits = leaf_rows[leaf].part.w;
-    vec2 e = (vec2(float(bits >> 2 & 32767u), float(bits >> 17 & 32767u)) - 16384.0f) / 16383.0f;
-    vec3 v = vec3(e, 1.0f - abs(e.x) - abs(e.y));
-    if (v.z < 0.0f) {
-        float x = v.x;
-        v.x = (1.0f - abs(v.y)) * (x < 0.0f ? -1.0f : 1.0f);
-        v.y = (1.0f - abs(x)) * (v.y < 0.0f ? -1.0f : 1.0f);
-    }
-    return normalize(v);
+    return from_octahedron((vec2(float(bits >> 2 & 32767u), float(bits >> 17 & 32767u)) - 16384.0f) / 16383.0f);
 }
 
 // Unit vectors across a leaf's axis, and across each other.
