@@ -1,12 +1,22 @@
 #include "ui/pipeline/editable_model.h"
 
 #include <algorithm>
+#include <glm/ext/matrix_transform.hpp>
 #include <utility>
 
 #include "ui/pipeline/model_parts.h"
 #include "ui/pipeline/stopwatch.h"
 
 namespace ui {
+
+glm::dmat4 HeldPart::motion() const {
+    glm::dmat4 moved = glm::translate(glm::dmat4(1.0), by);
+    if (const double angle = glm::length(turn); angle > 0) {
+        moved = glm::rotate(glm::translate(moved, pivot), glm::radians(angle), turn / angle);
+        moved = glm::translate(moved, -pivot);
+    }
+    return moved;
+}
 
 EditableModel::EditableModel(const Model& model, const goldfeather::Budget& budget)
     : budget_(budget),

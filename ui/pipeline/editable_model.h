@@ -13,6 +13,10 @@ namespace ui {
 struct HeldPart {
     csg::OccurrenceId occurrence = csg::kNoOccurrence;  ///< None: nothing is held.
     glm::dvec3 by{0.0};                                 ///< World units.
+    /// A turn about the pivot, before it is moved: along the axis, as long as the angle in degrees.
+    glm::dvec3 turn{0.0}, pivot{0.0};
+    /// From where the text puts them to where they are held.
+    [[nodiscard]] glm::dmat4 motion() const;
     [[nodiscard]] bool any() const { return occurrence != csg::kNoOccurrence; }
     bool operator==(const HeldPart&) const = default;
 };

@@ -232,7 +232,7 @@ void SectionedModel::hold(const HeldPart& held) {
         edited.move_occurrence(before.occurrence, glm::dmat4(1.0));
     }
     if (held.any()) {
-        edited.move_occurrence(held.occurrence, glm::translate(glm::dmat4(1.0), held.by));
+        edited.move_occurrence(held.occurrence, held.motion());
     }
 }
 

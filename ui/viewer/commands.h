@@ -64,6 +64,7 @@ enum class Action {
     FewerLayers,
     SelectTool,  ///< Takes the tool in hand; see tools().
     MoveTool,
+    TurnTool,
     SizeTool,
     FlyTool,
     MeasureTool,

@@ -33,9 +33,10 @@ std::string vector_text(const glm::dvec3& v) {
 }
 
 std::string way_text(const MoveWay& way) {
-    const char* const what = way.kind == MoveWay::Kind::Wrap       ? "translate() before {}(), line {}"
-                             : way.kind == MoveWay::Kind::Variable ? "{}, named in line {}"
-                                                                   : "{}(), line {}";
+    if (way.kind == MoveWay::Kind::Wrap) {
+        return fmt::format("{} before {}(), line {}", way.put, way.name, way.where.line);
+    }
+    const char* const what = way.kind == MoveWay::Kind::Variable ? "{}, named in line {}" : "{}(), line {}";
     return fmt::format(fmt::runtime(what), way.name, way.where.line);
 }
 
@@ -67,7 +68,11 @@ void ways_note(const Session& session, const Fonts& fonts, Commands& commands) {
         }
         return;
     }
-    bold_text(fmt::format("{} moved by {}", answer.what, vector_text(answer.by)).c_str(), fonts);
+    const bool turned = glm::length(answer.turn) > 0;
+    bold_text(fmt::format("{} {} by {}{}", answer.what, turned ? "turned" : "moved",
+                          vector_text(turned ? answer.turn : answer.by), turned ? "°" : "")
+                  .c_str(),
+              fonts);
     if (!ImGui::BeginTable("ways", 3, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }

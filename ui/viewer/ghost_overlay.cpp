@@ -12,11 +12,11 @@ void draw_ghost(const Rectangle& place, const Session& session, float scale) {
     }
     const base::Camera& camera = session.view().picture.camera;
     const base::View view(camera, glm::max(glm::ivec2(place.size), 1), camera.target, camera.target);
-    const glm::dmat4 clip_from_world = view.clip_from_world();
     const HeldPart& held = session.held();
-    const glm::dvec3 by = held.occurrence == session.selected_occurrence() ? held.by : glm::dvec3(0.0);
+    const bool moved = held.occurrence == session.selected_occurrence();
+    const glm::dmat4 clip_from_text = view.clip_from_world() * (moved ? held.motion() : glm::dmat4(1.0));
     const auto at = [&](const glm::dvec3& point) -> std::optional<ImVec2> {
-        const glm::dvec4 clip = clip_from_world * glm::dvec4(point + by, 1);
+        const glm::dvec4 clip = clip_from_text * glm::dvec4(point, 1);
         if (clip.w <= 0) {
             return std::nullopt;
         }

@@ -22,13 +22,13 @@ std::size_t no_message(const csg::scad::Message& /*message*/, const csg::scad::S
 void prefer(std::vector<MoveWay>& ways, const csg::SourceLocation& call) {
     const auto rank = [&](const MoveWay& way) {
         const bool other = way.where.line != call.line || way.where.column != call.column;
-        return std::tuple(way.changed, way.moved, way.kind, other);
+        return std::tuple(way.changed, way.moved, way.kind, way.put.size(), other);
     };
     std::stable_sort(ways.begin(), ways.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
 MoveAnswer find(const MoveQuestion& question, ProgramRunner& runner, const std::stop_token& stop) {
-    MoveAnswer answer{question.text, {}, question.what, question.by, {}};
+    MoveAnswer answer{question.text, {}, question.what, question.by, {}, question.turn};
     Source source = question.source;
     const auto request = [&](const std::string& text) {
         source.edited = text;
@@ -57,8 +57,11 @@ MoveAnswer find(const MoveQuestion& question, ProgramRunner& runner, const std::
         base::end_if_asked(stop);
         return changed.good() ? changed.evaluation.tree : nullptr;
     };
-    answer.ways = ways_to_move(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, question.by,
-                               tree_of, stop);
+    const csg::Tree& tree = *run.evaluation.tree;
+    const csg::scad::LoadedProgram& program = *run.evaluation.program;
+    answer.ways = glm::length(question.turn) > 0
+                      ? ways_to_turn(tree, scene, program, question.text, leaf, question.turn, tree_of, stop)
+                      : ways_to_move(tree, scene, program, question.text, leaf, question.by, tree_of, stop);
     prefer(answer.ways, question.call);
     if (answer.ways.empty()) {
         answer.trouble = why_no_way(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, tree_of);
@@ -113,7 +116,7 @@ FindWays make_find_ways() {
         } catch (const base::Stopped&) {
             return MoveAnswer{};
         } catch (const std::exception& error) {
-            return MoveAnswer{question.text, {}, question.what, question.by, error.what()};
+            return MoveAnswer{question.text, {}, question.what, question.by, error.what(), question.turn};
         }
     };
 }

@@ -34,6 +34,7 @@ struct MoveQuestion {
     csg::SourceLocation call;  ///< Of what is moved, which the leaf is of or below; its `file` does not count.
     std::string what;          ///< "cube"
     glm::dvec3 by{0.0};
+    glm::dvec3 turn{0.0};  ///< Instead, where it is not zero: as ways_to_turn() has it.
 };
 struct MoveAnswer {
     std::string text;           ///< Before any of them.
@@ -41,6 +42,7 @@ struct MoveAnswer {
     std::string what;
     glm::dvec3 by{0.0};
     std::string trouble;  ///< For people: why there are none.
+    glm::dvec3 turn{0.0};
 };
 using FindWays = std::function<MoveAnswer(const MoveQuestion&, const std::stop_token&)>;
 

@@ -76,8 +76,9 @@ void draw_selection(const Rectangle& place, const Session& session, const Fonts&
         return;
     }
     const HeldPart& held = session.held();
-    const glm::dvec3 by = held.occurrence == session.selected_occurrence() ? held.by : glm::dvec3(0.0);
-    mark(place, session.view().picture.camera, selection.current().surface.point + by, scale);
+    const glm::dvec3 point = selection.current().surface.point;
+    const bool moved = held.occurrence == session.selected_occurrence();
+    mark(place, session.view().picture.camera, moved ? glm::dvec3(held.motion() * glm::dvec4(point, 1)) : point, scale);
     // As high as it must be, up to a third of the picture; longer ways are scrolled.
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const float wanted = (static_cast<float>(selection.current().calls.size()) + 1) * row +

@@ -295,6 +295,7 @@ bool Session::act(Action action) {
             break;
         case Action::SelectTool:
         case Action::MoveTool:
+        case Action::TurnTool:
         case Action::SizeTool:
         case Action::FlyTool:
         case Action::MeasureTool:

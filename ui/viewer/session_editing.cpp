@@ -38,6 +38,10 @@ std::string name_at(const Model& model, csg::OccurrenceId occurrence) {
     return call != nullptr ? call->name : "";
 }
 
+std::string done_by(const MoveAnswer& answer) {
+    return (glm::length(answer.turn) > 0 ? "turn " : "move ") + answer.what;
+}
+
 /// About a sixth of what is seen.
 double size_in(const base::Camera& camera) {
     return round_number(std::max(2 * camera.distance * std::tan(camera.fov / 360 * glm::pi<double>()) / 6, 1e-3));
@@ -238,7 +242,7 @@ void Session::put(const HeldPart& held) {
     held_ = held;
     const auto& model = document_.model();
     const csg::LeafId leaf = model && can_move() ? first_leaf_below(model->scene, held.occurrence) : 0;
-    if (!model || !can_move() || leaf >= model->scene.leaves.size() || glm::length(held.by) == 0) {
+    if (!model || !can_move() || leaf >= model->scene.leaves.size() || held.motion() == glm::dmat4(1.0)) {
         held_ = {};
         return;
     }
@@ -251,7 +255,8 @@ void Session::put(const HeldPart& held) {
                                 name_of(*model->tree, model->scene, leaf),
                                 model->tree->node(node).where,
                                 call != nullptr ? call->name : "it",
-                                held.by};
+                                held.by,
+                                held.turn};
     moving_.start([find = find_ways_, question](const std::stop_token& stop) { return find(question, stop); });
 }
 
@@ -265,7 +270,7 @@ void Session::take_ways(MoveAnswer answer) {
         ways_ = std::move(answer);
         return;
     }
-    editing_.text().edit(answer.ways[0].edits, "move " + answer.what);
+    editing_.text().edit(answer.ways[0].edits, done_by(answer));
     const HeldPart held = held_;
     follow_text();
     held_ = held;  // Until the model follows.
@@ -287,7 +292,7 @@ void Session::take_way(std::optional<std::size_t> way) {
         (void)editing_.text().redo();
         return;
     }
-    editing_.text().edit(answer.ways[*way].edits, "move " + answer.what);
+    editing_.text().edit(answer.ways[*way].edits, done_by(answer));
     follow_text();
     way_taken_ = *way;
     ways_ = std::move(answer);

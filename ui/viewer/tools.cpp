@@ -8,6 +8,7 @@
 #include "ui/viewer/tools/section_tool.h"
 #include "ui/viewer/tools/select_tool.h"
 #include "ui/viewer/tools/size_tool.h"
+#include "ui/viewer/tools/turn_tool.h"
 #include "ui/viewer/tools/view_cube.h"
 
 namespace ui {
@@ -20,6 +21,9 @@ std::span<const ToolInfo> tools() {
         ToolInfo{"move", Action::MoveTool,
                  "Move: drag an arrow, a square or the middle of what is selected; Ctrl on the grid, or type how far",
                  make_move_tool},
+        ToolInfo{"turn", Action::TurnTool,
+                 "Turn: drag a ring of what is selected; in whole degrees, with Ctrl in steps of 15, or type how many",
+                 make_turn_tool},
         ToolInfo{
             "size", Action::SizeTool,
             "Size: drag a dimension of the cube, sphere or cylinder that is selected; Ctrl on the grid, or type it",

@@ -1,4 +1,5 @@
 // The program edited by hand, from outside: mouse and keys in, the text of the file out.
+#include <cmath>
 #include <random>
 
 #include "tests/ui/viewer/window_fixture.h"
@@ -96,6 +97,34 @@ TEST_F(WindowHands, ADimensionThatIsDraggedEditsTheText) {
     EXPECT_EQ(saved_as(after), after);
     robot("key ctrl+z");
     wait_for(frames().size() - 1, [](const Json& frame) { return frame.at("edits") == 0; });
+}
+
+TEST_F(WindowHands, ARingThatIsDraggedTurnsIt) {
+    begin("translate([1, 1, 0]) cube([6, 2, 2]); // bar\n", {4, 2});
+    const std::size_t from = frames().size();
+    robot("key r");
+    wait_for(from, [](const Json& frame) { return frame.at("tool") == "turn"; });
+    std::this_thread::sleep_for(500ms);
+    // Seen from above the ring of z is a circle of 80 pixels around the origin of the cube.
+    const double reach = 80 / kUnit;
+    const auto on_ring = [&](double degrees, double away) {
+        const double angle = degrees * 3.14159265358979 / 180;
+        return to(glm::dvec2(1, 1) + away * reach * glm::dvec2(std::cos(angle), std::sin(angle)));
+    };
+    robot(on_ring(-40, 1) + "mousedown 1 " + on_ring(-30, 1) + on_ring(-12, 1.5) + on_ring(-10, 1.5));
+    wait_for(0, [](const Json& frame) { return frame.at("found") == "Z 30°"; });
+    robot("mouseup 1");
+    wait_for_edits(1);
+    const std::string after = "translate([1, 1, 0]) rotate([0, 0, 30]) cube([6, 2, 2]); // bar\n";
+    EXPECT_EQ(saved_as(after), after);
+    robot(on_ring(-40, 1) + "mousedown 1 " + on_ring(-30, 1) + on_ring(-20, 1) + "key 1 key 5");
+    wait_for(0, [](const Json& frame) { return frame.at("found") == "Z 15°   15_"; });
+    robot("mouseup 1");
+    wait_for_edits(2);
+    const std::string typed = "translate([1, 1, 0]) rotate([0, 0, 45]) cube([6, 2, 2]); // bar\n";
+    EXPECT_EQ(saved_as(typed), typed);
+    robot("key ctrl+z");
+    wait_for(frames().size() - 1, [](const Json& frame) { return frame.at("edits") == 1; });
 }
 
 TEST_F(WindowHands, EscapeLetsGoOfWhatIsDragged) {

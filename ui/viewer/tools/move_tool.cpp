@@ -12,14 +12,13 @@
 #include "ui/pipeline/editing/text_edit.h"
 #include "ui/viewer/tool.h"
 #include "ui/viewer/tools/drag_text.h"
+#include "ui/viewer/tools/gizmo_color.h"
 #include "ui/viewer/tools/move_gizmo.h"
 
 namespace ui {
 
 namespace {
 
-constexpr ImU32 kColors[]{IM_COL32(214, 60, 56, 255), IM_COL32(76, 163, 62, 255), IM_COL32(62, 116, 220, 255)};
-constexpr ImU32 kHovered = IM_COL32(255, 140, 26, 255), kShade = IM_COL32(20, 20, 20, 150);
 /// Units of the window that a step is not shorter than, freely and on the grid.
 constexpr double kFine = 1.5, kGrid = 12;
 
@@ -31,12 +30,6 @@ ImVec2 point(const glm::dvec2& p) {
 double step_of(double least) {
     const double below = round_number(least);
     return below >= least * (1 - 1e-9) ? below : round_number(2.5 * below);
-}
-
-/// As it is drawn on the axis of that number, which is under the pointer or not.
-ImU32 color_of(std::size_t axis, bool hovered, int alpha = 255) {
-    const ImU32 color = hovered ? kHovered : kColors[axis];
-    return (color & ~IM_COL32_A_MASK) | (static_cast<ImU32>(alpha) << IM_COL32_A_SHIFT);
 }
 
 class MoveTool : public Tool {
@@ -206,20 +199,20 @@ class MoveTool : public Tool {
                                            point((*corners)[3])};
             const auto normal = static_cast<std::size_t>(plane) - static_cast<std::size_t>(MoveHandle::YZ);
             const bool over = hovered == plane;
-            painter.list.AddQuadFilled(at[0], at[1], at[2], at[3], color_of(normal, over, over ? 170 : 90));
-            painter.list.AddQuad(at[0], at[1], at[2], at[3], color_of(normal, over), 1.5F * painter.scale);
+            painter.list.AddQuadFilled(at[0], at[1], at[2], at[3], gizmo_color(normal, over, over ? 170 : 90));
+            painter.list.AddQuad(at[0], at[1], at[2], at[3], gizmo_color(normal, over), 1.5F * painter.scale);
         }
         for (std::size_t i = 0; i < 3; ++i) {
             const auto handle = static_cast<MoveHandle>(i);
             if (const auto tip = shown.tip(handle)) {
-                draw_arrow(glm::mix(*middle, *tip, 0.16), *tip, kShade, 5.5F, painter);
-                draw_arrow(glm::mix(*middle, *tip, 0.16), *tip, color_of(i, hovered == handle), 3, painter);
+                draw_arrow(glm::mix(*middle, *tip, 0.16), *tip, kGizmoShade, 5.5F, painter);
+                draw_arrow(glm::mix(*middle, *tip, 0.16), *tip, gizmo_color(i, hovered == handle), 3, painter);
             }
         }
         const bool over = hovered == MoveHandle::Free;
-        painter.list.AddCircleFilled(point(*middle), 7.5F * painter.scale, kShade);
+        painter.list.AddCircleFilled(point(*middle), 7.5F * painter.scale, kGizmoShade);
         painter.list.AddCircleFilled(point(*middle), 5.5F * painter.scale,
-                                     over ? kHovered : IM_COL32(245, 245, 245, 255));
+                                     over ? kGizmoHovered : IM_COL32(245, 245, 245, 255));
     }
 
     static void draw_arrow(const glm::dvec2& from, const glm::dvec2& tip, ImU32 color, float width,

@@ -1,0 +1,208 @@
+#include "ui/viewer/tools/turn_tool.h"
+
+#include <GLFW/glfw3.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ui/pipeline/editing/text_edit.h"
+#include "ui/viewer/tool.h"
+#include "ui/viewer/tools/drag_text.h"
+#include "ui/viewer/tools/gizmo_color.h"
+#include "ui/viewer/tools/turn_rings.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kWholeDegree = 1, kCoarseDegrees = 15;
+
+/// From -180 on, below 180.
+double within_a_turn(double degrees) {
+    return degrees - 360 * std::floor((degrees + 180) / 360);
+}
+
+class TurnTool : public Tool {
+  public:
+    bool hover(ToolContext& context, const std::optional<glm::dvec2>& at) override {
+        const auto pivot = pivot_of(context);
+        const auto axis = at && pivot ? rings(context, *pivot).axis_at(*at) : std::nullopt;
+        return std::exchange(over_, axis) != axis;
+    }
+
+    bool press(ToolContext& context, const PointerEvent& event) override {
+        const auto pivot = pivot_of(context);
+        if (event.button != Button::Left || !pivot) {
+            return false;
+        }
+        const TurnRings shown = rings(context, *pivot);
+        const auto axis = shown.axis_at(event.position);
+        const auto angle = axis ? shown.angle_at(*axis, event.position) : std::nullopt;
+        if (!angle) {
+            return false;
+        }
+        over_ = axis;
+        typed_.clear();
+        if (context.session.can_move()) {  // Else the drag is nobody's: the text is being followed still.
+            drag_ = Drag{*axis, context.session.selected_occurrence(), *pivot, *angle, 0, event.position};
+        }
+        return true;
+    }
+
+    void drag(ToolContext& context, const glm::dvec2& at) override {
+        if (!drag_) {
+            return;
+        }
+        if (context.session.selected_occurrence() != drag_->occurrence) {
+            (void)cancel(context);  // There is another model, in which it is not.
+            return;
+        }
+        drag_->pointer = at;
+        if (const auto now = rings(context, drag_->pivot).angle_at(drag_->axis, at)) {
+            const bool coarse = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
+            const double step = coarse ? kCoarseDegrees : kWholeDegree;
+            drag_->degrees = within_a_turn(std::round((*now - drag_->gripped) / step) * step);
+        }
+        context.commands.emplace_back(HoldPart{held(*drag_)});
+    }
+
+    void release(ToolContext& context, const glm::dvec2& /*at*/) override {
+        if (const auto done = std::exchange(drag_, std::nullopt)) {
+            put(context, *done);
+        }
+    }
+
+    void click(ToolContext& context, const glm::dvec2& at) override {
+        context.commands.emplace_back(SelectAt{at - glm::dvec2(context.picture.corner)});
+    }
+
+    bool key(ToolContext& context, const KeyEvent& event) override {
+        if (!drag_) {
+            return false;
+        }
+        if (ends_drag(event)) {
+            put(context, *std::exchange(drag_, std::nullopt));
+        } else if (type_number(event, typed_)) {
+            context.commands.emplace_back(HoldPart{held(*drag_)});
+        } else {
+            return event.chord.key != GLFW_KEY_ESCAPE;
+        }
+        return true;
+    }
+
+    bool cancel(ToolContext& context) override {
+        if (!std::exchange(drag_, std::nullopt)) {
+            return false;
+        }
+        context.commands.emplace_back(HoldPart{});
+        return true;
+    }
+
+    void end(ToolContext& context) override {
+        over_.reset();
+        (void)cancel(context);
+    }
+
+    /// How far it is by now: "Z 30".
+    [[nodiscard]] std::string text() const override { return drag_ ? words(*drag_) : ""; }
+
+    void draw(const ToolContext& context, const ToolPainter& painter) const override {
+        const auto pivot = drag_ ? std::optional(drag_->pivot) : pivot_of(context);
+        if (!pivot) {
+            return;
+        }
+        const Rectangle& place = context.picture;
+        painter.list.PushClipRect({place.corner.x, place.corner.y},
+                                  {place.corner.x + place.size.x, place.corner.y + place.size.y});
+        const TurnRings shown = rings(context, *pivot);
+        for (const bool behind : {true, false}) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                draw_ring(shown.ring(axis), axis, behind, painter);
+            }
+        }
+        if (drag_) {
+            draw_drag_text(words(*drag_), drag_->pointer, painter);
+        }
+        painter.list.PopClipRect();
+    }
+
+  private:
+    struct Drag {
+        std::size_t axis = 0;
+        csg::OccurrenceId occurrence = csg::kNoOccurrence;
+        glm::dvec3 pivot{0};
+        double gripped = 0;  ///< Degrees: where the ring was.
+        double degrees = 0;
+        glm::dvec2 pointer{0};
+    };
+
+    /// The origin of the first leaf of what is selected, as the text puts it: what its edits turn it about.
+    [[nodiscard]] static std::optional<glm::dvec3> pivot_of(const ToolContext& context) {
+        const auto& model = context.session.document().model();
+        const csg::OccurrenceId selected = context.session.selected_occurrence();
+        if (!model || selected == csg::kNoOccurrence || selected >= model->scene.occurrences.size()) {
+            return std::nullopt;
+        }
+        const csg::LeafId leaf = first_leaf_below(model->scene, selected);
+        return leaf < model->scene.leaves.size() ? std::optional(glm::dvec3(model->scene.leaves[leaf].to_world[3]))
+                                                 : std::nullopt;
+    }
+
+    [[nodiscard]] static TurnRings rings(const ToolContext& context, const glm::dvec3& pivot) {
+        return {context.camera, context.picture, pivot, context.scale};
+    }
+
+    [[nodiscard]] double degrees(const Drag& drag) const {
+        char* end = nullptr;
+        const double typed = std::strtod(typed_.c_str(), &end);
+        return end != typed_.c_str() ? within_a_turn(typed) : drag.degrees;
+    }
+
+    [[nodiscard]] HeldPart held(const Drag& drag) const {
+        HeldPart part{drag.occurrence, {}, {}, drag.pivot};
+        part.turn[static_cast<int>(drag.axis)] = degrees(drag);
+        return part;
+    }
+
+    void put(ToolContext& context, const Drag& done) {
+        context.commands.emplace_back(PutPart{held(done)});
+        typed_.clear();
+    }
+
+    [[nodiscard]] std::string words(const Drag& drag) const {
+        const std::string text = fmt::format("{} {}°", "XYZ"[drag.axis], short_number(degrees(drag), 1e-6));
+        return typed_.empty() ? text : text + "   " + typed_ + "_";
+    }
+
+    void draw_ring(const std::vector<TurnRings::Corner>& corners, std::size_t axis, bool behind,
+                   const ToolPainter& painter) const {
+        const bool over = (drag_ ? std::optional(drag_->axis) : over_) == axis;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (corners[i].behind != behind) {
+                continue;
+            }
+            const glm::vec2 a(corners[i].at), b(corners[(i + 1) % corners.size()].at);
+            const ImVec2 from{a.x, a.y}, to{b.x, b.y};
+            if (!behind) {
+                painter.list.AddLine(from, to, kGizmoShade, 5.5F * painter.scale);
+            }
+            painter.list.AddLine(from, to, gizmo_color(axis, over, behind ? 110 : 255),
+                                 (behind ? 1.5F : 3.0F) * painter.scale);
+        }
+    }
+
+    std::optional<std::size_t> over_;
+    std::optional<Drag> drag_;
+    std::string typed_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_turn_tool() {
+    return std::make_unique<TurnTool>();
+}
+
+}  // namespace ui
