@@ -8,7 +8,7 @@
 namespace csg::solid {
 namespace {
 
-std::string_view trimmed(std::string_view line) {
+std::string_view trimmed_line(std::string_view line) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) {
         line.remove_suffix(1);
     }
@@ -37,8 +37,8 @@ DxfFile read_dxf_file(std::string_view text) {
         entity = {};
     };
     while (!words.at_end()) {
-        const auto code_word = to_number(trimmed(words.line()));
-        const std::string_view value = trimmed(words.line());
+        const auto code_word = to_number(trimmed_line(words.line()));
+        const std::string_view value = trimmed_line(words.line());
         if (!code_word) {
             continue;
         }

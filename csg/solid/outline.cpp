@@ -14,7 +14,7 @@
 namespace csg::solid {
 namespace {
 
-bool usable(double size) {
+bool usable_length(double size) {
     return std::isfinite(size) && size > 0;
 }
 
@@ -180,7 +180,7 @@ Outline transform(const Outline& outline, const glm::dmat4& m) {
 }
 
 Outline make_outline(const Square& square) {
-    if (!usable(square.size.x) || !usable(square.size.y)) {
+    if (!usable_length(square.size.x) || !usable_length(square.size.y)) {
         return {};
     }
     const glm::dvec2 lo = square.center ? square.size * -0.5 : glm::dvec2(0.0);
@@ -189,7 +189,7 @@ Outline make_outline(const Square& square) {
 }
 
 Outline make_outline(const Circle& circle) {
-    if (!usable(circle.radius)) {
+    if (!usable_length(circle.radius)) {
         return {};
     }
     const int segments = circle_segments(circle.radius, circle.fineness);

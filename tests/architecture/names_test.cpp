@@ -17,7 +17,18 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = CSGSCOPE_SOURCE_DIR;
 
-/// What a line at the left margin gives a name to: a type, a constant; "" where it is neither.
+/// A function's name with the types of its parameters, from the line that its body begins on; "" where it is none.
+std::string function_of(const std::string& line) {
+    static const std::regex function("(?:\\[\\[\\w+\\]\\] )?[\\w:]+(?:<.*>)?[&*]* (\\w+)\\(([^()]*)\\) \\{");
+    static const std::regex parameter("([&*> ])\\w+(,|$)");
+    std::smatch found;
+    if (!std::regex_match(line, found, function) || line.starts_with("else ")) {
+        return "";
+    }
+    return found.str(1) + "(" + std::regex_replace(found.str(2), parameter, "$1$2") + ")";
+}
+
+/// What a line at the left margin gives a name to: a type, a constant, a function; "" where it is none of these.
 std::string named_by(const std::string& line) {
     static const std::regex type("(?:struct|class|enum class|enum) (\\w+)(?: final)?(?: :[^;]*)? \\{.*");
     static const std::regex alias("using (\\w+) = .*");
@@ -28,7 +39,7 @@ std::string named_by(const std::string& line) {
             return found[1];
         }
     }
-    return "";
+    return function_of(line);
 }
 
 struct Named {
@@ -50,7 +61,7 @@ std::vector<Named> names_of(const fs::path& file) {
             space = found[1];
         }
         unnamed = line == "namespace {" || (unnamed && !line.starts_with("}  // namespace"));
-        if (header || unnamed) {
+        if (unnamed || (header && function_of(line).empty())) {
             if (const std::string name = named_by(line); !name.empty()) {
                 names.push_back({space + "::" + name, line});
             }
@@ -65,6 +76,9 @@ TEST(Architecture, NamesAreOnceInALibrary) {
     EXPECT_EQ(named_by("constexpr std::array<int, 2> kNone{1, 2};"), "kNone");
     EXPECT_EQ(named_by("constexpr double kInfinity = std::numeric_limits<double>::infinity();"), "kInfinity");
     EXPECT_EQ(named_by("struct Row;"), "");
+    EXPECT_EQ(named_by("ImVec2 im(const glm::dvec2& p) {"), "im(const glm::dvec2& )");
+    EXPECT_EQ(named_by("std::vector<int> all(int most, const Box& box) {"), "all(int , const Box& )");
+    EXPECT_EQ(named_by("    if (done) {"), "");
     for (const char* const library : {"base", "csg/tree", "csg/scad", "csg/solid", "gl", "layers", "goldfeather",
                                       "peel", "npr", "ui/pipeline", "ui/viewer", "ui/command_line"}) {
         std::map<std::string, std::pair<std::string, std::string>> first;  // From a name to its file and line.

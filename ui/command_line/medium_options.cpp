@@ -15,11 +15,6 @@ namespace ui {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 glm::vec3 read_color(const std::string& option, std::string_view text) {
     const npr::Parameter color = npr::Parameter::color("albedo", "", glm::vec3(0));
     npr::Parameters parameters(std::span(&color, 1));

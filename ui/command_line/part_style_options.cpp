@@ -20,11 +20,6 @@ namespace {
 
 constexpr std::string_view kPart = "part=", kColor = "color=", kModule = "module=";
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 /// `text`: of the option, with its name.
 std::runtime_error wrong(const std::string& text, std::string_view why) {
     return std::runtime_error(fmt::format("{}: {}", text, why));

@@ -6,6 +6,7 @@
 #include "ui/viewer/inspection_panel.h"
 #include "ui/viewer/picture_places.h"
 #include "ui/viewer/tone_legend.h"
+#include "ui/viewer/window_point.h"
 
 namespace ui {
 
@@ -14,22 +15,18 @@ namespace {
 constexpr ImU32 kMarkEdge = IM_COL32(20, 20, 20, 255), kMarkLight = IM_COL32(255, 255, 255, 255),
                 kMarked = IM_COL32(240, 60, 40, 255);
 
-ImVec2 on_screen(const glm::dvec2& p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y)};
-}
-
 /// A text on a ground of its own, so that it is seen on everything.
 void size_label(ImDrawList& list, const glm::dvec2& at, const std::string& text, const Fonts& fonts, float scale) {
     const ImFont& font = *fonts.text;
     const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, text.c_str());
-    const ImVec2 corner = on_screen(at), end{corner.x + size.x + 6 * scale, corner.y + size.y + 2 * scale};
+    const ImVec2 corner = window_point(at), end{corner.x + size.x + 6 * scale, corner.y + size.y + 2 * scale};
     list.AddRectFilled(corner, end, IM_COL32(20, 20, 20, 190), 3 * scale);
     list.AddText(&font, font.FontSize, {corner.x + 3 * scale, corner.y + scale}, kMarkLight, text.c_str());
 }
 
 void ring(ImDrawList& list, const glm::dvec2& at, ImU32 color, float radius, float scale) {
-    list.AddCircle(on_screen(at), radius * scale, kMarkEdge, 0, 4.5F * scale);
-    list.AddCircle(on_screen(at), radius * scale, color, 0, 2.5F * scale);
+    list.AddCircle(window_point(at), radius * scale, kMarkEdge, 0, 4.5F * scale);
+    list.AddCircle(window_point(at), radius * scale, color, 0, 2.5F * scale);
 }
 
 /// A ring, the line that is measured, and how long that is.
@@ -41,8 +38,8 @@ void draw_marked(ImDrawList& list, const Rectangle& place, const base::Camera& c
     }
     if (marked.direction) {
         if (const auto to = place_of(camera, place, marked.point + marked.value * *marked.direction)) {
-            list.AddLine(on_screen(*at), on_screen(*to), kMarkEdge, 5 * scale);
-            list.AddLine(on_screen(*at), on_screen(*to), kMarked, 2.5F * scale);
+            list.AddLine(window_point(*at), window_point(*to), kMarkEdge, 5 * scale);
+            list.AddLine(window_point(*at), window_point(*to), kMarked, 2.5F * scale);
         }
     }
     ring(list, *at, kMarked, 14, scale);

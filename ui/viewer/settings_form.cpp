@@ -16,7 +16,7 @@ namespace ui {
 
 namespace {
 
-void label(const char* text) {
+void setting_label(const char* text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
     ImGui::SameLine(8 * ImGui::GetFontSize());
@@ -30,7 +30,7 @@ std::string percent(double size) {
 }  // namespace
 
 void SettingsForm::look(const Settings& settings, Commands& commands) {
-    label("Mouse");
+    setting_label("Mouse");
     if (ImGui::BeginCombo("##mouse", mouse_presets()[settings.mouse].name)) {
         for (std::size_t i = 0; i < mouse_presets().size(); ++i) {
             if (ImGui::Selectable(mouse_presets()[i].name, i == settings.mouse)) {
@@ -42,7 +42,7 @@ void SettingsForm::look(const Settings& settings, Commands& commands) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme::faint());
     ImGui::TextWrapped("%s; the wheel zooms, a left click selects.", mouse_presets()[settings.mouse].text);
     ImGui::PopStyleColor();
-    label("Theme");
+    setting_label("Theme");
     if (ImGui::BeginCombo("##theme", settings.light ? "light" : "dark")) {
         for (const bool light : {false, true}) {
             if (ImGui::Selectable(light ? "light" : "dark", light == settings.light)) {
@@ -51,7 +51,7 @@ void SettingsForm::look(const Settings& settings, Commands& commands) {
         }
         ImGui::EndCombo();
     }
-    label("Size of the text");
+    setting_label("Size of the text");
     if (ImGui::BeginCombo("##size", percent(settings.text_size).c_str())) {
         for (const double size : kTextSizes) {
             if (ImGui::Selectable(percent(size).c_str(), size == settings.text_size)) {

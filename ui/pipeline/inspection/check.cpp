@@ -27,7 +27,7 @@ struct Share {
     std::uint32_t begin, end;
 };
 
-bool counts(const csg::Part& part) {
+bool is_checked(const csg::Part& part) {
     return part.kind == csg::PartKind::Solid || part.kind == csg::PartKind::Translucent;
 }
 
@@ -80,7 +80,7 @@ class Checker {
     [[nodiscard]] std::vector<Share> shares() const {
         std::vector<Share> all;
         for (csg::LeafId leaf = 0; leaf < model_.scene.leaves.size(); ++leaf) {
-            if (!counts(model_.scene.parts[model_.scene.leaves[leaf].part])) {
+            if (!is_checked(model_.scene.parts[model_.scene.leaves[leaf].part])) {
                 continue;
             }
             const auto count = static_cast<std::uint32_t>(model_.geometry.leaves[leaf].triangles.size());

@@ -8,6 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "ui/viewer/picture_places.h"
+#include "ui/viewer/window_point.h"
 
 namespace ui {
 
@@ -15,10 +16,6 @@ namespace {
 
 constexpr int kSides = 64;  // Of a circle.
 constexpr ImU32 kDark = IM_COL32(20, 20, 20, 200);
-
-ImVec2 im(const glm::dvec2& p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y)};
-}
 
 /// Two directions across an axis.
 std::pair<glm::dvec3, glm::dvec3> across(const glm::dvec3& axis) {
@@ -51,7 +48,7 @@ double distance_on_screen(const base::Camera& camera, const Rectangle& picture, 
 void MeasuredMarks::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float width) const {
     const auto a = place_of(camera, picture, from), b = place_of(camera, picture, to);
     if (a && b) {
-        painter.list.AddLine(im(*a), im(*b), color, width * painter.scale);
+        painter.list.AddLine(window_point(*a), window_point(*b), color, width * painter.scale);
     }
 }
 
@@ -72,11 +69,11 @@ void MeasuredMarks::dot(const glm::dvec3& at, ImU32 color, bool filled) const {
         return;
     }
     if (filled) {
-        painter.list.AddCircleFilled(im(*place), 5 * painter.scale, kDark);
-        painter.list.AddCircleFilled(im(*place), 3.5F * painter.scale, color);
+        painter.list.AddCircleFilled(window_point(*place), 5 * painter.scale, kDark);
+        painter.list.AddCircleFilled(window_point(*place), 3.5F * painter.scale, color);
     } else {
-        painter.list.AddCircle(im(*place), 6 * painter.scale, kDark, 0, 4 * painter.scale);
-        painter.list.AddCircle(im(*place), 6 * painter.scale, color, 0, 2 * painter.scale);
+        painter.list.AddCircle(window_point(*place), 6 * painter.scale, kDark, 0, 4 * painter.scale);
+        painter.list.AddCircle(window_point(*place), 6 * painter.scale, color, 0, 2 * painter.scale);
     }
 }
 
@@ -121,7 +118,7 @@ void MeasuredMarks::distance(const Relation& relation) const {
     const std::string text = fmt::format("{:.6g}", *relation.distance);
     const ImFont& font = *painter.fonts.bold;
     const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, text.c_str());
-    const ImVec2 at = im(0.5 * (*a + *b));
+    const ImVec2 at = window_point(0.5 * (*a + *b));
     const float pad = 4 * painter.scale;
     const ImVec2 low{at.x + 2 * pad, at.y - 0.5F * size.y};
     painter.list.AddRectFilled({low.x - pad, low.y - pad / 2}, {low.x + size.x + pad, low.y + size.y + pad / 2},

@@ -14,6 +14,7 @@
 #include "ui/viewer/tools/drag_text.h"
 #include "ui/viewer/tools/gizmo_color.h"
 #include "ui/viewer/tools/move_gizmo.h"
+#include "ui/viewer/window_point.h"
 
 namespace ui {
 
@@ -21,10 +22,6 @@ namespace {
 
 /// Units of the window that a step is not shorter than, freely and on the grid.
 constexpr double kFine = 1.5, kGrid = 12;
-
-ImVec2 point(const glm::dvec2& p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y)};
-}
 
 /// The next round number.
 double step_of(double least) {
@@ -195,8 +192,8 @@ class MoveTool : public Tool {
             if (!corners) {
                 continue;
             }
-            const std::array<ImVec2, 4> at{point((*corners)[0]), point((*corners)[1]), point((*corners)[2]),
-                                           point((*corners)[3])};
+            const std::array<ImVec2, 4> at{window_point((*corners)[0]), window_point((*corners)[1]),
+                                           window_point((*corners)[2]), window_point((*corners)[3])};
             const auto normal = static_cast<std::size_t>(plane) - static_cast<std::size_t>(MoveHandle::YZ);
             const bool over = hovered == plane;
             painter.list.AddQuadFilled(at[0], at[1], at[2], at[3], gizmo_color(normal, over, over ? 170 : 90));
@@ -210,8 +207,8 @@ class MoveTool : public Tool {
             }
         }
         const bool over = hovered == MoveHandle::Free;
-        painter.list.AddCircleFilled(point(*middle), 7.5F * painter.scale, kGizmoShade);
-        painter.list.AddCircleFilled(point(*middle), 5.5F * painter.scale,
+        painter.list.AddCircleFilled(window_point(*middle), 7.5F * painter.scale, kGizmoShade);
+        painter.list.AddCircleFilled(window_point(*middle), 5.5F * painter.scale,
                                      over ? kGizmoHovered : IM_COL32(245, 245, 245, 255));
     }
 
@@ -224,9 +221,10 @@ class MoveTool : public Tool {
         const double scale = static_cast<double>(painter.scale), more = 0.5 * static_cast<double>(width);
         const glm::dvec2 way = (tip - from) / length, side(-way.y, way.x);
         const glm::dvec2 base = tip - way * (13 * scale);
-        painter.list.AddLine(point(from), point(base), color, width * painter.scale);
-        painter.list.AddTriangleFilled(point(tip + way * (more * scale)), point(base + side * ((4 + more) * scale)),
-                                       point(base - side * ((4 + more) * scale)), color);
+        painter.list.AddLine(window_point(from), window_point(base), color, width * painter.scale);
+        painter.list.AddTriangleFilled(window_point(tip + way * (more * scale)),
+                                       window_point(base + side * ((4 + more) * scale)),
+                                       window_point(base - side * ((4 + more) * scale)), color);
     }
 
     std::optional<MoveHandle> over_;

@@ -7,6 +7,7 @@
 
 #include "ui/viewer/picture_places.h"
 #include "ui/viewer/tool.h"
+#include "ui/viewer/window_point.h"
 
 namespace ui {
 
@@ -73,24 +74,22 @@ class SectionTool : public Tool {
             for (const glm::dvec2& tip : {back, front}) {
                 arrow(painter, at, tip, shade, width);
             }
-            painter.list.AddCircleFilled(point(at), (2 + width) * painter.scale, shade);
+            painter.list.AddCircleFilled(window_point(at), (2 + width) * painter.scale, shade);
         }
     }
 
   private:
     using Handle = std::array<glm::dvec2, 3>;  ///< An arrow's point, the middle, the other's point.
 
-    static ImVec2 point(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
-
     static void arrow(const ToolPainter& painter, const glm::dvec2& from, const glm::dvec2& tip, ImU32 color,
                       float width) {
-        painter.list.AddLine(point(from), point(tip), color, width * painter.scale);
+        painter.list.AddLine(window_point(from), window_point(tip), color, width * painter.scale);
         const double length = glm::distance(from, tip);
         if (length > 1) {
             const glm::dvec2 way = (tip - from) / length * (7.0 * static_cast<double>(painter.scale));
             const glm::dvec2 side(-way.y, way.x);
-            painter.list.AddLine(point(tip), point(tip - way + 0.6 * side), color, width * painter.scale);
-            painter.list.AddLine(point(tip), point(tip - way - 0.6 * side), color, width * painter.scale);
+            painter.list.AddLine(window_point(tip), window_point(tip - way + 0.6 * side), color, width * painter.scale);
+            painter.list.AddLine(window_point(tip), window_point(tip - way - 0.6 * side), color, width * painter.scale);
         }
     }
 

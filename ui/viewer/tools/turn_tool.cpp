@@ -13,6 +13,7 @@
 #include "ui/viewer/tools/drag_text.h"
 #include "ui/viewer/tools/gizmo_color.h"
 #include "ui/viewer/tools/turn_rings.h"
+#include "ui/viewer/window_point.h"
 
 namespace ui {
 
@@ -184,8 +185,7 @@ class TurnTool : public Tool {
             if (corners[i].behind != behind) {
                 continue;
             }
-            const glm::vec2 a(corners[i].at), b(corners[(i + 1) % corners.size()].at);
-            const ImVec2 from{a.x, a.y}, to{b.x, b.y};
+            const ImVec2 from = window_point(corners[i].at), to = window_point(corners[(i + 1) % corners.size()].at);
             if (!behind) {
                 painter.list.AddLine(from, to, kGizmoShade, 5.5F * painter.scale);
             }

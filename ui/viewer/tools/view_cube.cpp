@@ -7,6 +7,7 @@
 
 #include "ui/viewer/camera_control.h"
 #include "ui/viewer/tool.h"
+#include "ui/viewer/window_point.h"
 
 namespace ui {
 
@@ -27,10 +28,6 @@ constexpr std::array<Face, 6> kFaces{{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, "Top"},
                                       {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, "Right"},
                                       {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}, "Front"},
                                       {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, "Back"}}};
-
-ImVec2 im(const glm::dvec2& p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y)};
-}
 
 /// The cube as it is seen: parallel, whatever the camera's projection.
 class Look {
@@ -77,7 +74,7 @@ void write(const ToolPainter& painter, const Look& look, const Face& face, doubl
     for (int i = first; i < painter.list.VtxBuffer.Size; ++i) {
         ImVec2& at = painter.list.VtxBuffer[i].pos;
         const glm::dvec2 flat(at.x - 0.5F * extent.x, 0.5F * extent.y - at.y);
-        at = im(look.place(face.normal + (flat.x * face.right + flat.y * face.up) / half));
+        at = window_point(look.place(face.normal + (flat.x * face.right + flat.y * face.up) / half));
     }
 }
 
@@ -121,7 +118,7 @@ class ViewCube : public Tool {
             }
             const auto quad = [&](double left, double right, double low, double high, ImU32 color) {
                 const auto corner = [&](double x, double y) {
-                    return im(look.place(face.normal + x * face.right + y * face.up));
+                    return window_point(look.place(face.normal + x * face.right + y * face.up));
                 };
                 painter.list.AddQuadFilled(corner(left, low), corner(right, low), corner(right, high),
                                            corner(left, high), color);
@@ -134,9 +131,10 @@ class ViewCube : public Tool {
             if (facing > 0.25) {
                 write(painter, look, face, half, IM_COL32(20, 22, 26, 255));
             }
-            const std::array<ImVec2, 4> rim{
-                im(look.place(face.normal - face.right - face.up)), im(look.place(face.normal + face.right - face.up)),
-                im(look.place(face.normal + face.right + face.up)), im(look.place(face.normal - face.right + face.up))};
+            const std::array<ImVec2, 4> rim{window_point(look.place(face.normal - face.right - face.up)),
+                                            window_point(look.place(face.normal + face.right - face.up)),
+                                            window_point(look.place(face.normal + face.right + face.up)),
+                                            window_point(look.place(face.normal - face.right + face.up))};
             painter.list.AddPolyline(rim.data(), 4, IM_COL32(40, 42, 48, 255), ImDrawFlags_Closed, painter.scale);
         }
     }
