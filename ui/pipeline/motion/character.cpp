@@ -41,17 +41,18 @@ class Characterization {
   private:
     /// False where a step is no rigid motion.
     bool collect() {
-        std::optional<std::size_t> before;
+        constexpr std::size_t kNoneBefore = ~std::size_t{0};
+        std::size_t before = kNoneBefore;
         std::optional<glm::dvec3> first, last;
         for (std::size_t i = 0; i < body_.poses.size(); ++i) {
             if (!body_.poses[i]) {
-                before.reset();
+                before = kNoneBefore;
                 continue;
             }
             first = first ? first : body_.poses[i]->center;
             last = body_.poses[i]->center;
-            if (before && body_.poses[*before]->motion != body_.poses[i]->motion) {
-                if (!add(*before, i)) {
+            if (before != kNoneBefore && body_.poses[before]->motion != body_.poses[i]->motion) {
+                if (!add(before, i)) {
                     return false;
                 }
             }
