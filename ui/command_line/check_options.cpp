@@ -20,7 +20,7 @@ struct RawCheck {
     std::vector<std::string> clearances;
 };
 
-void declare(OptionTable& table, CheckOptions& o, RawCheck& raw) {
+void declare_check(OptionTable& table, CheckOptions& o, RawCheck& raw) {
     const char* const what = "What to look for, in mm";
     table.add({"file", "The .scad file; - reads standard input"}, o.run.input, true);
     const auto length = [&](const char* name, double& value, const char* text) {
@@ -126,7 +126,7 @@ CheckOptions read_check_options(const std::vector<std::string>& arguments) {
         "input is bad.",
         "csgscope check");
     table.lay_out_help("How to tell it", 34);
-    declare(table, o, raw);
+    declare_check(table, o, raw);
     o.help = !read_subcommand(table, arguments, "check", [&] { interpret(o, raw); });
     return o;
 }

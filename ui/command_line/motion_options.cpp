@@ -17,7 +17,7 @@ struct RawMotion {
     double error = kUnsetMotion, time_limit = kUnsetMotion;
 };
 
-void declare(OptionTable& table, MotionOptions& o, RawMotion& raw) {
+void declare_motion(OptionTable& table, MotionOptions& o, RawMotion& raw) {
     const char* const what = "What to look at";
     table.add({"file", "The .scad file; - reads standard input"}, o.run.input, true);
     table.add({"--interval", "Of $t (0,1)", "FROM,TO", what}, raw.interval);
@@ -61,7 +61,7 @@ MotionOptions read_motion_options(const std::vector<std::string>& arguments) {
     OptionTable table("csgscope motion tells what of a model moves while $t runs: when, how, and how far.",
                       "csgscope motion");
     table.lay_out_help("How to tell it", 34);
-    declare(table, o, raw);
+    declare_motion(table, o, raw);
     o.help = !read_subcommand(table, arguments, "motion", [&] { interpret(o, raw); });
     return o;
 }
