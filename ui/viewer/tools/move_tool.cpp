@@ -10,9 +10,8 @@
 
 #include "ui/pipeline/editing/added_shape.h"
 #include "ui/pipeline/editing/text_edit.h"
-#include "ui/viewer/tool.h"
-#include "ui/viewer/tools/drag_text.h"
 #include "ui/viewer/tools/gizmo_color.h"
+#include "ui/viewer/tools/holding_tool.h"
 #include "ui/viewer/tools/move_gizmo.h"
 #include "ui/viewer/window_point.h"
 
@@ -29,7 +28,7 @@ double step_of(double least) {
     return below >= least * (1 - 1e-9) ? below : round_number(2.5 * below);
 }
 
-class MoveTool : public Tool {
+class MoveTool : public HoldingTool {
   public:
     bool hover(ToolContext& context, const std::optional<glm::dvec2>& at) override {
         const auto box = box_of(context);
@@ -49,61 +48,8 @@ class MoveTool : public Tool {
             return false;
         }
         over_ = handle;
-        typed_.clear();
-        if (!context.session.can_move()) {
-            return true;  // The drag is nobody's: the text is being followed still.
-        }
-        drag_ = Drag{*handle, context.session.selected_occurrence(), *box, *gripped, glm::dvec3(0), event.position};
-        return true;
-    }
-
-    void drag(ToolContext& context, const glm::dvec2& at) override {
-        if (!drag_) {
-            return;
-        }
-        if (context.session.selected_occurrence() != drag_->occurrence) {
-            (void)cancel(context);  // There is another model, in which it is not.
-            return;
-        }
-        drag_->pointer = at;
-        const MoveGizmo begun(context.camera, context.picture, drag_->box.center(), context.scale);
-        if (const auto now = begun.grip(drag_->handle, at)) {
-            const bool on_grid = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
-            const double step = step_of((on_grid ? kGrid : kFine) * static_cast<double>(context.scale) * begun.unit());
-            drag_->by = in_steps(*now - drag_->gripped, drag_->handle, step);
-        }
-        show(context);
-    }
-
-    void release(ToolContext& context, const glm::dvec2& /*at*/) override {
-        if (const auto done = std::exchange(drag_, std::nullopt)) {
-            put(context, *done);
-        }
-    }
-
-    void click(ToolContext& context, const glm::dvec2& at) override {
-        context.commands.emplace_back(SelectAt{at - glm::dvec2(context.picture.corner)});
-    }
-
-    bool key(ToolContext& context, const KeyEvent& event) override {
-        if (!drag_) {
-            return false;
-        }
-        if (ends_drag(event)) {
-            put(context, *std::exchange(drag_, std::nullopt));
-        } else if (type_number(event, typed_)) {
-            show(context);
-        } else {
-            return event.chord.key != GLFW_KEY_ESCAPE;
-        }
-        return true;
-    }
-
-    bool cancel(ToolContext& context) override {
-        if (!std::exchange(drag_, std::nullopt)) {
-            return false;
-        }
-        context.commands.emplace_back(HoldPart{});
+        drag_ = {*handle, *box, *gripped, glm::dvec3(0)};
+        hold(context, event.position);
         return true;
     }
 
@@ -111,9 +57,6 @@ class MoveTool : public Tool {
         over_.reset();
         (void)cancel(context);
     }
-
-    /// How far it is by now: "X 12.5".
-    [[nodiscard]] std::string text() const override { return drag_ ? words(*drag_) : ""; }
 
     void draw(const ToolContext& context, const ToolPainter& painter) const override {
         const auto box = box_of(context);
@@ -124,21 +67,26 @@ class MoveTool : public Tool {
         painter.list.PushClipRect({place.corner.x, place.corner.y},
                                   {place.corner.x + place.size.x, place.corner.y + place.size.y});
         draw_handles(gizmo(context, *box), painter);
-        if (drag_) {
-            draw_drag_text(words(*drag_), drag_->pointer, painter);
-        }
+        draw_words(painter);
         painter.list.PopClipRect();
     }
 
   private:
     struct Drag {
         MoveHandle handle = MoveHandle::Free;
-        csg::OccurrenceId occurrence = csg::kNoOccurrence;
         csg::Box box;           ///< As it was gripped, …
         glm::dvec3 gripped{0};  ///< … from its center, there.
         glm::dvec3 by{0};
-        glm::dvec2 pointer{0};
     };
+
+    void follow(const ToolContext& context, const glm::dvec2& at) override {
+        const MoveGizmo begun(context.camera, context.picture, drag_.box.center(), context.scale);
+        if (const auto now = begun.grip(drag_.handle, at)) {
+            const bool on_grid = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
+            const double step = step_of((on_grid ? kGrid : kFine) * static_cast<double>(context.scale) * begun.unit());
+            drag_.by = in_steps(*now - drag_.gripped, drag_.handle, step);
+        }
+    }
 
     /// Of what is selected, as the text puts it.
     [[nodiscard]] std::optional<csg::Box> box_of(const ToolContext& context) const {
@@ -159,18 +107,13 @@ class MoveTool : public Tool {
         return {context.camera, context.picture, box.center() + context.session.held().by, context.scale};
     }
 
-    [[nodiscard]] glm::dvec3 way(const Drag& drag) const { return typed_way(typed_, drag.handle, drag.by); }
+    [[nodiscard]] glm::dvec3 way() const { return typed_way(typed(), drag_.handle, drag_.by); }
 
-    void show(ToolContext& context) const { context.commands.emplace_back(HoldPart{{drag_->occurrence, way(*drag_)}}); }
+    [[nodiscard]] HeldPart held() const override { return {held_occurrence(), way()}; }
 
-    void put(ToolContext& context, const Drag& done) {
-        context.commands.emplace_back(PutPart{{done.occurrence, way(done)}});
-        typed_.clear();
-    }
-
-    [[nodiscard]] std::string words(const Drag& drag) const {
-        const std::array<bool, 3> moves = axes_of(drag.handle);
-        const glm::dvec3 by = way(drag);
+    [[nodiscard]] std::string words() const override {
+        const std::array<bool, 3> moves = axes_of(drag_.handle);
+        const glm::dvec3 by = way();
         std::string text;
         for (std::size_t i = 0; i < 3; ++i) {
             if (moves[i]) {
@@ -178,7 +121,7 @@ class MoveTool : public Tool {
                                     short_number(by[static_cast<int>(i)], 1e-6));
             }
         }
-        return typed_.empty() ? text : text + "   " + typed_ + "_";
+        return text;
     }
 
     void draw_handles(const MoveGizmo& shown, const ToolPainter& painter) const {
@@ -186,7 +129,7 @@ class MoveTool : public Tool {
         if (!middle) {
             return;
         }
-        const auto hovered = drag_ ? std::optional(drag_->handle) : over_;
+        const auto hovered = holds() ? std::optional(drag_.handle) : over_;
         for (const MoveHandle plane : {MoveHandle::YZ, MoveHandle::ZX, MoveHandle::XY}) {
             const auto corners = shown.square(plane);
             if (!corners) {
@@ -228,8 +171,7 @@ class MoveTool : public Tool {
     }
 
     std::optional<MoveHandle> over_;
-    std::optional<Drag> drag_;
-    std::string typed_;
+    Drag drag_;  ///< As long as it holds something.
     mutable std::pair<std::uint64_t, csg::OccurrenceId> box_of_{0, csg::kNoOccurrence};  ///< What box_ is of.
     mutable csg::Box box_;
 };

@@ -15,6 +15,7 @@
 #include "ui/viewer/picture_places.h"
 #include "ui/viewer/tool.h"
 #include "ui/viewer/tools/drag_text.h"
+#include "ui/viewer/window_point.h"
 
 namespace ui {
 
@@ -228,17 +229,16 @@ class SizeTool : public Tool {
         if (!at || !tip) {
             return;
         }
-        const auto point = [](const glm::dvec2& p) { return ImVec2{static_cast<float>(p.x), static_cast<float>(p.y)}; };
         const ImU32 color = over ? kOver : kRest;
-        painter.list.AddLine(point(*at), point(*tip), IM_COL32(20, 20, 20, 150), 4.5F * painter.scale);
-        painter.list.AddLine(point(*at), point(*tip), color, 2.5F * painter.scale);
-        painter.list.AddCircleFilled(point(*at), 7 * painter.scale, IM_COL32(20, 20, 20, 150));
-        painter.list.AddCircleFilled(point(*at), 5.5F * painter.scale, color);
+        painter.list.AddLine(window_point(*at), window_point(*tip), IM_COL32(20, 20, 20, 150), 4.5F * painter.scale);
+        painter.list.AddLine(window_point(*at), window_point(*tip), color, 2.5F * painter.scale);
+        painter.list.AddCircleFilled(window_point(*at), 7 * painter.scale, IM_COL32(20, 20, 20, 150));
+        painter.list.AddCircleFilled(window_point(*at), 5.5F * painter.scale, color);
         const ImFont& font = *painter.fonts.bold;
         const std::string label = fmt::format("{} {}", number.name, short_number(number.value, 1e-6 * number.value));
         const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, label.c_str());
         const glm::dvec2 away = glm::distance(*at, *tip) > 1 ? glm::normalize(*tip - *at) : glm::dvec2(0, -1);
-        const ImVec2 middle = point(*tip + away * 14.0 * static_cast<double>(painter.scale));
+        const ImVec2 middle = window_point(*tip + away * 14.0 * static_cast<double>(painter.scale));
         const ImVec2 corner{middle.x - 0.5F * size.x, middle.y - 0.5F * size.y};
         painter.list.AddRectFilled({corner.x - 3, corner.y - 1}, {corner.x + size.x + 3, corner.y + size.y + 1},
                                    IM_COL32(24, 27, 31, 200), 3 * painter.scale);

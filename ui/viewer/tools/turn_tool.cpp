@@ -9,9 +9,8 @@
 #include <fmt/format.h>
 
 #include "ui/pipeline/editing/text_edit.h"
-#include "ui/viewer/tool.h"
-#include "ui/viewer/tools/drag_text.h"
 #include "ui/viewer/tools/gizmo_color.h"
+#include "ui/viewer/tools/holding_tool.h"
 #include "ui/viewer/tools/turn_rings.h"
 #include "ui/viewer/window_point.h"
 
@@ -26,7 +25,7 @@ double within_a_turn(double degrees) {
     return degrees - 360 * std::floor((degrees + 180) / 360);
 }
 
-class TurnTool : public Tool {
+class TurnTool : public HoldingTool {
   public:
     bool hover(ToolContext& context, const std::optional<glm::dvec2>& at) override {
         const auto pivot = pivot_of(context);
@@ -46,59 +45,8 @@ class TurnTool : public Tool {
             return false;
         }
         over_ = axis;
-        typed_.clear();
-        if (context.session.can_move()) {  // Else the drag is nobody's: the text is being followed still.
-            drag_ = Drag{*axis, context.session.selected_occurrence(), *pivot, *angle, 0, event.position};
-        }
-        return true;
-    }
-
-    void drag(ToolContext& context, const glm::dvec2& at) override {
-        if (!drag_) {
-            return;
-        }
-        if (context.session.selected_occurrence() != drag_->occurrence) {
-            (void)cancel(context);  // There is another model, in which it is not.
-            return;
-        }
-        drag_->pointer = at;
-        if (const auto now = rings(context, drag_->pivot).angle_at(drag_->axis, at)) {
-            const bool coarse = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
-            const double step = coarse ? kCoarseDegrees : kWholeDegree;
-            drag_->degrees = within_a_turn(std::round((*now - drag_->gripped) / step) * step);
-        }
-        context.commands.emplace_back(HoldPart{held(*drag_)});
-    }
-
-    void release(ToolContext& context, const glm::dvec2& /*at*/) override {
-        if (const auto done = std::exchange(drag_, std::nullopt)) {
-            put(context, *done);
-        }
-    }
-
-    void click(ToolContext& context, const glm::dvec2& at) override {
-        context.commands.emplace_back(SelectAt{at - glm::dvec2(context.picture.corner)});
-    }
-
-    bool key(ToolContext& context, const KeyEvent& event) override {
-        if (!drag_) {
-            return false;
-        }
-        if (ends_drag(event)) {
-            put(context, *std::exchange(drag_, std::nullopt));
-        } else if (type_number(event, typed_)) {
-            context.commands.emplace_back(HoldPart{held(*drag_)});
-        } else {
-            return event.chord.key != GLFW_KEY_ESCAPE;
-        }
-        return true;
-    }
-
-    bool cancel(ToolContext& context) override {
-        if (!std::exchange(drag_, std::nullopt)) {
-            return false;
-        }
-        context.commands.emplace_back(HoldPart{});
+        drag_ = {*axis, *pivot, *angle, 0};
+        hold(context, event.position);
         return true;
     }
 
@@ -107,11 +55,8 @@ class TurnTool : public Tool {
         (void)cancel(context);
     }
 
-    /// How far it is by now: "Z 30".
-    [[nodiscard]] std::string text() const override { return drag_ ? words(*drag_) : ""; }
-
     void draw(const ToolContext& context, const ToolPainter& painter) const override {
-        const auto pivot = drag_ ? std::optional(drag_->pivot) : pivot_of(context);
+        const auto pivot = holds() ? std::optional(drag_.pivot) : pivot_of(context);
         if (!pivot) {
             return;
         }
@@ -124,21 +69,25 @@ class TurnTool : public Tool {
                 draw_ring(shown.ring(axis), axis, behind, painter);
             }
         }
-        if (drag_) {
-            draw_drag_text(words(*drag_), drag_->pointer, painter);
-        }
+        draw_words(painter);
         painter.list.PopClipRect();
     }
 
   private:
     struct Drag {
         std::size_t axis = 0;
-        csg::OccurrenceId occurrence = csg::kNoOccurrence;
         glm::dvec3 pivot{0};
         double gripped = 0;  ///< Degrees: where the ring was.
         double degrees = 0;
-        glm::dvec2 pointer{0};
     };
+
+    void follow(const ToolContext& context, const glm::dvec2& at) override {
+        if (const auto now = rings(context, drag_.pivot).angle_at(drag_.axis, at)) {
+            const bool coarse = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
+            const double step = coarse ? kCoarseDegrees : kWholeDegree;
+            drag_.degrees = within_a_turn(std::round((*now - drag_.gripped) / step) * step);
+        }
+    }
 
     /// The origin of the first leaf of what is selected, as the text puts it: what its edits turn it about.
     [[nodiscard]] static std::optional<glm::dvec3> pivot_of(const ToolContext& context) {
@@ -156,31 +105,25 @@ class TurnTool : public Tool {
         return {context.camera, context.picture, pivot, context.scale};
     }
 
-    [[nodiscard]] double degrees(const Drag& drag) const {
+    [[nodiscard]] double degrees() const {
         char* end = nullptr;
-        const double typed = std::strtod(typed_.c_str(), &end);
-        return end != typed_.c_str() ? within_a_turn(typed) : drag.degrees;
+        const double number = std::strtod(typed().c_str(), &end);
+        return end != typed().c_str() ? within_a_turn(number) : drag_.degrees;
     }
 
-    [[nodiscard]] HeldPart held(const Drag& drag) const {
-        HeldPart part{drag.occurrence, {}, {}, drag.pivot};
-        part.turn[static_cast<int>(drag.axis)] = degrees(drag);
+    [[nodiscard]] HeldPart held() const override {
+        HeldPart part{held_occurrence(), {}, {}, drag_.pivot};
+        part.turn[static_cast<int>(drag_.axis)] = degrees();
         return part;
     }
 
-    void put(ToolContext& context, const Drag& done) {
-        context.commands.emplace_back(PutPart{held(done)});
-        typed_.clear();
-    }
-
-    [[nodiscard]] std::string words(const Drag& drag) const {
-        const std::string text = fmt::format("{} {}°", "XYZ"[drag.axis], short_number(degrees(drag), 1e-6));
-        return typed_.empty() ? text : text + "   " + typed_ + "_";
+    [[nodiscard]] std::string words() const override {
+        return fmt::format("{} {}°", "XYZ"[drag_.axis], short_number(degrees(), 1e-6));
     }
 
     void draw_ring(const std::vector<TurnRings::Corner>& corners, std::size_t axis, bool behind,
                    const ToolPainter& painter) const {
-        const bool over = (drag_ ? std::optional(drag_->axis) : over_) == axis;
+        const bool over = (holds() ? std::optional(drag_.axis) : over_) == axis;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             if (corners[i].behind != behind) {
                 continue;
@@ -195,8 +138,7 @@ class TurnTool : public Tool {
     }
 
     std::optional<std::size_t> over_;
-    std::optional<Drag> drag_;
-    std::string typed_;
+    Drag drag_;  ///< As long as it holds something.
 };
 
 }  // namespace
