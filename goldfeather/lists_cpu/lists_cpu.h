@@ -9,11 +9,13 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <stop_token>
 #include <vector>
 
 #include "base/camera.h"
 #include "csg/solid/placed.h"
+#include "csg/solid/scene_change.h"
 #include "csg/tree/scene.h"
 #include "goldfeather/lists_cpu/expression_state.h"
 #include "goldfeather/walk_stats.h"
@@ -43,6 +45,28 @@ struct ListsStats {
 /// (0: all). `threads`: 0 for one a core. Throws base::Stopped where `stop` asked for it; `out` can be filled again.
 void peel_lists(const ListsModel& model, const base::View& view, int max_layers, unsigned threads,
                 layers::HostStack& out, ListsStats& stats, const std::stop_token& stop = {});
+
+/// What is kept of a picture of a scene that is edited, so that the next one from there is drawn anew only where leaves
+/// have moved: a cutter under a hand among thousands touches a few tiles.
+class KeptLists {
+  public:
+    KeptLists();
+    ~KeptLists();
+    KeptLists(const KeptLists&) = delete;
+    KeptLists& operator=(const KeptLists&) = delete;
+
+    /// The scene has been edited, not its structure.
+    void changed(const csg::solid::SceneChange& change);
+    /// Nothing is known of the stack that was filled last.
+    void forget();
+    /// peel_lists(): the same to the last bit. `out` holds what this filled last, unless forget() was called.
+    void peel(const ListsModel& model, const base::View& view, int max_layers, unsigned threads, layers::HostStack& out,
+              ListsStats& stats, const std::stop_token& stop);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// Counts a picture drawn from lists among those that a walk drew.
 void add(WalkStats& walk, const ListsStats& lists);

@@ -41,8 +41,9 @@ TileWorker::TileWorker(ListsJob& job)
     : job_(job),
       half_width_(0.5 * job.size.x),
       half_height_(0.5 * job.size.y),
-      spans_(job.triangles),
-      walk_(job.model.expressions, job.model.scene, job.ranks, job.counted_from_behind, job.wound, job.max_layers),
+      spans_(job.leaves.triangles()),
+      walk_(job.model.expressions, job.model.scene, job.ranks, job.leaves.counted_from_behind(), job.leaves.wound(),
+            job.max_layers),
       seen_(job.model.geometry.leaves.size(), 0) {}
 
 void TileWorker::run(int tile) {
@@ -65,7 +66,6 @@ void TileWorker::run(int tile) {
         count_layers(box);
     }
     held = tile_layers_;
-    most_layers_ = std::max(most_layers_, tile_layers_);
 }
 
 void TileWorker::fill(const TileBox& box, std::span<const std::uint32_t> triangles) {
@@ -126,7 +126,7 @@ void TileWorker::row(const TileBox& box, int y) {
 }
 
 void TileWorker::enter(std::uint32_t triangle, int last, int y) {
-    const ScreenTriangle& t = job_.triangles[triangle];
+    const ScreenTriangle& t = job_.leaves.triangles()[triangle];
     const base::View::ExactPlaneDepth& plane = job_.planes[t.plane];
     // Snapping has moved the border by up to 2⁻¹⁴ pixel: a sample there must not be thrown far along a steep plane.
     const double slack = std::min(0x1p-13 * (std::abs(plane.a) + std::abs(plane.b)), 0.25 * (t.nearest - t.farthest)) +

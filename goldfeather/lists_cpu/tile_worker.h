@@ -8,12 +8,13 @@
 
 #include "goldfeather/lists_cpu/lists_cpu.h"
 #include "goldfeather/lists_cpu/pixel_walk.h"
+#include "goldfeather/lists_cpu/projected_leaves.h"
 #include "goldfeather/lists_cpu/screen_triangles.h"
 #include "goldfeather/lists_cpu/tile_spans.h"
 
 namespace goldfeather {
 
-/// The triangles that reach each tile.
+/// The triangles that reach each tile, of those that are drawn.
 struct Bins {
     glm::ivec2 tiles{0};
     std::vector<std::uint32_t> starts;     ///< One more than tiles.
@@ -32,10 +33,9 @@ struct ListsJob {
     int max_layers;
     layers::HostStack& out;
     const std::stop_token& stop;
-    std::vector<ScreenTriangle> triangles{};
-    std::vector<base::View::ExactPlaneDepth> planes{};
-    std::vector<std::uint32_t> ranks{};                ///< Of parts: as PixelWalk wants them, …
-    std::vector<char> counted_from_behind{}, wound{};  ///< … and these, by leaf.
+    const ProjectedLeaves& leaves;
+    const std::vector<base::View::ExactPlaneDepth>& planes;
+    const std::vector<std::uint32_t>& ranks;  ///< Of parts: as PixelWalk wants them.
     Bins bins{};
     std::mutex growing{};  ///< Of out.planes.
 };
@@ -52,7 +52,6 @@ class TileWorker {
 
     [[nodiscard]] std::uint64_t fragments() const { return fragments_; }
     [[nodiscard]] std::size_t longest_list() const { return longest_list_; }
-    [[nodiscard]] int most_layers() const { return most_layers_; }
     /// By leaf: 1 where some layer of some pixel is a surface of it.
     [[nodiscard]] const std::vector<char>& seen() const { return seen_; }
 
@@ -100,7 +99,6 @@ class TileWorker {
     std::vector<Target> targets_;             ///< By layer.
     std::array<int, TileSpans::kPixels> layers_{};
     int tile_layers_ = 0;
-    int most_layers_ = 0;
     std::vector<char> seen_;
     std::uint64_t fragments_ = 0;
     std::size_t longest_list_ = 0;
