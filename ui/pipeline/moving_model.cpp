@@ -42,27 +42,34 @@ bool same_content(const csg::Tree& a, const csg::Tree& b) {
 }
 
 MovingModel::MovingModel(const Model& model, csg::Showing showing, csg::PartRule rule)
-    : tree_(model.tree),
-      showing_(showing),
+    : showing_(showing),
       rule_(std::move(rule)),
       box_(model.geometry.box),
       reach_(reach_of(model.geometry)),
       edited_(model) {}
 
-bool MovingModel::alike(const csg::Tree& tree, const csg::Scene& scene) const {
-    const csg::Scene& own = edited_.model().scene;
-    return scene.leaves.size() == own.leaves.size() && same_expressions(scene, own) &&
-           std::equal(scene.leaves.begin(), scene.leaves.end(), own.leaves.begin(),
-                      [&](const csg::LeafInstance& now, const csg::LeafInstance& before) {
-                          return now.color == before.color && now.part == before.part &&
-                                 tree.node(now.node).hash == tree_->node(before.node).hash;
-                      });
+std::optional<std::size_t> leaves_moved(const Model& model, const csg::Tree& tree, const csg::Scene& scene) {
+    const csg::Scene& own = model.scene;
+    const bool alike = scene.leaves.size() == own.leaves.size() && same_expressions(scene, own) &&
+                       std::equal(scene.leaves.begin(), scene.leaves.end(), own.leaves.begin(),
+                                  [&](const csg::LeafInstance& now, const csg::LeafInstance& before) {
+                                      return now.color == before.color && now.part == before.part &&
+                                             tree.node(now.node).hash == model.tree->node(before.node).hash;
+                                  });
+    if (!alike) {
+        return std::nullopt;
+    }
+    std::size_t moved = 0;
+    for (csg::LeafId leaf = 0; leaf < scene.leaves.size(); ++leaf) {
+        moved += scene.leaves[leaf].to_world != own.leaves[leaf].to_world ? 1 : 0;
+    }
+    return moved;
 }
 
 bool MovingModel::follow(const csg::Tree& tree) {
     moved_ = 0;
     const csg::Scene scene = csg::make_scene(tree, showing_, rule_);
-    if (!alike(tree, scene)) {
+    if (!leaves_moved(edited_.model(), tree, scene)) {
         return false;
     }
     for (csg::LeafId leaf = 0; leaf < scene.leaves.size(); ++leaf) {

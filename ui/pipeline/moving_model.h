@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "csg/tree/scene.h"
 #include "ui/pipeline/editable_model.h"
@@ -10,6 +11,11 @@ namespace ui {
 
 /// Do two trees make the same, wherever their texts are?
 [[nodiscard]] bool same_content(const csg::Tree& a, const csg::Tree& b);
+
+/// How many leaves are elsewhere in the scene of `tree` than in the model; nothing where it has others, or other
+/// expressions.
+[[nodiscard]] std::optional<std::size_t> leaves_moved(const Model& model, const csg::Tree& tree,
+                                                      const csg::Scene& scene);
 
 class MovingModel {
   public:
@@ -28,9 +34,6 @@ class MovingModel {
     [[nodiscard]] std::size_t moved() const { return moved_; }
 
   private:
-    [[nodiscard]] bool alike(const csg::Tree& tree, const csg::Scene& scene) const;
-
-    std::shared_ptr<const csg::Tree> tree_;
     csg::Showing showing_;
     csg::PartRule rule_;
     csg::Box box_;

@@ -8,6 +8,7 @@
 #include "csg/tree/explain.h"
 #include "csg/tree/left_over.h"
 #include "csg/tree/out_of_memory.h"
+#include "ui/pipeline/following_builder.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/program_runner.h"
 #include "ui/pipeline/stopwatch.h"
@@ -75,8 +76,8 @@ std::shared_ptr<const csg::Tree> tree_of(const Baseline& before, csg::scad::Requ
     return run.good() ? run.evaluation.tree : nullptr;
 }
 
-void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
-                        ProgramRunner& runner, const std::stop_token& stop) {
+void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera,
+                        FollowingBuilder& builder, ProgramRunner& runner, const std::stop_token& stop) {
     if (csg::scad::has_statements(source.definitions) && !source.text && !source.edited) {
         revision.files.emplace(source.path, csg::scad::disk_state(source.path));
     }
@@ -127,7 +128,7 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     revision.model = std::move(model);
 }
 
-Revision make_revision(const Source& source, const csg::scad::View& camera, ModelBuilder& builder,
+Revision make_revision(const Source& source, const csg::scad::View& camera, FollowingBuilder& builder,
                        ProgramRunner& runner, const std::stop_token& stop) {
     Revision revision;
     try {
@@ -168,7 +169,7 @@ csg::scad::Request request_of(const Source& source, const csg::scad::View& camer
 }
 
 Evaluate make_evaluate() {
-    return [builder = std::make_shared<ModelBuilder>(), runner = std::make_shared<ProgramRunner>(make_measures())](
+    return [builder = std::make_shared<FollowingBuilder>(), runner = std::make_shared<ProgramRunner>(make_measures())](
                const Source& source, const csg::scad::View& camera, const std::stop_token& stop) {
         return make_revision(source, camera, *builder, *runner, stop);
     };
