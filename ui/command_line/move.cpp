@@ -17,6 +17,7 @@
 #include "ui/command_line/subcommand.h"
 #include "ui/pipeline/editing/movable_survey.h"
 #include "ui/pipeline/editing/move_leaf.h"
+#include "ui/pipeline/editing/scale_leaf.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/plain_text.h"
 
@@ -29,7 +30,7 @@ struct MoveOptions {
     std::string call;  ///< [FILE:]LINE[:COLUMN]
     int number = 1;    ///< Of the solids that come from there.
     /// What is done, of one of these.
-    std::optional<glm::dvec3> by, turn;
+    std::optional<glm::dvec3> by, turn, scale;
     struct Stretch {
         int axis = 0;
         bool upper = true;
@@ -70,14 +71,28 @@ std::optional<glm::dvec3> read_vector(const char* option, const std::string& tex
     return v;
 }
 
+std::optional<glm::dvec3> read_factors(const std::string& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const auto n = read_numbers("--scale", text, {1, 3}, "a factor, or x,y,z");
+    const glm::dvec3 factors = n.size() == 1 ? glm::dvec3(n[0]) : glm::dvec3(n[0], n[1], n[2]);
+    if (!(factors.x > 0 && factors.y > 0 && factors.z > 0)) {
+        throw UsageError(fmt::format("--scale {}: factors above 0 are expected", text));
+    }
+    if (factors == glm::dvec3(1.0)) {
+        throw UsageError(fmt::format("--scale {} scales nothing", text));
+    }
+    return factors;
+}
+
 MoveOptions read_move_options(const std::vector<std::string>& arguments) {
     MoveOptions o;
-    std::string by, turn, stretch;
+    std::string by, turn, scale, stretch;
     double time_limit = 0;
     OptionTable table(
-        "csgscope move moves, turns or stretches a solid: it finds the numbers of the text that are to change, or "
-        "where "
-        "a translate() or rotate() is to stand.\nWithout -o it tells the ways there are.",
+        "csgscope move moves, turns, scales or stretches a solid: it finds the numbers of the text that are to change, "
+        "or where a translate(), rotate() or scale() is to stand.\nWithout -o it tells the ways there are.",
         "csgscope move");
     table.lay_out_help("The model", 34);
     table.add({"file", "The .scad file"}, o.run.input, true);
@@ -88,6 +103,9 @@ MoveOptions read_move_options(const std::vector<std::string>& arguments) {
     table.add({"--by", "How far, in the world", "X,Y,Z", what}, by);
     table.add({"--turn", "Turn it about its own origin: degrees about the world's axes, as one turn", "X,Y,Z", what},
               turn);
+    table.add({"--scale", "Make it so many times as large along its own axes, or all of them alike, from its origin",
+               "X,Y,Z", what},
+              scale);
     table.add({"--stretch", "Move one side of its box outwards, in its own coordinates: +x,5", "SIDE,DISTANCE", what},
               stretch);
     table.add({"--choice", "Which of the ways (1)", "N", what}, o.choice, 1, 1'000'000);
@@ -105,15 +123,17 @@ MoveOptions read_move_options(const std::vector<std::string>& arguments) {
             if (!o.call.empty() || !o.output.empty()) {
                 throw UsageError("--survey goes without --call and -o");
             }
-            by = by.empty() && turn.empty() && stretch.empty() ? "1.25,-0.75,0" : by;
+            by = by.empty() && turn.empty() && scale.empty() && stretch.empty() ? "1.25,-0.75,0" : by;
         } else if (o.call.empty()) {
             throw UsageError("--call is needed, or --survey");
         }
-        if (static_cast<int>(!by.empty()) + static_cast<int>(!turn.empty()) + static_cast<int>(!stretch.empty()) != 1) {
-            throw UsageError("one of --by, --turn and --stretch is needed");
+        const auto given = {!by.empty(), !turn.empty(), !scale.empty(), !stretch.empty()};
+        if (std::count(given.begin(), given.end(), true) != 1) {
+            throw UsageError("one of --by, --turn, --scale and --stretch is needed");
         }
         o.by = read_vector("--by", by, "moves");
         o.turn = read_vector("--turn", turn, "turns");
+        o.scale = read_factors(scale);
         if (!stretch.empty()) {
             o.stretch = read_stretch(stretch);
         }
@@ -218,11 +238,12 @@ int move_within(const MoveOptions& o, TimeLimit& limit) {
     const std::string text = read_source(o.run.input);
     const csg::LeafId leaf = leaves[static_cast<std::size_t>(o.number) - 1];
     const csg::scad::LoadedProgram& program = *language.evaluation().program;
-    std::vector<MoveWay> ways = o.by ? ways_to_move(*tree, scene, program, text, leaf, *o.by, tree_of, limit.token())
-                                : o.turn
-                                    ? ways_to_turn(*tree, scene, program, text, leaf, *o.turn, tree_of, limit.token())
-                                    : ways_to_stretch(*tree, scene, program, text, leaf, o.stretch->axis,
-                                                      o.stretch->upper, o.stretch->by, tree_of, limit.token());
+    std::vector<MoveWay> ways =
+        o.by      ? ways_to_move(*tree, scene, program, text, leaf, *o.by, tree_of, limit.token())
+        : o.turn  ? ways_to_turn(*tree, scene, program, text, leaf, *o.turn, tree_of, limit.token())
+        : o.scale ? ways_to_scale(*tree, scene, program, text, leaf, *o.scale, tree_of, limit.token())
+                  : ways_to_stretch(*tree, scene, program, text, leaf, o.stretch->axis, o.stretch->upper, o.stretch->by,
+                                    tree_of, limit.token());
     // Of ways that do alike, the one at the call that was named.
     std::stable_sort(ways.begin(), ways.end(), [&](const MoveWay& a, const MoveWay& b) {
         return std::tuple(a.changed, a.moved, a.kind, a.put.size(), a.where != call) <

@@ -11,11 +11,20 @@ namespace ui {
 
 glm::dmat4 HeldPart::motion() const {
     glm::dmat4 moved = glm::translate(glm::dmat4(1.0), by);
-    if (const double angle = glm::length(turn); angle > 0) {
-        moved = glm::rotate(glm::translate(moved, pivot), glm::radians(angle), turn / angle);
-        moved = glm::translate(moved, -pivot);
+    const double angle = glm::length(turn);
+    const bool scaled = scale != glm::dvec3(1.0);
+    if (!(angle > 0) && !scaled) {
+        return moved;
     }
-    return moved;
+    moved = glm::translate(moved, pivot);
+    if (angle > 0) {
+        moved = glm::rotate(moved, glm::radians(angle), turn / angle);
+    }
+    if (scaled) {
+        const glm::dmat3 sizes(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z);
+        moved = moved * glm::dmat4(axes * sizes * glm::inverse(axes));
+    }
+    return glm::translate(moved, -pivot);
 }
 
 EditableModel::EditableModel(const Model& model, const goldfeather::Budget& budget)

@@ -70,6 +70,7 @@ constexpr std::array kActions{
     ActionInfo{Action::MoveTool, "Tool", "Move", {{GLFW_KEY_W}}},
     ActionInfo{Action::TurnTool, "Tool", "Turn", {{GLFW_KEY_R}}},
     ActionInfo{Action::SizeTool, "Tool", "Size", {{GLFW_KEY_E}}},
+    ActionInfo{Action::ScaleTool, "Tool", "Scale", {{GLFW_KEY_K}}},
     ActionInfo{Action::MeasureTool, "Tool", "Measure", {{GLFW_KEY_M}}},
     ActionInfo{Action::FlyTool, "Tool", "Fly", {{GLFW_KEY_F}}},
 

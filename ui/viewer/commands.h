@@ -66,6 +66,7 @@ enum class Action {
     MoveTool,
     TurnTool,
     SizeTool,
+    ScaleTool,
     FlyTool,
     MeasureTool,
     CopyFound,  ///< What the tool has found, in words.

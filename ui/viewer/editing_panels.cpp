@@ -28,10 +28,6 @@ void end_note() {
     ImGui::PopStyleVar();
 }
 
-std::string vector_text(const glm::dvec3& v) {
-    return fmt::format("[{}, {}, {}]", short_number(v.x, 1e-6), short_number(v.y, 1e-6), short_number(v.z, 1e-6));
-}
-
 std::string way_text(const MoveWay& way) {
     if (way.kind == MoveWay::Kind::Wrap) {
         return fmt::format("{} before {}(), line {}", way.put, way.name, way.where.line);
@@ -68,11 +64,7 @@ void ways_note(const Session& session, const Fonts& fonts, Commands& commands) {
         }
         return;
     }
-    const bool turned = glm::length(answer.turn) > 0;
-    bold_text(fmt::format("{} {} by {}{}", answer.what, turned ? "turned" : "moved",
-                          vector_text(turned ? answer.turn : answer.by), turned ? "°" : "")
-                  .c_str(),
-              fonts);
+    bold_text((answer.what + ' ' + gesture_of(answer.held).told).c_str(), fonts);
     if (!ImGui::BeginTable("ways", 3, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }

@@ -7,6 +7,7 @@
 #include "base/stop.h"
 #include "csg/scad/program/loaded_program.h"
 #include "csg/tree/scene_edit.h"
+#include "ui/pipeline/editing/scale_leaf.h"
 #include "ui/pipeline/measures.h"
 #include "ui/pipeline/program_runner.h"
 
@@ -18,17 +19,21 @@ std::size_t no_message(const csg::scad::Message& /*message*/, const csg::scad::S
     return 0;
 }
 
-/// Those at the call that was moved before others that do alike.
-void prefer(std::vector<MoveWay>& ways, const csg::SourceLocation& call) {
+/// Those that take all of what is held along before others, and those at the call that was moved before others that do
+/// alike.
+void prefer(std::vector<MoveWay>& ways, const MoveQuestion& question) {
+    // The leaf itself counts among neither those that move nor the others that change where its shape does.
+    const std::size_t itself = question.held.side || question.held.scale != glm::dvec3(1.0) ? 1 : 0;
     const auto rank = [&](const MoveWay& way) {
-        const bool other = way.where.line != call.line || way.where.column != call.column;
-        return std::tuple(way.changed, way.moved, way.kind, way.put.size(), other);
+        const bool other = way.where.line != question.call.line || way.where.column != question.call.column;
+        const bool leaves_some = way.moved + way.changed + itself < question.leaves;
+        return std::tuple(leaves_some, way.changed, way.moved, way.kind, way.put.size(), other);
     };
     std::stable_sort(ways.begin(), ways.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
 MoveAnswer find(const MoveQuestion& question, ProgramRunner& runner, const std::stop_token& stop) {
-    MoveAnswer answer{question.text, {}, question.what, question.by, {}, question.turn};
+    MoveAnswer answer{question.text, {}, question.what, question.held, {}};
     Source source = question.source;
     const auto request = [&](const std::string& text) {
         source.edited = text;
@@ -59,12 +64,19 @@ MoveAnswer find(const MoveQuestion& question, ProgramRunner& runner, const std::
     };
     const csg::Tree& tree = *run.evaluation.tree;
     const csg::scad::LoadedProgram& program = *run.evaluation.program;
-    answer.ways = glm::length(question.turn) > 0
-                      ? ways_to_turn(tree, scene, program, question.text, leaf, question.turn, tree_of, stop)
-                      : ways_to_move(tree, scene, program, question.text, leaf, question.by, tree_of, stop);
-    prefer(answer.ways, question.call);
+    const HeldPart& held = question.held;
+    answer.ways = held.side ? ways_to_stretch(tree, scene, program, question.text, leaf, held.side->axis,
+                                              held.side->upper, held.side->by, tree_of, stop)
+                  : held.scale != glm::dvec3(1.0)
+                      ? ways_to_scale(tree, scene, program, question.text, leaf, held.scale, tree_of, stop)
+                  : glm::length(held.turn) > 0
+                      ? ways_to_turn(tree, scene, program, question.text, leaf, held.turn, tree_of, stop)
+                      : ways_to_move(tree, scene, program, question.text, leaf, held.by, tree_of, stop);
+    prefer(answer.ways, question);
     if (answer.ways.empty()) {
-        answer.trouble = why_no_way(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, tree_of);
+        answer.trouble =
+            held.side ? "No number of the text moves that side."
+                      : why_no_way(*run.evaluation.tree, scene, *run.evaluation.program, question.text, leaf, tree_of);
     }
     return answer;
 }
@@ -81,6 +93,28 @@ LeafName name_of(const csg::Tree& tree, const csg::Scene& scene, csg::LeafId lea
     }
     name.to_world = scene.leaves[leaf].to_world;
     return name;
+}
+
+Gesture gesture_of(const HeldPart& held) {
+    constexpr double kShown = 1e-6;
+    if (held.side) {
+        return {"stretch", "stretched by " + short_number(held.side->by, kShown)};
+    }
+    if (held.scale != glm::dvec3(1.0)) {
+        return {"scale", "scaled by " + short_vector(held.scale, kShown)};
+    }
+    if (glm::length(held.turn) > 0) {
+        return {"turn", "turned by " + short_vector(held.turn, kShown) + "°"};
+    }
+    return {"move", "moved by " + short_vector(held.by, kShown)};
+}
+
+std::size_t leaves_below(const csg::Scene& scene, csg::OccurrenceId occurrence) {
+    const std::vector<char> below = csg::occurrences_below(scene, occurrence);
+    return static_cast<std::size_t>(
+        std::count_if(scene.leaves.begin(), scene.leaves.end(), [&](const csg::LeafInstance& leaf) {
+            return leaf.occurrence != csg::kNoOccurrence && below[leaf.occurrence] != 0;
+        }));
 }
 
 csg::LeafId first_leaf_below(const csg::Scene& scene, csg::OccurrenceId occurrence) {
@@ -116,7 +150,7 @@ FindWays make_find_ways() {
         } catch (const base::Stopped&) {
             return MoveAnswer{};
         } catch (const std::exception& error) {
-            return MoveAnswer{question.text, {}, question.what, question.by, error.what(), question.turn};
+            return MoveAnswer{question.text, {}, question.what, question.held, error.what()};
         }
     };
 }

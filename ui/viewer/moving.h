@@ -21,6 +21,8 @@ struct LeafName {
 };
 [[nodiscard]] LeafName name_of(const csg::Tree& tree, const csg::Scene& scene, csg::LeafId leaf);
 
+/// How many leaves there are at and below the occurrence.
+[[nodiscard]] std::size_t leaves_below(const csg::Scene& scene, csg::OccurrenceId occurrence);
 /// The first leaf at or below the occurrence; as many leaves as there are where there is none.
 [[nodiscard]] csg::LeafId first_leaf_below(const csg::Scene& scene, csg::OccurrenceId occurrence);
 /// The box of the leaves at and below it.
@@ -33,17 +35,24 @@ struct MoveQuestion {
     LeafName leaf;
     csg::SourceLocation call;  ///< Of what is moved, which the leaf is of or below; its `file` does not count.
     std::string what;          ///< "cube"
-    glm::dvec3 by{0.0};
-    glm::dvec3 turn{0.0};  ///< Instead, where it is not zero: as ways_to_turn() has it.
+    HeldPart held;             ///< Where it was put, or turned, scaled, stretched.
+    std::size_t leaves = 1;    ///< That are held.
 };
 struct MoveAnswer {
     std::string text;           ///< Before any of them.
     std::vector<MoveWay> ways;  ///< The best first.
     std::string what;
-    glm::dvec3 by{0.0};
+    HeldPart held;
     std::string trouble;  ///< For people: why there are none.
-    glm::dvec3 turn{0.0};
 };
+
+/// What a hand has done, for people.
+struct Gesture {
+    std::string verb;  ///< "move", "turn", "scale", "stretch"
+    std::string told;  ///< "moved by [1, 2, 0]"
+};
+[[nodiscard]] Gesture gesture_of(const HeldPart& held);
+
 using FindWays = std::function<MoveAnswer(const MoveQuestion&, const std::stop_token&)>;
 
 /// Never throws; an answer of no worth where it was stopped.

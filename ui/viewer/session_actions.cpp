@@ -297,6 +297,7 @@ bool Session::act(Action action) {
         case Action::MoveTool:
         case Action::TurnTool:
         case Action::SizeTool:
+        case Action::ScaleTool:
         case Action::FlyTool:
         case Action::MeasureTool:
         case Action::CopyFound:

@@ -39,7 +39,7 @@ std::string name_at(const Model& model, csg::OccurrenceId occurrence) {
 }
 
 std::string done_by(const MoveAnswer& answer) {
-    return (glm::length(answer.turn) > 0 ? "turn " : "move ") + answer.what;
+    return gesture_of(answer.held).verb + ' ' + answer.what;
 }
 
 /// About a sixth of what is seen.
@@ -255,8 +255,8 @@ void Session::put(const HeldPart& held) {
                                 name_of(*model->tree, model->scene, leaf),
                                 model->tree->node(node).where,
                                 call != nullptr ? call->name : "it",
-                                held.by,
-                                held.turn};
+                                held,
+                                leaves_below(model->scene, held.occurrence)};
     moving_.start([find = find_ways_, question](const std::stop_token& stop) { return find(question, stop); });
 }
 

@@ -56,6 +56,8 @@ TEST_F(MoveProgram, TurnsAndStretches) {
               "translate([5, 0, 0]) cube([12.5, 4, 2]);\nrotate([0, 0, 15]) cylinder(h = 8, r = 2);\n");
     EXPECT_EQ(run("move part.scad --call 2 --stretch +z,-3 -o -").out,
               "translate([5, 0, 0]) cube([10, 4, 2]);\nrotate([0, 0, 15]) cylinder(h = 5, r = 2);\n");
+    EXPECT_EQ(run("move part.scad --call 1 --scale 2 -o -").out,
+              "translate([5, 0, 0]) cube([20, 8, 4]);\nrotate([0, 0, 15]) cylinder(h = 8, r = 2);\n");
     const Result below = run("move part.scad --call 1 --stretch -x,1");
     EXPECT_EQ(below.status, 1);
     EXPECT_NE(below.err.find("no number of it moves that side"), std::string::npos) << below.err;
@@ -97,6 +99,8 @@ TEST_F(MoveProgram, RefusesWhatItCannotDo) {
           std::pair("move box.scad --call 3", "one of --by"),
           std::pair("move box.scad --call 3 --turn 0,0,180", "half a turn"),
           std::pair("move box.scad --call 3 --turn 0,0,0", "turns nothing"),
+          std::pair("move box.scad --call 3 --scale 1,1,0", "factors above 0"),
+          std::pair("move box.scad --call 3 --scale 1", "scales nothing"),
           std::pair("move box.scad --call 3 --stretch x,2", "a side and how far"),
           std::pair("move box.scad --call 3 --stretch +x,0", "stretches nothing"),
           std::pair("move box.scad --survey 3 --turn 0,0,1", "with --by"),

@@ -1,5 +1,6 @@
 // Solids moved by hand: the text changes in the bytes that are responsible, and the solid lies where it was put.
 #include "ui/pipeline/editing/move_leaf.h"
+#include "ui/pipeline/editing/scale_leaf.h"
 #include "ui/pipeline/editing/sparse_step.h"
 
 #include <gtest/gtest.h>
@@ -65,6 +66,12 @@ std::string turned_text(const std::string& text, const glm::dvec3& turn) {
 std::string stretched_text(const std::string& text, int axis, bool upper, double by) {
     return text_by(text, [&](const auto& tree, const auto& scene, const auto& program, const auto& tree_of) {
         return ways_to_stretch(tree, scene, program, text, 0, axis, upper, by, tree_of);
+    });
+}
+
+std::string scaled_text(const std::string& text, const glm::dvec3& factors) {
+    return text_by(text, [&](const auto& tree, const auto& scene, const auto& program, const auto& tree_of) {
+        return ways_to_scale(tree, scene, program, text, 0, factors, tree_of);
     });
 }
 
@@ -142,6 +149,30 @@ TEST(StretchLeaf, ChangesTheNumberOfThatSide) {
     // A translate() moves that side, and is no way to stretch it; nor is there one for the side at the origin.
     EXPECT_EQ(stretched_text("translate([1, 0, 0]) cube([1, 2, 3]);", 0, false, 1), "");
     EXPECT_EQ(stretched_text("hull() { cube(1); sphere(2); }", 0, true, 1), "");
+}
+
+TEST(ScaleLeaf, ChangesTheNumbersOfTheShape) {
+    EXPECT_EQ(scaled_text("translate([5, 0, 0]) cube([1, 2, 3]);", {2, 1, 0.5}),
+              "translate([5, 0, 0]) cube([2, 2, 1.5]);");
+    EXPECT_EQ(scaled_text("rotate(30) sphere(r = 2, $fn = 8);", {1.5, 1.5, 1.5}), "rotate(30) sphere(r = 3, $fn = 8);");
+    EXPECT_EQ(scaled_text("cylinder(h = 4, r = 2, $fn = 8);", {2, 2, 1}), "cylinder(h = 4, r = 4, $fn = 8);");
+    EXPECT_EQ(scaled_text("cylinder(h = 4, r1 = 2, r2 = 1, $fn = 8);", {2, 2, 2}),
+              "cylinder(h = 8, r1 = 4, r2 = 2, $fn = 8);");
+    EXPECT_EQ(scaled_text("a = 3;\ncube(2 * a);", {2, 2, 2}), "a = 3;\ncube(4 * a);");
+}
+
+TEST(ScaleLeaf, ChangesAScaleOrPutsOneThere) {
+    EXPECT_EQ(scaled_text("scale([1, 2, 1]) translate([0, 0, 0]) linear_extrude(3) circle(2);", {2, 1.5, 1}),
+              "scale([2, 3, 1]) translate([0, 0, 0]) linear_extrude(3) circle(2);");
+    // A cylinder that is to be an ellipse.
+    EXPECT_EQ(scaled_text("translate([1, 1, 0]) cylinder(h = 4, r = 2, $fn = 8);", {2, 1, 1}),
+              "translate([1, 1, 0]) scale([2, 1, 1]) cylinder(h = 4, r = 2, $fn = 8);");
+    EXPECT_EQ(scaled_text("polyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 3, 1], [1, 3, 2], "
+                          "[2, 3, 0]]);",
+                          {1, 3, 1}),
+              "scale([1, 3, 1]) polyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 3, 1], [1, "
+              "3, 2], [2, 3, 0]]);");
+    EXPECT_EQ(scaled_text("cube(1);", {0, 1, 1}), "") << "nothing would be left";
 }
 
 TEST(SparseStep, ReachesWithTheFewest) {

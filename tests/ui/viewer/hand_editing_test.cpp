@@ -12,6 +12,8 @@
 #include "ui/viewer/session.h"
 #include "ui/viewer/text_caret.h"
 #include "ui/viewer/tools/move_gizmo.h"
+#include "ui/viewer/tools/side_handles.h"
+#include "ui/viewer/tools/snap_places.h"
 
 namespace ui {
 namespace {
@@ -66,6 +68,83 @@ class HandEditing : public testing::Test {
     std::unique_ptr<Session> session_;
     double now_ = 0;
 };
+
+TEST_F(HandEditing, AllOfAGroupIsMoved) {
+    const std::string group = "union() {\n    translate([0, 0, 0]) cube(1);\n    translate([3, 0, 0]) cube(1);\n}\n";
+    open("cube(9);\n" + group);
+    const csg::OccurrenceId whole =
+        scene().occurrences[scene().occurrences[scene().leaves[1].occurrence].parent].parent;
+    ASSERT_EQ(leaves_below(scene(), whole), 2U);
+    session_->perform(SelectCall{whole, {}, "model.scad"});
+    session_->perform(PutPart{{whole, {0, 5, 0}}});
+    rest();
+    EXPECT_EQ(text(), "cube(9);\ntranslate([0, 5, 0]) " + group);
+}
+
+TEST_F(HandEditing, WhatIsScaledChangesTheText) {
+    open("cube(1);\ntranslate([2, 0, 0]) cube([4, 2, 1]); // here\n");
+    select_leaf(1);
+    HeldPart held{session_->selected_occurrence(), {}, {}, {2, 0, 0}};
+    held.scale = {1.5, 1, 1};
+    const glm::dmat4 motion = held.motion();
+    EXPECT_EQ(glm::dvec3(motion * glm::dvec4(6, 2, 1, 1)), glm::dvec3(8, 2, 1)) << "as it is seen meanwhile";
+    session_->perform(PutPart{held});
+    rest();
+    EXPECT_EQ(text(), "cube(1);\ntranslate([2, 0, 0]) cube([6, 2, 1]); // here\n");
+    EXPECT_EQ(session_->editing().text().undo_what(), "scale cube");
+}
+
+TEST_F(HandEditing, ASideWhoseDimensionIsComputedIsDragged) {
+    open("wall = 2;\ncube([3 * wall, 10, wall + 1]);\n");
+    const csg::LeafInstance& leaf = scene().leaves[0];
+    const auto sides = side_handles(*session_->document().model()->tree, leaf, {});
+    ASSERT_EQ(sides.size(), 3U);
+    EXPECT_EQ(sides[0].name, "x");
+    EXPECT_EQ(sides[0].length, 6);
+    EXPECT_EQ(sides[0].at, glm::dvec3(6, 5, 1.5));
+    const HeldPart held = sides[0].moved_out(3);
+    EXPECT_EQ(glm::dvec3(held.motion() * glm::dvec4(6, 10, 3, 1)), glm::dvec3(9, 10, 3));
+    session_->perform(PutPart{held});
+    rest();
+    EXPECT_EQ(text(), "wall = 2;\ncube([4.5 * wall, 10, wall + 1]);\n");
+    session_->perform(PutPart{sides[1].moved_out(-20)});  // There is nothing left of it.
+    rest();
+    EXPECT_EQ(text(), "wall = 2;\ncube([4.5 * wall, 10, wall + 1]);\n");
+}
+
+TEST_F(HandEditing, HandlesAreAtSidesThatNoNumberIsWrittenFor) {
+    open("r = 3;\ncylinder(h = 10, r = r);\nsphere(2 * r);\nlinear_extrude(r) square(4);\n");
+    const csg::Tree& tree = *session_->document().model()->tree;
+    ShapeNumber height;
+    height.along = {0, 0, 1};
+    const auto of_cylinder = side_handles(tree, scene().leaves[0], {&height, 1});
+    ASSERT_EQ(of_cylinder.size(), 1U);
+    EXPECT_EQ(of_cylinder[0].name, "r");
+    EXPECT_EQ(of_cylinder[0].length, 3);
+    EXPECT_EQ(of_cylinder[0].moved_out(3).scale, glm::dvec3(2, 2, 1)) << "all around";
+    const auto of_sphere = side_handles(tree, scene().leaves[1], {});
+    ASSERT_EQ(of_sphere.size(), 1U);
+    EXPECT_EQ(of_sphere[0].moved_out(6).scale, glm::dvec3(2));
+    const auto of_extrusion = side_handles(tree, scene().leaves[2], {});
+    ASSERT_EQ(of_extrusion.size(), 1U);
+    EXPECT_EQ(of_extrusion[0].name, "h");
+    EXPECT_EQ(of_extrusion[0].moved_out(1.5).scale, glm::dvec3(1, 1, 1.5));
+}
+
+TEST_F(HandEditing, WhatIsMovedComesToLieInLine) {
+    open("cube([10, 20, 5]);\ntranslate([40, 0, 0]) cube(4);\n");
+    const SnapPlaces places(*session_->document().model(), scene().leaves[1].occurrence);
+    const auto beside = places.near(0, -29.5, 1);  // Its left side at the right one of the other.
+    ASSERT_TRUE(beside);
+    EXPECT_EQ(beside->by, -30);
+    EXPECT_EQ(beside->own.x, 40);
+    EXPECT_EQ(beside->other.x, 10);
+    const auto middle = places.near(1, 8.25, 0.5);  // Middle to middle.
+    ASSERT_TRUE(middle);
+    EXPECT_EQ(middle->by, 8);
+    EXPECT_FALSE(places.near(0, -15, 1)) << "nothing is there";
+    EXPECT_EQ(places.near(2, -0.1, 0.5)->by, 0) << "it lies on the same plane already";
+}
 
 TEST_F(HandEditing, WhatIsMovedChangesTheText) {
     open("wall = 3;\ncube(1);\ntranslate([2 * wall, 0, 0]) cube(2); // here\n");

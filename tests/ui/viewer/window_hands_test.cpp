@@ -99,6 +99,47 @@ TEST_F(WindowHands, ADimensionThatIsDraggedEditsTheText) {
     wait_for(frames().size() - 1, [](const Json& frame) { return frame.at("edits") == 0; });
 }
 
+TEST_F(WindowHands, ADimensionThatIsComputedIsDraggedToo) {
+    begin("a = 2;\ncube([3 * a, 4, 2]); // plate\n", {3, 1});
+    robot("key e");
+    wait_for(0, [](const Json& frame) { return frame.at("tool") == "size"; });
+    std::this_thread::sleep_for(500ms);
+    robot(to({6, 2}) + "mousedown 1 " + to({7, 2}) + to({8, 2.1}));
+    wait_for(0, [](const Json& frame) { return frame.at("found") == "x 8"; });
+    robot(to({9, 2.1}) + "mouseup 1");
+    wait_for_edits(1);
+    const std::string after = "a = 2;\ncube([4.5 * a, 4, 2]); // plate\n";
+    EXPECT_EQ(saved_as(after), after);
+}
+
+TEST_F(WindowHands, AnAxisThatIsDraggedScalesIt) {
+    begin("translate([1, 1, 0]) cube([6, 2, 2]); // bar\n", {4, 2});
+    robot("key k");
+    wait_for(0, [](const Json& frame) { return frame.at("tool") == "scale"; });
+    std::this_thread::sleep_for(500ms);
+    // The handle of x is 80 pixels from the origin of the cube.
+    const double reach = 80 / kUnit;
+    robot(to({1 + reach, 1}) + "mousedown 1 " + to({1 + 1.2 * reach, 1}) + to({1 + 1.5 * reach, 1}));
+    wait_for(0, [](const Json& frame) { return frame.at("found") == "X × 1.5"; });
+    robot("mouseup 1");
+    wait_for_edits(1);
+    const std::string after = "translate([1, 1, 0]) cube([9, 2, 2]); // bar\n";
+    EXPECT_EQ(saved_as(after), after);
+    robot("key ctrl+z");
+    wait_for(frames().size() - 1, [](const Json& frame) { return frame.at("edits") == 0; });
+}
+
+TEST_F(WindowHands, WithShiftItComesToLieInLine) {
+    begin("cube([10, 10, 2]);\ntranslate([0, 0, 2]) cube(3);\n", {1, 1});
+    // Its right side at that of the other: 7 to the right.
+    robot(to({4, 1.5}) + "mousedown 1 " + to({5, 1.5}) + "keydown shift " + to({8, 1.5}) + to({10.8, 1.6}));
+    wait_for(0, [](const Json& frame) { return frame.at("found") == "X 7"; });
+    robot("mouseup 1 keyup shift");
+    wait_for_edits(1);
+    const std::string after = "cube([10, 10, 2]);\ntranslate([7, 0, 2]) cube(3);\n";
+    EXPECT_EQ(saved_as(after), after);
+}
+
 TEST_F(WindowHands, ARingThatIsDraggedTurnsIt) {
     begin("translate([1, 1, 0]) cube([6, 2, 2]); // bar\n", {4, 2});
     const std::size_t from = frames().size();

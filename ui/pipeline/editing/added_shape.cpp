@@ -13,6 +13,11 @@ double round_number(double value) {
     return (of < 2 - 1e-9 ? 1 : of < 5 - 1e-9 ? 2 : 5) * power;
 }
 
+double round_number_above(double value) {
+    const double below = round_number(value);
+    return below >= value * (1 - 1e-9) ? below : round_number(2.5 * below);
+}
+
 std::string statement_of(AddedShape shape, double size, const glm::dvec3& at, bool hole) {
     const auto number = [&](double value) { return short_number(value, 1e-6 * size); };
     const std::string whole = number(size), half = number(size / 2);

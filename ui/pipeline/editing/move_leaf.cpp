@@ -17,8 +17,7 @@ constexpr double kDegrees = 57.29577951308232;
 constexpr double kTolerance = 0.1 * kNearEnough;  ///< Of numbers that are written.
 
 std::string vector_text(const glm::dvec3& v) {
-    return fmt::format("[{}, {}, {}]", short_number(v.x, kTolerance), short_number(v.y, kTolerance),
-                       short_number(v.z, kTolerance));
+    return short_vector(v, kTolerance);
 }
 
 bool same_shape(const csg::Tree& a, csg::NodeId in_a, const csg::Tree& b, csg::NodeId in_b) {
@@ -43,8 +42,9 @@ glm::dvec3 rotate_angles(const glm::dmat3& r) {
     return glm::dvec3(std::atan2(r[1][2], r[2][2]), y, std::atan2(r[0][1], r[0][0])) * kDegrees;
 }
 
-/// The box of a leaf's own shape, along one axis: its ends.
-std::optional<glm::dvec2> extent(const csg::Tree& tree, csg::NodeId id, int axis) {
+}  // namespace
+
+std::optional<glm::dvec2> leaf_extent(const csg::Tree& tree, csg::NodeId id, int axis) {
     const csg::Node& node = tree.node(id);
     if (node.operation == csg::Operation::Mesh) {
         const auto* const extrude = std::get_if<csg::LinearExtrude>(&tree.mesh(id));
@@ -74,8 +74,6 @@ std::optional<glm::dvec2> extent(const csg::Tree& tree, csg::NodeId id, int axis
     }
     return ends;
 }
-
-}  // namespace
 
 std::vector<MoveWay> ways_to_move(const csg::Tree& tree, const csg::Scene& scene,
                                   const csg::scad::LoadedProgram& program, const std::string& text, csg::LeafId leaf,
@@ -150,7 +148,7 @@ std::vector<MoveWay> ways_to_stretch(const csg::Tree& tree, const csg::Scene& sc
     const glm::dvec3 outwards = glm::dvec3(before.to_world[axis]) / (upper ? scale : -scale);
     // Where that side is, along its normal; of what moves aside within its plane nothing.
     const auto side = [=](const csg::Tree& of, const csg::LeafInstance& now) -> std::optional<double> {
-        const auto ends = extent(of, now.node, axis);
+        const auto ends = leaf_extent(of, now.node, axis);
         if (!ends) {
             return std::nullopt;
         }

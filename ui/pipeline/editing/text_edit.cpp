@@ -31,4 +31,9 @@ std::string short_number(double value, double tolerance) {
     return fmt::format("{}", value);
 }
 
+std::string short_vector(const glm::dvec3& v, double tolerance) {
+    return fmt::format("[{}, {}, {}]", short_number(v.x, tolerance), short_number(v.y, tolerance),
+                       short_number(v.z, tolerance));
+}
+
 }  // namespace ui

@@ -1,6 +1,7 @@
 // Changes of a text, byte by byte.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,7 @@ struct TextEdit {
 
 /// The shortest decimal text of a number within `tolerance` of `value`.
 [[nodiscard]] std::string short_number(double value, double tolerance);
+/// "[1, 2.5, 0]", each number so.
+[[nodiscard]] std::string short_vector(const glm::dvec3& v, double tolerance);
 
 }  // namespace ui

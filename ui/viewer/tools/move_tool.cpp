@@ -10,9 +10,11 @@
 
 #include "ui/pipeline/editing/added_shape.h"
 #include "ui/pipeline/editing/text_edit.h"
+#include "ui/viewer/picture_places.h"
 #include "ui/viewer/tools/gizmo_color.h"
 #include "ui/viewer/tools/holding_tool.h"
 #include "ui/viewer/tools/move_gizmo.h"
+#include "ui/viewer/tools/snap_places.h"
 #include "ui/viewer/window_point.h"
 
 namespace ui {
@@ -21,12 +23,7 @@ namespace {
 
 /// Units of the window that a step is not shorter than, freely and on the grid.
 constexpr double kFine = 1.5, kGrid = 12;
-
-/// The next round number.
-double step_of(double least) {
-    const double below = round_number(least);
-    return below >= least * (1 - 1e-9) ? below : round_number(2.5 * below);
-}
+constexpr double kSnapReach = 10;  // Units of the window, too.
 
 class MoveTool : public HoldingTool {
   public:
@@ -48,7 +45,8 @@ class MoveTool : public HoldingTool {
             return false;
         }
         over_ = handle;
-        drag_ = {*handle, *box, *gripped, glm::dvec3(0)};
+        drag_ = {*handle, *box, *gripped, glm::dvec3(0), {}};
+        places_.reset();
         hold(context, event.position);
         return true;
     }
@@ -67,6 +65,7 @@ class MoveTool : public HoldingTool {
         painter.list.PushClipRect({place.corner.x, place.corner.y},
                                   {place.corner.x + place.size.x, place.corner.y + place.size.y});
         draw_handles(gizmo(context, *box), painter);
+        draw_snaps(context, painter);
         draw_words(painter);
         painter.list.PopClipRect();
     }
@@ -77,14 +76,50 @@ class MoveTool : public HoldingTool {
         csg::Box box;           ///< As it was gripped, …
         glm::dvec3 gripped{0};  ///< … from its center, there.
         glm::dvec3 by{0};
+        std::array<std::optional<SnappedPlace>, 3> snapped;  ///< By axis: what it lies in line with.
     };
 
     void follow(const ToolContext& context, const glm::dvec2& at) override {
         const MoveGizmo begun(context.camera, context.picture, drag_.box.center(), context.scale);
         if (const auto now = begun.grip(drag_.handle, at)) {
             const bool on_grid = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
-            const double step = step_of((on_grid ? kGrid : kFine) * static_cast<double>(context.scale) * begun.unit());
+            const double step =
+                round_number_above((on_grid ? kGrid : kFine) * static_cast<double>(context.scale) * begun.unit());
             drag_.by = in_steps(*now - drag_.gripped, drag_.handle, step);
+            drag_.snapped = {};
+            if (context.held(GLFW_KEY_LEFT_SHIFT) || context.held(GLFW_KEY_RIGHT_SHIFT)) {
+                snap(context, *now - drag_.gripped, kSnapReach * static_cast<double>(context.scale) * begun.unit());
+            }
+        }
+    }
+
+    void snap(const ToolContext& context, const glm::dvec3& by, double reach) {
+        if (!places_) {
+            places_.emplace(*context.session.document().model(), held_occurrence());
+        }
+        const std::array<bool, 3> moves = axes_of(drag_.handle);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<std::size_t>(axis);
+            drag_.snapped[i] = moves[i] ? places_->near(axis, by[axis], reach) : std::nullopt;
+            drag_.by[axis] = drag_.snapped[i] ? drag_.snapped[i]->by : drag_.by[axis];
+        }
+    }
+
+    /// A line between what lies in line.
+    void draw_snaps(const ToolContext& context, const ToolPainter& painter) const {
+        if (!holds() || !typed().empty()) {
+            return;
+        }
+        for (const auto& snapped : drag_.snapped) {
+            const auto from =
+                snapped ? place_of(context.camera, context.picture, snapped->own + drag_.by) : std::nullopt;
+            const auto to = snapped ? place_of(context.camera, context.picture, snapped->other) : std::nullopt;
+            if (from && to) {
+                painter.list.AddLine(window_point(*from), window_point(*to), kGizmoShade, 3.5F * painter.scale);
+                painter.list.AddLine(window_point(*from), window_point(*to), kGizmoHovered, 1.5F * painter.scale);
+                painter.list.AddCircleFilled(window_point(*from), 4 * painter.scale, kGizmoHovered);
+                painter.list.AddCircleFilled(window_point(*to), 4 * painter.scale, kGizmoHovered);
+            }
         }
     }
 
@@ -171,7 +206,8 @@ class MoveTool : public HoldingTool {
     }
 
     std::optional<MoveHandle> over_;
-    Drag drag_;  ///< As long as it holds something.
+    Drag drag_;                         ///< As long as it holds something.
+    std::optional<SnapPlaces> places_;  ///< Of the model in which it does.
     mutable std::pair<std::uint64_t, csg::OccurrenceId> box_of_{0, csg::kNoOccurrence};  ///< What box_ is of.
     mutable csg::Box box_;
 };

@@ -15,6 +15,7 @@
 #include "ui/viewer/picture_places.h"
 #include "ui/viewer/tool.h"
 #include "ui/viewer/tools/drag_text.h"
+#include "ui/viewer/tools/side_handles.h"
 #include "ui/viewer/window_point.h"
 
 namespace ui {
@@ -24,12 +25,20 @@ namespace {
 constexpr double kGrip = 9;                        // Units of the window, as is:
 constexpr double kFineSize = 1.5, kGridSize = 12;  // A step is not shorter, freely and on the grid.
 constexpr ImU32 kRest = IM_COL32(76, 148, 240, 255), kOver = IM_COL32(255, 140, 26, 255);
+constexpr ImU32 kComputed = IM_COL32(168, 118, 232, 255);  // What the text computes.
 
 /// Where a number is seen in the world, and the line that it is dragged along.
 struct Place {
     glm::dvec3 at{0}, along{0};  ///< The latter of length 1.
     double scale = 1;            ///< World units of a unit of the leaf, along it.
 };
+
+/// A step is not shorter than so many units of the window; `unit`: what one is worth.
+double step_for(const ToolContext& context, double unit) {
+    const bool on_grid = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
+    const double least = (on_grid ? kGridSize : kFineSize) * static_cast<double>(context.scale) * unit;
+    return round_number_above(least);
+}
 
 Place place_in_world(const ShapeNumber& number, const glm::dmat4& to_world) {
     const glm::dvec3 along = glm::dmat3(to_world) * number.along;
@@ -40,23 +49,37 @@ Place place_in_world(const ShapeNumber& number, const glm::dmat4& to_world) {
 class SizeTool : public Tool {
   public:
     bool hover(ToolContext& context, const std::optional<glm::dvec2>& at) override {
-        const auto number = at ? number_at(context, *at) : std::nullopt;
-        return std::exchange(over_, number) != number;
+        const auto handle = at ? handle_at(context, *at) : std::nullopt;
+        return std::exchange(over_, handle) != handle;
     }
 
     bool press(ToolContext& context, const PointerEvent& event) override {
-        const auto number = event.button == Button::Left ? number_at(context, event.position) : std::nullopt;
-        if (!number) {
+        const auto handle = event.button == Button::Left ? handle_at(context, event.position) : std::nullopt;
+        if (!handle) {
             return false;
         }
-        const ShapeNumber& gripped = numbers_[*number];
-        const Place place = place_in_world(gripped, to_world_);
+        const bool side = *handle >= numbers_.size();
+        const Place place = place_of_handle(*handle);
         const auto along = along_line(context, place, event.position);
-        over_ = number;
+        over_ = handle;
         typed_.clear();
         if (along) {
-            drag_ = Drag{gripped, place, *along, gripped.value, event.position, context.session.selected_occurrence(),
-                         false};
+            drag_ = Drag{};
+            drag_->handle = *handle;
+            drag_->place = place;
+            drag_->gripped = *along;
+            drag_->pointer = event.position;
+            drag_->occurrence = context.session.selected_occurrence();
+            if (side) {
+                drag_->side = sides_[*handle - numbers_.size()];
+                drag_->name = drag_->side->name;
+                drag_->begun = drag_->side->length;
+            } else {
+                drag_->number = numbers_[*handle];
+                drag_->name = drag_->number.name;
+                drag_->begun = drag_->number.value;
+            }
+            drag_->value = drag_->begun;
         }
         return true;
     }
@@ -71,21 +94,17 @@ class SizeTool : public Tool {
         }
         drag_->pointer = at;
         if (const auto now = along_line(context, drag_->place, at)) {
-            const bool on_grid = context.held(GLFW_KEY_LEFT_CONTROL) || context.held(GLFW_KEY_RIGHT_CONTROL);
-            const double least = (on_grid ? kGridSize : kFineSize) * static_cast<double>(context.scale) *
-                                 unit_at(context.camera, context.picture, drag_->place.at) / drag_->place.scale;
-            const double below = round_number(least), step = below < least ? round_number(2.5 * below) : below;
-            const double wanted =
-                drag_->number.value + (*now - drag_->gripped) / drag_->place.scale * drag_->number.per_unit;
+            const double per_world =
+                drag_->side ? 1 / drag_->side->world_per_unit : drag_->number.per_unit / drag_->place.scale;
+            const double step = step_for(context, unit_at(context.camera, context.picture, drag_->place.at) /
+                                                      (drag_->side ? drag_->side->world_per_unit : drag_->place.scale));
+            const double wanted = drag_->begun + (*now - drag_->gripped) * per_world;
             drag_->value = std::max(std::round(wanted / step) * step, step);
         }
-        set(context);
+        follow(context);
     }
 
-    void release(ToolContext& /*context*/, const glm::dvec2& /*at*/) override {
-        drag_.reset();
-        typed_.clear();
-    }
+    void release(ToolContext& context, const glm::dvec2& /*at*/) override { put(context); }
 
     void click(ToolContext& context, const glm::dvec2& at) override {
         context.commands.emplace_back(SelectAt{at - glm::dvec2(context.picture.corner)});
@@ -96,9 +115,9 @@ class SizeTool : public Tool {
             return false;
         }
         if (ends_drag(event)) {
-            drag_.reset();
+            put(context);
         } else if (type_number(event, typed_)) {
-            set(context);
+            follow(context);
         } else {
             return event.chord.key != GLFW_KEY_ESCAPE;
         }
@@ -109,9 +128,13 @@ class SizeTool : public Tool {
         if (!drag_) {
             return false;
         }
-        drag_->value = drag_->number.value;
         typed_.clear();
-        set(context);
+        if (drag_->side) {
+            context.commands.emplace_back(HoldPart{});
+        } else {
+            drag_->value = drag_->begun;
+            follow(context);
+        }
         drag_.reset();
         return true;
     }
@@ -123,7 +146,7 @@ class SizeTool : public Tool {
 
     /// "h 12"
     [[nodiscard]] std::string text() const override {
-        return drag_ ? fmt::format("{} {}{}", drag_->number.name, value_text(), typed_.empty() ? "" : "_") : "";
+        return drag_ ? fmt::format("{} {}{}", drag_->name, value_text(), typed_.empty() ? "" : "_") : "";
     }
 
     void draw(const ToolContext& context, const ToolPainter& painter) const override {
@@ -131,8 +154,8 @@ class SizeTool : public Tool {
         const Rectangle& place = context.picture;
         painter.list.PushClipRect({place.corner.x, place.corner.y},
                                   {place.corner.x + place.size.x, place.corner.y + place.size.y});
-        for (std::size_t i = 0; i < numbers_.size(); ++i) {
-            draw_number(context, numbers_[i], drag_ ? drag_->number.name == numbers_[i].name : over_ == i, painter);
+        for (std::size_t i = 0; i < numbers_.size() + sides_.size(); ++i) {
+            draw_handle(context, i, drag_ ? drag_->handle == i : over_ == i, painter);
         }
         if (drag_) {
             draw_drag_text(text(), drag_->pointer, painter);
@@ -142,14 +165,25 @@ class SizeTool : public Tool {
 
   private:
     struct Drag {
-        ShapeNumber number;  ///< As it was gripped, …
+        std::size_t handle = 0;
+        ShapeNumber number;              ///< As it was gripped, …
+        std::optional<SideHandle> side;  ///< … or the side, …
         Place place;
         double gripped = 0;  ///< … there on the line.
-        double value = 0;
+        std::string name;
+        double begun = 0, value = 0;
         glm::dvec2 pointer{0};
         csg::OccurrenceId occurrence = csg::kNoOccurrence;
         bool set = false;  ///< The text has followed.
     };
+
+    [[nodiscard]] Place place_of_handle(std::size_t handle) const {
+        if (handle < numbers_.size()) {
+            return place_in_world(numbers_[handle], to_world_);
+        }
+        const SideHandle& side = sides_[handle - numbers_.size()];
+        return {side.at, side.along, 1};
+    }
 
     /// Finds the numbers of what is selected, where that is another than before.
     void look(const ToolContext& context) const {
@@ -162,34 +196,43 @@ class SizeTool : public Tool {
         }
         numbers_of_ = key;
         numbers_.clear();
+        sides_.clear();
         const csg::LeafId leaf = model ? first_leaf_below(model->scene, selected) : 0;
         if (!model || !model->program || !context.session.can_move() || leaf >= model->scene.leaves.size()) {
             return;
         }
         const csg::LeafInstance& instance = model->scene.leaves[leaf];
         const csg::Node& node = model->tree->node(instance.node);
-        if (node.operation != csg::Operation::Leaf || !node.where.known()) {
+        if (!node.where.known()) {
             return;
         }
         to_world_ = instance.to_world;
-        numbers_ = model->program->look([&](const csg::scad::Program& program) -> std::vector<ShapeNumber> {
-            csg::SourceLocation where = node.where;
-            const bool main = model->tree->files()[where.file] == program.sources[program.units[0].file].name();
+        if (node.operation == csg::Operation::Leaf) {
+            numbers_ = written_numbers(context, *model, instance);
+        }
+        sides_ = side_handles(*model->tree, instance, numbers_);
+    }
+
+    [[nodiscard]] static std::vector<ShapeNumber> written_numbers(const ToolContext& context, const Model& model,
+                                                                  const csg::LeafInstance& instance) {
+        return model.program->look([&](const csg::scad::Program& program) -> std::vector<ShapeNumber> {
+            csg::SourceLocation where = model.tree->node(instance.node).where;
+            const bool main = model.tree->files()[where.file] == program.sources[program.units[0].file].name();
             const std::string& text = program.sources[program.units[0].file].text();
             where.file = program.units[0].file;
             const auto call = main && text == context.session.editing().text().text()
                                   ? csg::scad::call_at(program, where)
                                   : std::nullopt;
-            return call ? shape_numbers(model->tree->shape(instance.node), *call, text) : std::vector<ShapeNumber>();
+            return call ? shape_numbers(model.tree->shape(instance.node), *call, text) : std::vector<ShapeNumber>();
         });
     }
 
-    [[nodiscard]] std::optional<std::size_t> number_at(const ToolContext& context, const glm::dvec2& at) const {
+    [[nodiscard]] std::optional<std::size_t> handle_at(const ToolContext& context, const glm::dvec2& at) const {
         look(context);
         std::optional<std::size_t> nearest;
         double least = kGrip * static_cast<double>(context.scale);
-        for (std::size_t i = 0; i < numbers_.size(); ++i) {
-            const auto seen = place_of(context.camera, context.picture, place_in_world(numbers_[i], to_world_).at);
+        for (std::size_t i = 0; i < numbers_.size() + sides_.size(); ++i) {
+            const auto seen = place_of(context.camera, context.picture, place_of_handle(i).at);
             if (seen && glm::distance(*seen, at) <= least) {
                 nearest = i;
                 least = glm::distance(*seen, at);
@@ -215,27 +258,47 @@ class SizeTool : public Tool {
         return typed > 0 ? typed_ : short_number(drag_->value, 1e-9 * drag_->value);
     }
 
-    void set(ToolContext& context) {
+    [[nodiscard]] HeldPart held() const {
+        const double value = std::strtod(value_text().c_str(), nullptr);
+        return drag_->side->moved_out((value - drag_->begun) * drag_->side->world_per_unit);
+    }
+
+    /// What is written out changes in the text at once; what is computed, when it is let go.
+    void follow(ToolContext& context) {
+        if (drag_->side) {
+            context.commands.emplace_back(HoldPart{held()});
+            return;
+        }
         context.commands.emplace_back(SetNumber{drag_->number.bytes, value_text(), !drag_->set, drag_->number.name});
         drag_->set = true;
     }
 
-    void draw_number(const ToolContext& context, const ShapeNumber& number, bool over,
-                     const ToolPainter& painter) const {
-        const Place place = place_in_world(number, to_world_);
+    void put(ToolContext& context) {
+        if (drag_ && drag_->side) {
+            context.commands.emplace_back(PutPart{held()});
+        }
+        drag_.reset();
+        typed_.clear();
+    }
+
+    void draw_handle(const ToolContext& context, std::size_t handle, bool over, const ToolPainter& painter) const {
+        const bool side = handle >= numbers_.size();
+        const std::string& name = side ? sides_[handle - numbers_.size()].name : numbers_[handle].name;
+        const double value = side ? sides_[handle - numbers_.size()].length : numbers_[handle].value;
+        const Place place = place_of_handle(handle);
         const double unit = unit_at(context.camera, context.picture, place.at) * static_cast<double>(painter.scale);
         const auto at = place_of(context.camera, context.picture, place.at),
                    tip = place_of(context.camera, context.picture, place.at + 26 * unit * place.along);
         if (!at || !tip) {
             return;
         }
-        const ImU32 color = over ? kOver : kRest;
+        const ImU32 color = over ? kOver : side ? kComputed : kRest;
         painter.list.AddLine(window_point(*at), window_point(*tip), IM_COL32(20, 20, 20, 150), 4.5F * painter.scale);
         painter.list.AddLine(window_point(*at), window_point(*tip), color, 2.5F * painter.scale);
         painter.list.AddCircleFilled(window_point(*at), 7 * painter.scale, IM_COL32(20, 20, 20, 150));
         painter.list.AddCircleFilled(window_point(*at), 5.5F * painter.scale, color);
         const ImFont& font = *painter.fonts.bold;
-        const std::string label = fmt::format("{} {}", number.name, short_number(number.value, 1e-6 * number.value));
+        const std::string label = fmt::format("{} {}", name, short_number(value, 1e-6 * value));
         const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, label.c_str());
         const glm::dvec2 away = glm::distance(*at, *tip) > 1 ? glm::normalize(*tip - *at) : glm::dvec2(0, -1);
         const ImVec2 middle = window_point(*tip + away * 14.0 * static_cast<double>(painter.scale));
@@ -250,7 +313,8 @@ class SizeTool : public Tool {
     std::string typed_;
     mutable std::pair<std::uint64_t, csg::OccurrenceId> numbers_of_{~std::uint64_t{0}, csg::kNoOccurrence};
     mutable std::vector<ShapeNumber> numbers_;  ///< Of that model's leaf, …
-    mutable glm::dmat4 to_world_{1.0};          ///< … which lies there.
+    mutable std::vector<SideHandle> sides_;  ///< … with what of it is computed; handles are numbered in this order.
+    mutable glm::dmat4 to_world_{1.0};       ///< Where it lies.
 };
 
 }  // namespace
