@@ -34,6 +34,24 @@ enum class Action {
     Duplicate,  ///< The statement that is selected.
     DeleteSelected,
     Palette,
+    MirrorX,  ///< Through the middle of what is selected.
+    MirrorY,
+    MirrorZ,
+    RowX,  ///< Three of it, along an axis.
+    RowY,
+    RowZ,
+    CircleZ,  ///< Six of it, about the z axis.
+    Group,
+    Ungroup,
+    MakeUnion,  ///< Of the operation that is selected.
+    MakeDifference,
+    MakeIntersection,
+    MakeHull,
+    MakeMinkowski,
+    MarkHighlight,  ///< `#` is put before what is selected, or taken away.
+    MarkBackground,
+    MarkOnly,
+    MarkDisabled,
     AddCube,
     AddSphere,
     AddCylinder,

@@ -95,6 +95,8 @@ class Session {
     void take_way(std::optional<std::size_t> way);
     void add_shape(AddedShape shape);
     void edit_statement(Action action);
+    /// False where it is no action of that menu.
+    bool arrange(Action action);
     /// The text has changed: the model is to follow.
     void follow_text();
     void save();

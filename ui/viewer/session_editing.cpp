@@ -89,6 +89,9 @@ bool Session::edit_text(Action action) {
         add_shape(*shape);
         return true;
     }
+    if (arrange(action)) {
+        return true;
+    }
     switch (action) {
         case Action::Save:
             save();

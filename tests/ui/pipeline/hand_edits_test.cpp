@@ -92,6 +92,33 @@ TEST(StatementEdits, KeepCommentsAndLayout) {
               "module m() {\n    cube(1);\n    «cube(1);»\n}\nm();");
 }
 
+TEST(StatementEdits, ArrangeWhatIsThere) {
+    const std::string text = "// a box\ndifference() {\n    cube(3); // outside\n    #sphere(i);\n}\n";
+    const StatementText all = statement_with(text, "difference"), ball = statement_with(text, "sphere");
+    EXPECT_EQ(after(text, put_before_statement(all, "mirror([1, 0, 0]) ")),
+              "// a box\n«mirror([1, 0, 0]) difference() {\n    cube(3); // outside\n    #sphere(i);\n}»\n");
+    EXPECT_EQ(after(text, group_statement(text, ball, "union()")),
+              "// a box\ndifference() {\n    cube(3); // outside\n    «union() {\n        #sphere(i);\n    }»\n}\n");
+    ASSERT_TRUE(ungroup_statement(text, all));
+    EXPECT_EQ(after(text, *ungroup_statement(text, all)), "// a box\n«cube(3); // outside\n#sphere(i);»\n");
+    EXPECT_FALSE(ungroup_statement(text, ball));
+    const std::string grouped = edited(text, {group_statement(text, ball, "union()").edit});
+    EXPECT_EQ(edited(grouped, {ungroup_statement(grouped, statement_with(grouped, "union"))->edit}), text)
+        << "there and back";
+    ASSERT_TRUE(change_operation(text, all, "hull"));
+    EXPECT_EQ(after(text, *change_operation(text, all, "hull")),
+              "// a box\n«hull() {\n    cube(3); // outside\n    #sphere(i);\n}»\n");
+    EXPECT_FALSE(change_operation(text, all, "difference"));
+    EXPECT_FALSE(change_operation(text, ball, "hull"));
+    EXPECT_EQ(after(text, toggle_modifier(text, ball, '#')),
+              "// a box\ndifference() {\n    cube(3); // outside\n    «sphere(i);»\n}\n");
+    EXPECT_EQ(after(text, toggle_modifier(text, ball, '%')),
+              "// a box\ndifference() {\n    cube(3); // outside\n    «%#sphere(i);»\n}\n");
+    EXPECT_EQ(loop_variable(text, all), "j");
+    EXPECT_EQ(loop_variable(text, statement_with(text, "cube")), "i");
+    EXPECT_EQ(loop_variable("m(i, j, k, n);", {{0, 14}, false}), "i2");
+}
+
 TEST(MergeTexts, PutsChangesOfDifferentStatementsTogether) {
     const std::string base = "a = 1; // one\nb = 2;\ndifference() {\n    cube(a);\n    sphere(b);\n}\n";
     const auto with = [&](std::string from, const std::string& to, std::string text) {

@@ -69,6 +69,39 @@ class HandEditing : public testing::Test {
     double now_ = 0;
 };
 
+TEST_F(HandEditing, WhatIsSelectedIsArranged) {
+    open("translate([10, 0, 0]) cube([4, 2, 1]); // here\n");
+    select_leaf(0);
+    perform(Action::MirrorX);
+    EXPECT_EQ(text(), "translate([24, 0, 0]) mirror([1, 0, 0]) translate([10, 0, 0]) cube([4, 2, 1]); // here\n");
+    EXPECT_EQ(session_->document().model()->box.lo.x, 10) << "it lies where it lay";
+    EXPECT_EQ(session_->document().model()->box.hi.x, 14);
+    perform(Action::Undo);
+    select_leaf(0);
+    perform(Action::RowX);
+    EXPECT_EQ(text(), "for (i = [0 : 2]) translate([5 * i, 0, 0]) translate([10, 0, 0]) cube([4, 2, 1]); // here\n");
+    EXPECT_EQ(scene().leaves.size(), 3U);
+    perform(Action::Undo);
+    select_leaf(0);
+    perform(Action::CircleZ);
+    EXPECT_EQ(scene().leaves.size(), 6U);
+    perform(Action::Undo);
+    select_leaf(0);
+    perform(Action::Group);
+    EXPECT_EQ(text(), "union() {\n    translate([10, 0, 0]) cube([4, 2, 1]);\n} // here\n");
+    perform(Action::MakeHull);
+    EXPECT_EQ(text(), "hull() {\n    translate([10, 0, 0]) cube([4, 2, 1]);\n} // here\n");
+    perform(Action::Ungroup);
+    EXPECT_EQ(text(), "translate([10, 0, 0]) cube([4, 2, 1]); // here\n");
+    select_leaf(0);
+    perform(Action::MarkHighlight);
+    EXPECT_EQ(text(), "#translate([10, 0, 0]) cube([4, 2, 1]); // here\n");
+    perform(Action::MarkHighlight);
+    EXPECT_EQ(text(), "translate([10, 0, 0]) cube([4, 2, 1]); // here\n");
+    perform(Action::Ungroup);
+    EXPECT_EQ(text(), "translate([10, 0, 0]) cube([4, 2, 1]); // here\n") << "which is told";
+}
+
 TEST_F(HandEditing, AllOfAGroupIsMoved) {
     const std::string group = "union() {\n    translate([0, 0, 0]) cube(1);\n    translate([3, 0, 0]) cube(1);\n}\n";
     open("cube(9);\n" + group);

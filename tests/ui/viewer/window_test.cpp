@@ -186,10 +186,10 @@ TEST_F(Window, TheMenuChoosesTheEngine) {
     open();
     EXPECT_EQ(wait_for_picture().at("engine"), "lists-cpu") << "the quickest where the processor computes OpenGL";
     const std::size_t faces = count(is_face);
-    robot("mousemove 323 12 click 1");
+    robot("mousemove 391 12 click 1");
     std::this_thread::sleep_for(1s);
     const std::size_t from = frames().size();
-    robot("mousemove 351 83 click 1");
+    robot("mousemove 419 83 click 1");
     wait_for(from, [](const Json& frame) { return finished(frame) && frame.at("engine") == "lists"; });
     std::this_thread::sleep_for(1s);
     EXPECT_NEAR(static_cast<double>(count(is_face)), static_cast<double>(faces), 0.01 * static_cast<double>(faces));

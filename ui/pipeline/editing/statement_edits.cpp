@@ -1,7 +1,11 @@
 #include "ui/pipeline/editing/statement_edits.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace ui {
 
@@ -62,6 +66,37 @@ std::size_t behind_difference(std::string_view statement) {
     return at;
 }
 
+constexpr std::array<std::string_view, 5> kOperations{"union", "difference", "intersection", "hull", "minkowski"};
+
+bool is_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$';
+}
+
+/// The operation that the statement is a call of; empty where it is none.
+std::string_view operation_of(std::string_view statement) {
+    const auto end = std::find_if_not(statement.begin(), statement.end(), is_name);
+    const std::string_view name = statement.substr(0, static_cast<std::size_t>(end - statement.begin()));
+    return std::find(kOperations.begin(), kOperations.end(), name) != kOperations.end() ? name : std::string_view();
+}
+
+/// Lines but for the first with as much less before them as they have more than `indent`, at most four blanks.
+std::string outdented(std::string_view lines, std::size_t indent) {
+    std::string result;
+    for (std::size_t at = 0; at < lines.size();) {
+        const std::size_t end = std::min(lines.find('\n', at), lines.size() - 1) + 1;
+        std::string_view line = lines.substr(at, end - at);
+        if (at > 0) {
+            const std::size_t blanks = std::min(line.find_first_not_of(" \t"), line.size());
+            const std::size_t more = blanks > indent ? blanks - indent : 0;
+            const bool tab = line.starts_with('\t');
+            line.remove_prefix(tab ? std::min<std::size_t>(more, 1) : std::min(more, kIndent.size()));
+        }
+        result += line;
+        at = end;
+    }
+    return result;
+}
+
 }  // namespace
 
 StatementEdit append_statement(std::string_view text, std::string_view statement) {
@@ -108,6 +143,80 @@ StatementEdit subtract_from_statement(std::string_view text, const StatementText
     }
     const std::string first = "difference() {" + inner + indented(before) + inner;
     return put(statement.bytes, first + std::string(subtracted) + next + "}", first.size(), subtracted.size());
+}
+
+StatementEdit put_before_statement(const StatementText& statement, std::string_view calls) {
+    const auto [begin, end] = statement.bytes;
+    return {{{begin, begin}, std::string(calls)}, {begin, end + calls.size()}};
+}
+
+StatementEdit group_statement(std::string_view text, const StatementText& statement, std::string_view call) {
+    const auto [begin, end] = statement.bytes;
+    const std::string next = std::string(line_end(text)) + indentation(text, begin);
+    const std::string all =
+        std::string(call) + " {" + next + std::string(kIndent) + indented(text.substr(begin, end - begin)) + next + "}";
+    return put(statement.bytes, all, 0, all.size());
+}
+
+std::optional<StatementEdit> ungroup_statement(std::string_view text, const StatementText& statement) {
+    const auto [begin, end] = statement.bytes;
+    const std::string_view all = text.substr(begin, end - begin);
+    const std::size_t brace = all.find('{');
+    if (statement.sole || operation_of(all).empty() || all.back() != '}' || brace == std::string_view::npos ||
+        all.substr(0, brace).find(';') != std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::size_t first = all.find_first_not_of(" \t\r\n", brace + 1);
+    const std::size_t last = all.find_last_not_of(" \t\r\n", all.size() - 2);
+    if (first >= all.size() - 1 || last < first) {
+        return std::nullopt;
+    }
+    const std::string children = outdented(all.substr(first, last + 1 - first), indentation(text, begin).size());
+    return put(statement.bytes, children, 0, children.size());
+}
+
+std::optional<StatementEdit> change_operation(std::string_view text, const StatementText& statement,
+                                              std::string_view name) {
+    const auto [begin, end] = statement.bytes;
+    const std::string_view before = operation_of(text.substr(begin, end - begin));
+    if (before.empty() || before == name) {
+        return std::nullopt;
+    }
+    return StatementEdit{{{begin, begin + before.size()}, std::string(name)},
+                         {begin, end + name.size() - before.size()}};
+}
+
+StatementEdit toggle_modifier(std::string_view text, const StatementText& statement, char modifier) {
+    const auto [begin, end] = statement.bytes;
+    const std::size_t calls = std::min(text.find_first_not_of("#%!* \t", begin), end);
+    const std::size_t there = text.find(modifier, begin);
+    if (there < calls) {
+        return {{{there, there + 1}, ""}, {begin, end - 1}};
+    }
+    return {{{begin, begin}, std::string(1, modifier)}, {begin, end + 1}};
+}
+
+std::string loop_variable(std::string_view text, const StatementText& statement) {
+    const std::string_view all = text.substr(statement.bytes.begin, statement.bytes.end - statement.bytes.begin);
+    const auto occurs = [&](const std::string& name) {
+        for (std::size_t at = all.find(name); at != std::string_view::npos; at = all.find(name, at + 1)) {
+            const std::size_t behind = at + name.size();
+            if ((at == 0 || !is_name(all[at - 1])) && (behind >= all.size() || !is_name(all[behind]))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    for (const char* const name : {"i", "j", "k", "n"}) {
+        if (!occurs(name)) {
+            return name;
+        }
+    }
+    for (int number = 2;; ++number) {
+        if (std::string name = fmt::format("i{}", number); !occurs(name)) {
+            return name;
+        }
+    }
 }
 
 }  // namespace ui

@@ -1,6 +1,7 @@
 // Statements that are added, doubled, deleted, as edits that keep comments and layout.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,5 +29,26 @@ struct StatementEdit {
 /// difference() around both.
 [[nodiscard]] StatementEdit subtract_from_statement(std::string_view text, const StatementText& statement,
                                                     std::string_view subtracted);
+
+/// Calls, such as "mirror([1, 0, 0]) ", are put before it.
+[[nodiscard]] StatementEdit put_before_statement(const StatementText& statement, std::string_view calls);
+
+/// It becomes the only child of `call` ("union()"), in braces.
+[[nodiscard]] StatementEdit group_statement(std::string_view text, const StatementText& statement,
+                                            std::string_view call);
+
+/// The children of a statement that is `union() { … }` or a block of another boolean operation or hull() take its
+/// place. Nothing where it is none, where it has no children, or where they could not stand there.
+[[nodiscard]] std::optional<StatementEdit> ungroup_statement(std::string_view text, const StatementText& statement);
+
+/// A union(), difference(), intersection(), hull() or minkowski() becomes another of these. Nothing of other calls.
+[[nodiscard]] std::optional<StatementEdit> change_operation(std::string_view text, const StatementText& statement,
+                                                            std::string_view name);
+
+/// Puts `#`, `%`, `!` or `*` before it, or takes it away.
+[[nodiscard]] StatementEdit toggle_modifier(std::string_view text, const StatementText& statement, char modifier);
+
+/// A name that does not occur in the statement, for the variable of a loop around it.
+[[nodiscard]] std::string loop_variable(std::string_view text, const StatementText& statement);
 
 }  // namespace ui

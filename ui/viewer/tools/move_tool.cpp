@@ -111,16 +111,23 @@ class MoveTool : public HoldingTool {
             return;
         }
         for (const auto& snapped : drag_.snapped) {
-            const auto from =
-                snapped ? place_of(context.camera, context.picture, snapped->own + drag_.by) : std::nullopt;
-            const auto to = snapped ? place_of(context.camera, context.picture, snapped->other) : std::nullopt;
-            if (from && to) {
-                painter.list.AddLine(window_point(*from), window_point(*to), kGizmoShade, 3.5F * painter.scale);
-                painter.list.AddLine(window_point(*from), window_point(*to), kGizmoHovered, 1.5F * painter.scale);
-                painter.list.AddCircleFilled(window_point(*from), 4 * painter.scale, kGizmoHovered);
-                painter.list.AddCircleFilled(window_point(*to), 4 * painter.scale, kGizmoHovered);
+            if (snapped) {
+                draw_snap(place_of(context.camera, context.picture, snapped->own + drag_.by),
+                          place_of(context.camera, context.picture, snapped->other), painter);
             }
         }
+    }
+
+    static void draw_snap(const std::optional<glm::dvec2>& own, const std::optional<glm::dvec2>& other,
+                          const ToolPainter& painter) {
+        if (!own || !other) {
+            return;
+        }
+        const ImVec2 from = window_point(*own), to = window_point(*other);
+        painter.list.AddLine(from, to, kGizmoShade, 3.5F * painter.scale);
+        painter.list.AddLine(from, to, kGizmoHovered, 1.5F * painter.scale);
+        painter.list.AddCircleFilled(from, 4 * painter.scale, kGizmoHovered);
+        painter.list.AddCircleFilled(to, 4 * painter.scale, kGizmoHovered);
     }
 
     /// Of what is selected, as the text puts it.
