@@ -89,6 +89,11 @@ void PartNotes::paint_group(const CpuFrame& frame, std::size_t number, std::span
     own.shine = mine.shine;
     own.notes = &mine.notes;
     mine.paint(own);
+    if (const float opacity = number > 0 ? frame.picture.part_styles[number - 1].opacity : 1; opacity < 1) {
+        for (TileNotes& tile : mine.notes) {
+            tile.fade(opacity);
+        }
+    }
     drawn_.push_back(&mine);
 }
 

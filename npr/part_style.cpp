@@ -14,6 +14,9 @@ bool names_part(std::string_view name, std::string_view part) {
 }
 
 bool selects(const PartSelector& selector, const layers::PartLook& part) {
+    if (!selector.by_color && selector.exact) {
+        return selector.name == part.name;
+    }
     if (!selector.by_color) {
         return names_part(selector.name, part.name);
     }

@@ -19,6 +19,7 @@ struct Picture;
 /// Parts by their name, or by the color of their material.
 struct PartSelector {
     bool by_color = false;
+    bool exact = false;  ///< That name alone, not those with a number behind it.
     std::string name;
     glm::vec3 color{0};  ///< sRGB.
     std::string text;    ///< As it was asked for: what messages call it.
@@ -30,6 +31,7 @@ struct PartStyle {
     PartSelector of;
     const StyleInfo* style = nullptr;
     Parameters parameters;  ///< Of the style.
+    float opacity = 1;      ///< Of all that the style draws.
     bool operator==(const PartStyle&) const = default;
 };
 

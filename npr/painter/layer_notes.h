@@ -32,6 +32,12 @@ class TileNotes {
             notes_.back().depth = glm::min(note.depth, notes_[notes_.size() - 2].depth);
         }
     }
+    /// All of them are seen through by that much more.
+    void fade(float opacity) {
+        for (Note& note : notes_) {
+            note.color.a *= opacity;
+        }
+    }
     [[nodiscard]] bool pixel_is_empty() const { return notes_.size() == (ends_.empty() ? 0 : ends_.back()); }
     void end_pixel() { ends_.push_back(notes_.size()); }
 

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 const fs::path kRoot = CSGSCOPE_SOURCE_DIR;
 
 /// Pictures that the program does not draw by itself.
-const std::set<std::string> kTakenElsewhere{"torture_openscad.png", "filler_openscad.png", "window.png", "by_hand.png"};
+const std::set<std::string> kTakenElsewhere{"torture_openscad.png", "filler_openscad.png", "window.png", "by_hand.png",
+                                            "depictions.png"};
 
 /// Share of pixels that differ by more than an eighth of the range in some channel. Another OpenGL driver may cover the
 /// pixels of outlines a little differently; a style that has changed differs in far more.

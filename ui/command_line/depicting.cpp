@@ -5,25 +5,28 @@
 
 #include <fmt/format.h>
 
-#include "ui/command_line/annotation_options.h"
 #include "ui/command_line/files.h"
-#include "ui/pipeline/motion/depiction.h"
+#include "ui/pipeline/annotation/annotation_texts.h"
 #include "ui/pipeline/picture/camera.h"
 
 namespace ui {
 
-void Depicting::read() {
-    annotations_ = annotations_of(options_.annotations);
-    depictions_ = options_.depictions;
-    if (options_.depiction_rules.empty()) {
-        return;
+std::vector<Depiction> rules_of(const Options& options) {
+    if (options.depiction_rules.empty()) {
+        return {};
     }
     try {
-        const auto rules = read_depiction_rules(read_source(options_.depiction_rules), options_.depiction_rules);
-        depictions_.insert(depictions_.end(), rules.begin(), rules.end());
+        return read_depiction_rules(read_source(options.depiction_rules), options.depiction_rules);
     } catch (const std::runtime_error& problem) {
         throw UsageError(fmt::format("--depict-rules: {}", problem.what()));
     }
+}
+
+void Depicting::read() {
+    annotations_ = annotations_of(options_.annotations);
+    depictions_ = options_.depictions;
+    const std::vector<Depiction> rules = rules_of(options_);
+    depictions_.insert(depictions_.end(), rules.begin(), rules.end());
 }
 
 const Motion& Depicting::motion() {
@@ -54,6 +57,7 @@ std::shared_ptr<const csg::Tree> Depicting::depicted(std::shared_ptr<const csg::
         result = std::make_shared<const csg::Tree>(std::move(made.tree));
         annotations_.bubbles = std::move(made.bubbles);
         annotations_.frames = std::move(made.frames);
+        styles_ = std::move(made.styles);
     } catch (const std::runtime_error& problem) {
         throw UsageError(fmt::format("--depict: {}", problem.what()));
     }

@@ -3,14 +3,19 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "npr/picture.h"
 #include "ui/command_line/language_run.h"
 #include "ui/pipeline/annotation/annotation.h"
-#include "ui/pipeline/motion/motion.h"
+#include "ui/pipeline/motion/depiction.h"
 #include "ui/pipeline/picture/renderer.h"
 
 namespace ui {
+
+/// Of --depict-rules. Throws UsageError where the file cannot be read, or is no file of rules.
+[[nodiscard]] std::vector<Depiction> rules_of(const Options& options);
 
 class Depicting {
   public:
@@ -34,8 +39,13 @@ class Depicting {
                                                          Renderer& renderer);
 
     [[nodiscard]] const Annotations& annotations() const { return annotations_; }
+    /// Of glyphs in the model that depicted() gave last.
+    [[nodiscard]] const std::vector<GlyphStyle>& styles() const { return styles_; }
     /// Those of another time.
-    void set_annotations(const Annotations& annotations) { annotations_ = annotations; }
+    void set(Annotations annotations, std::vector<GlyphStyle> styles) {
+        annotations_ = std::move(annotations);
+        styles_ = std::move(styles);
+    }
 
   private:
     [[nodiscard]] base::Camera camera_at(double time);
@@ -46,6 +56,7 @@ class Depicting {
     std::vector<Depiction> depictions_;
     std::optional<Motion> motion_;
     Annotations annotations_;
+    std::vector<GlyphStyle> styles_;
 };
 
 }  // namespace ui

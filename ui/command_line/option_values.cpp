@@ -26,11 +26,6 @@ std::vector<double> read_numbers(std::string_view option, std::string_view text,
     return numbers;
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 std::vector<std::string> names_of(std::string_view text) {
     std::vector<std::string> names;
     for (std::size_t begin = 0; begin <= text.size();) {

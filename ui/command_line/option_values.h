@@ -13,6 +13,7 @@
 #include "base/camera.h"
 #include "ui/command_line/usage_error.h"
 #include "ui/pipeline/suggestion.h"
+#include "ui/pipeline/trimmed.h"
 
 namespace ui {
 
@@ -20,8 +21,6 @@ namespace ui {
 /// is expected.
 [[nodiscard]] std::vector<double> read_numbers(std::string_view option, std::string_view text,
                                                std::initializer_list<std::size_t> counts, std::string_view meaning);
-/// Without blanks at its ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The names of "a,b"; none where one of them is empty.
 [[nodiscard]] std::vector<std::string> names_of(std::string_view text);
 /// Of --imgsize: width and height, whole numbers between the bounds; where `counts` allows one number, it is both.

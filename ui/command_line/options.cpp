@@ -12,9 +12,9 @@
 #include "ui/command_line/medium_options.h"
 #include "ui/command_line/option_declarations.h"
 #include "ui/command_line/option_values.h"
-#include "ui/command_line/part_style_rule.h"
 #include "ui/command_line/section_text.h"
 #include "ui/command_line/transparency_options.h"
+#include "ui/pipeline/part_style_rule.h"
 #include "ui/pipeline/suggestion.h"
 
 namespace ui {
@@ -192,7 +192,7 @@ void check_annotations(const Options& o) {
         throw UsageError(
             "--label, --callouts and --arrow are for one view of the model; leave --plan and --thickness out");
     }
-    if (o.outputs.empty() ||
+    if (!o.outputs.empty() &&
         std::none_of(o.outputs.begin(), o.outputs.end(), [](const auto& a) { return is_picture(a.format); })) {
         throw UsageError("--label, --callouts and --arrow are of pictures: write one with -o FILE.png");
     }

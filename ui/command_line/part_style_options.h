@@ -18,10 +18,6 @@ namespace ui {
 /// std::runtime_error where it is none of these.
 [[nodiscard]] npr::RevealedPart read_revealed_part(const std::string& text);
 
-/// 'NAME', 'part=NAME', 'color=COLOR' or 'module=NAME'. Throws std::runtime_error, which begins with `text`, where it
-/// is none of these.
-[[nodiscard]] npr::PartSelector read_part_selector(const std::string& text, std::string_view what);
-
 /// Throws UsageError where one of them is of no part of the scene.
 void need_parts(std::span<const npr::PartStyle> styles, const csg::Scene& scene);
 void need_parts(std::span<const npr::RevealedPart> revealed, const csg::Scene& scene);

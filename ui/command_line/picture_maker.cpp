@@ -77,7 +77,10 @@ base::Image PictureMaker::plan_image(const PictureSubject& of, const PictureRequ
 
 base::Image PictureMaker::image(const PictureSubject& of, npr::Picture& picture, Renderer& renderer) {
     set_full_tone(of, picture, renderer);
-    const PictureRequest request = request_of(of, picture);
+    PictureRequest request = request_of(of, picture);
+    for (npr::PartStyle& style : styles_of_glyphs(of.model.scene, depicting_.styles())) {
+        request.part_styles.push_back(std::move(style));
+    }
     const std::shared_ptr<const Model> annotated = depicting_.annotated(of.shown, picture, renderer);
     const Model& drawn = annotated ? *annotated : of.shown;
     base::Image image = options_.thickness      ? thickness_image(of, request, renderer)

@@ -190,6 +190,7 @@ class Run {
         struct Panel {
             std::shared_ptr<const Model> model;
             Annotations annotations;
+            std::vector<GlyphStyle> styles;
             csg::scad::ViewSettings view;
         };
         std::vector<Panel> panels;
@@ -202,7 +203,7 @@ class Run {
                 return false;
             }
             build();
-            panels.push_back({model_, depicting_.annotations(), language_.evaluation().view});
+            panels.push_back({model_, depicting_.annotations(), depicting_.styles(), language_.evaluation().view});
             box = csg::enclose(box, box_.empty() ? model_->box : box_);
             const double end = i + 1 < times.size() ? times[i + 1] : depicting_.motion().times.back();
             const std::string moves = what_moves(depicting_.motion(), times[i], end);
@@ -215,7 +216,7 @@ class Run {
         request.aspect = static_cast<double>(layout.panel.x) / layout.panel.y;
         const base::Image sheet = draw_sheet(size, layout, captions, picture_.scheme, [&](std::size_t i) {
             model_ = exported_ = panels[i].model;
-            depicting_.set_annotations(panels[i].annotations);
+            depicting_.set(panels[i].annotations, panels[i].styles);
             picture_.camera = choose_camera(request, panels[i].view, box);
             cut();
             begin("Drawing…", "drawing");

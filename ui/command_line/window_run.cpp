@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "ui/command_line/depicting.h"
 #include "ui/command_line/files.h"
 #include "ui/command_line/standard_streams.h"
 #include "ui/viewer/window.h"
@@ -20,11 +21,8 @@ int open_window(const Options& options) {
     if (!options.changes_from.empty()) {
         throw UsageError("--changes-from is of pictures: write one with -o");
     }
-    if (!(options.explain.empty() && options.without.empty() && options.depictions.empty() &&
-          options.depiction_rules.empty()) ||
-        options.thickness) {
-        throw UsageError(
-            "--explain, --without, --thickness, --depict and --depict-rules are of pictures: write one with -o");
+    if (!(options.explain.empty() && options.without.empty()) || options.thickness) {
+        throw UsageError("--explain, --without and --thickness are of pictures: write one with -o");
     }
     WindowOptions window;
     window.source.path = options.input;
@@ -48,6 +46,13 @@ int open_window(const Options& options) {
     window.engine = options.engine;
     window.frames_log = options.frames_log;
     window.settings = settings_file();
+    window.glyphs.annotations = options.annotations;
+    (void)annotations_of(options.annotations);  // Errors are told before a window opens, …
+    (void)rules_of(options);                    // … those of rules, too.
+    window.glyphs.rules_file = options.depiction_rules;
+    for (const Depiction& d : options.depictions) {
+        window.glyphs.depictions.push_back(d.text);
+    }
     if (run_window(window) == WindowEnd::StillDrawing) {
         std::_Exit(0);  // Nobody waits for that picture any more.
     }

@@ -103,6 +103,7 @@ constexpr std::array kActions{
     ActionInfo{Action::ToggleTree, "Window", "Tree", {{GLFW_KEY_F10}}},
     ActionInfo{Action::ToggleAnimation, "Window", "Animation", {{GLFW_KEY_F11}}},
     ActionInfo{Action::ToggleInspection, "Window", "Inspection", {{GLFW_KEY_I}}},
+    ActionInfo{Action::ToggleDynamics, "Window", "Motion and labels", {{GLFW_KEY_D}}},
     ActionInfo{Action::ToggleConsole, "Window", "Console", {{GLFW_KEY_F9}, {GLFW_KEY_C}}},
     ActionInfo{Action::Settings, "Window", "Settings…", {{GLFW_KEY_COMMA, kCtrl}}},
     ActionInfo{Action::ClearConsole, "Window", "Clear console", {}},

@@ -15,6 +15,7 @@
 #include "npr/parameter.h"
 #include "ui/pipeline/editable_model.h"
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/viewer/dynamics_commands.h"
 #include "ui/viewer/inspection_commands.h"
 #include "ui/viewer/selection.h"
 
@@ -101,6 +102,7 @@ enum class Action {
     StepBack,
     StepOn,
     ToggleInspection,
+    ToggleDynamics,
     ToggleConsole,
     Settings,  ///< Opens the form.
     ClearConsole,
@@ -291,13 +293,13 @@ struct ExportModel {
     std::filesystem::path path;
 };
 
-using Command =
-    std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency, SetTransparencyParameter,
-                 SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt, Explain, ShowText, EditText,
-                 StepSelection, OpenFile, SetCustomized, ResetCustomized, UseParameterSet, SaveParameterSet,
-                 DeleteParameterSet, SetEngine, WritePicture, ExportModel, SetMouse, SetLightTheme, SetTextSize, SetKey,
-                 ResetKeys, SelectCall, HideCall, ShowAlone, SetStep, SetSteps, SetRate, ExportFrames, HoldPart,
-                 PutPart, TakeWay, SetNumber, TypeText, SelectByte, ResolveConflict, Recover, Leave, InspectionCommand>;
+using Command = std::variant<Action, SetStyle, SetParameter, ResetParameters, SetScheme, SetTransparency,
+                             SetTransparencyParameter, SetMedia, SetLayers, SetSamples, SetSections, LookFrom, SelectAt,
+                             Explain, ShowText, EditText, StepSelection, OpenFile, SetCustomized, ResetCustomized,
+                             UseParameterSet, SaveParameterSet, DeleteParameterSet, SetEngine, WritePicture,
+                             ExportModel, SetMouse, SetLightTheme, SetTextSize, SetKey, ResetKeys, SelectCall, HideCall,
+                             ShowAlone, SetStep, SetSteps, SetRate, ExportFrames, HoldPart, PutPart, TakeWay, SetNumber,
+                             TypeText, SelectByte, ResolveConflict, Recover, Leave, InspectionCommand, DynamicsCommand>;
 using Commands = std::vector<Command>;
 
 /// "Ctrl+Shift+V"

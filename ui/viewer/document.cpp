@@ -17,6 +17,8 @@ void Document::receive(Revision revision) {
         before_ = std::move(revision.before);
         first_tree_ = first_tree_ ? first_tree_ : tree_;
         view_ = revision.view;
+        glyphs_ = {std::move(revision.depicted), std::move(revision.depiction_problems), std::move(revision.bubbles),
+                   std::move(revision.frames), std::move(revision.styles)};
     }
     sources_ = std::move(revision.sources);
     messages_ = std::move(revision.messages);

@@ -42,6 +42,8 @@ class Document {
     void edit(std::optional<std::string> text) { source_.edited = std::move(text); }
     /// $t of revisions to come.
     void set_time(double time) { source_.time = time; }
+    /// Revisions to come have glyphs of that beside the model; null: none.
+    void depict(std::shared_ptr<const DepictedMotion> motion) { source_.depicted = std::move(motion); }
     /// The parts of revisions to come.
     void divide(csg::PartRule parts) { source_.parts = std::move(parts); }
 
@@ -57,6 +59,15 @@ class Document {
     [[nodiscard]] const std::shared_ptr<const csg::scad::SourceSet>& sources() const { return sources_; }
     /// The texts of the model; null before the first.
     [[nodiscard]] const std::shared_ptr<const csg::scad::SourceSet>& model_sources() const { return model_sources_; }
+    /// The glyphs of the model.
+    struct Glyphs {
+        std::shared_ptr<const DepictedMotion> of;  ///< Null: there are none.
+        std::vector<std::string> problems;         ///< See Revision::depiction_problems.
+        std::vector<BubbleRequest> bubbles;
+        std::vector<FrameRequest> frames;
+        std::vector<GlyphStyle> styles;
+    };
+    [[nodiscard]] const Glyphs& glyphs() const { return glyphs_; }
     [[nodiscard]] const csg::scad::ViewSettings& view() const { return view_; }  ///< Of the model.
     [[nodiscard]] const MessageLog& messages() const { return messages_; }       ///< Of the newest revision.
     [[nodiscard]] double milliseconds() const { return milliseconds_; }          ///< That the newest revision took.
@@ -68,6 +79,7 @@ class Document {
     std::shared_ptr<const Model> model_;
     std::shared_ptr<const csg::Tree> tree_, first_tree_, before_;
     std::shared_ptr<const csg::scad::SourceSet> sources_, model_sources_;
+    Glyphs glyphs_;
     csg::scad::ViewSettings view_;
     MessageLog messages_;
     std::string first_error_;  ///< Outlives clear_messages().

@@ -47,6 +47,12 @@ std::string to_json(const FrameRecord& record) {
                          {"changed_parts", record.inspection.changed_parts},
                          {"marked", record.inspection.marked},
                          {"error", record.inspection.error}}},
+                       {"dynamics",
+                        {{"searches", record.dynamics.searches},
+                         {"bodies", record.dynamics.bodies},
+                         {"depictions", record.dynamics.depictions},
+                         {"labels", record.dynamics.labels},
+                         {"error", record.dynamics.error}}},
                        {"camera", camera}};
     return json.dump();
 }

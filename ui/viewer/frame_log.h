@@ -41,6 +41,14 @@ struct FrameRecord {
         std::string marked;  ///< The finding or thin place that was clicked.
         std::string error;   ///< Of the last task.
     } inspection;
+    /// Of motion and labels.
+    struct Dynamics {
+        int searches = 0;    ///< That were begun for what moves.
+        int bodies = -1;     ///< That move; -1: it is not known.
+        int depictions = 0;  ///< That the model has.
+        int labels = 0;      ///< Labels, bubbles and frames that are wanted in the picture.
+        std::string error;   ///< The first of any text.
+    } dynamics;
     base::Camera camera;
 };
 

@@ -21,7 +21,7 @@ Layout make_layout(glm::vec2 window, float menu_height, float scale, const Shown
     const float status_height = std::min(whole(26 * scale), whole(window.y - top));
     const float bottom = window.y - status_height;
     // In a small window the picture needs all the room.
-    const bool panel = (shown.panel || shown.inspection) && window.x >= kLeastForPanel.x * scale &&
+    const bool panel = (shown.panel || shown.inspection || shown.dynamics) && window.x >= kLeastForPanel.x * scale &&
                        window.y >= kLeastForPanel.y * scale;
     const float panel_width = panel ? whole(std::min(310 * scale, window.x * 2 / 3)) : 0;
     const float left_width =

@@ -22,7 +22,7 @@ struct Rectangle {
 /// What is open.
 struct Shown {
     bool panel = true;
-    bool inspection = false;                              ///< In the panel's place.
+    bool inspection = false, dynamics = false;            ///< In the panel's place; one of them at most.
     bool customizer = false, text = false, tree = false;  ///< One of them at most.
     bool animation = false;
     bool console = true;

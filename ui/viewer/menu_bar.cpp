@@ -62,6 +62,8 @@ bool checked(const Session& session, Action tool, Action action) {
             return session.shown().animation;
         case Action::ToggleInspection:
             return session.shown().inspection;
+        case Action::ToggleDynamics:
+            return session.shown().dynamics;
         case Action::ToggleConsole:
             return session.shown().console;
         case Action::ToggleHole:

@@ -74,7 +74,9 @@ void draw_overlay(const Rectangle& place, const Session& session, const PictureI
     }
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({place.corner.x, place.corner.y}, {place.corner.x + place.size.x, place.corner.y + place.size.y});
-    if (session.shown().axes) {
+    // The legend of numbered parts lies where the axes would.
+    const bool legend = session.annotations() && session.annotations()->callouts;
+    if (session.shown().axes && !legend) {
         axes(place, session.view().picture.camera, fonts, scale);
     }
     float top = 0;

@@ -45,6 +45,7 @@ const Model& PictureView::cut(const std::shared_ptr<const Model>& model, const n
         sectioned_.cut(plain_ && model == colored_ ? plain_ : model, sections, model == held_in_ ? held_ : HeldPart{});
     if (!sectioned_.change().empty()) {
         renderer.update(left, sectioned_.change());
+        labels_.update(left, sectioned_.change());
     }
     return left;
 }
@@ -79,17 +80,18 @@ void PictureView::mark(base::Image& image, const Model& model, const PictureRequ
 
 void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
                        const std::optional<ThicknessRequest>& thickness, const PictureStep& step, std::uint64_t version,
-                       const HeldPart& held) {
+                       const HeldPart& held, std::shared_ptr<const Annotations> annotations) {
+    const glm::ivec2 whole = request.size;
     request.size = glm::max((request.size + step.divisor - 1) / step.divisor, 1);
     const bool threaded = thread_ != nullptr;
     drawing_ = std::stop_source();
     // Where nobody could ask for a stop meanwhile, drawing need not look for it.
     const std::stop_token stop = threaded ? drawing_.get_token() : std::stop_token();
     run([this, threaded, stop, model = std::move(model), request = std::move(request), marks, thickness, held, step,
-         version](Renderer& renderer) mutable {
+         version, whole, annotations = std::move(annotations)](Renderer& renderer) mutable {
         held_ = held;
         held_in_ = model;
-        DrawnStep done{step, version, 0, {}, {}, {}, false};
+        DrawnStep done{step, version, 0, {}, {}, {}, {}, false};
         Stopwatch watch;
         try {
             if (thickness) {
@@ -100,7 +102,12 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
                 gauge_.reset();
             }
             const Model& shown = cut(model, request.sections, renderer);
-            renderer.draw_sample(shown, request, step.sample, stop);
+            const bool writes = annotations && !thickness && (step.divisor == 1 || !labels_.slow());
+            PictureRequest all = request;
+            all.size = whole;
+            const Model& drawn = writes ? labels_.annotated(shown, all, annotations, version) : shown;
+            done.unwritten = writes ? labels_.error() : "";
+            renderer.draw_sample(drawn, request, step.sample, stop);
             if (threaded || !renderer.drawn_with_opengl() || marks.any() || thickness) {
                 base::Image image = renderer.image();
                 if (thickness) {
@@ -131,9 +138,10 @@ void PictureView::draw(std::shared_ptr<const Model> model, PictureRequest reques
 }
 
 void PictureView::save(std::shared_ptr<const Model> model, PictureRequest request,
-                       const std::optional<ThicknessRequest>& thickness, std::filesystem::path path) {
-    run([this, model = std::move(model), request = std::move(request), thickness,
-         path = std::move(path)](Renderer& renderer) mutable {
+                       const std::optional<ThicknessRequest>& thickness, std::filesystem::path path,
+                       std::shared_ptr<const Annotations> annotations) {
+    run([this, model = std::move(model), request = std::move(request), thickness, path = std::move(path),
+         annotations = std::move(annotations)](Renderer& renderer) mutable {
         SavedPicture done{path, request.size, {}};
         try {
             if (thickness) {
@@ -141,7 +149,9 @@ void PictureView::save(std::shared_ptr<const Model> model, PictureRequest reques
                 request.scheme.face = request.scheme.cut = glm::vec3(1);
             }
             const Model& shown = cut(model, request.sections, renderer);
-            base::Image image = renderer.render(shown, request);
+            LabelLayer labels;
+            const Model& drawn = thickness ? shown : labels.annotated(shown, request, annotations, 0);
+            base::Image image = renderer.render(drawn, request);
             if (thickness) {
                 draw_thickness(image, thickness_map(renderer, *model, shown, request, *thickness),
                                request.scheme.background);

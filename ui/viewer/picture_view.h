@@ -16,6 +16,7 @@
 #include "ui/pipeline/picture/view_marks.h"
 #include "ui/pipeline/sections.h"
 #include "ui/viewer/frame_plan.h"
+#include "ui/viewer/label_layer.h"
 #include "ui/viewer/render_thread.h"
 #include "ui/viewer/selection.h"
 
@@ -29,7 +30,8 @@ struct DrawnStep {
     PictureStatistics statistics;
     std::shared_ptr<const ThicknessMap> thickness;  ///< Of a picture of thickness, without the tints.
     std::string error;                              ///< Why it could not be drawn; empty where it was.
-    bool stopped = false;  ///< It was stopped: nothing new is to be seen, and the picture is to be begun anew.
+    std::string unwritten;  ///< What of the annotations is not in it, and why; empty where all are.
+    bool stopped = false;   ///< It was stopped: nothing new is to be seen, and the picture is to be begun anew.
 };
 
 struct SavedPicture {
@@ -77,14 +79,15 @@ class PictureView {
     /// of the model's colors. What is `held` is so for all that is asked for afterwards.
     void draw(std::shared_ptr<const Model> model, PictureRequest request, const ViewMarks& marks,
               const std::optional<ThicknessRequest>& thickness, const PictureStep& step, std::uint64_t version,
-              const HeldPart& held = {});
+              const HeldPart& held = {}, std::shared_ptr<const Annotations> annotations = nullptr);
     /// Ends the step that a thread is drawing, some milliseconds later, if it draws one.
     void stop_drawing() { drawing_.request_stop(); }
     /// Steps are drawn by a thread, and can be stopped.
     [[nodiscard]] bool threaded() const { return thread_ != nullptr; }
     /// Writes a picture of its own. The picture that is shown must be begun anew afterwards.
     void save(std::shared_ptr<const Model> model, PictureRequest request,
-              const std::optional<ThicknessRequest>& thickness, std::filesystem::path path);
+              const std::optional<ThicknessRequest>& thickness, std::filesystem::path path,
+              std::shared_ptr<const Annotations> annotations = nullptr);
     /// See Renderer::pick.
     void pick(std::shared_ptr<const Model> model, npr::Sections sections, const base::Camera& camera,
               PickFor purpose = PickFor::Center);
@@ -137,6 +140,7 @@ class PictureView {
     std::unique_ptr<ThicknessGauge> gauge_;         ///< … of colored_, …
     std::shared_ptr<const Model> probed_;           ///< … the model that finder_ is of, …
     std::optional<EdgeFinder> finder_;
+    LabelLayer labels_;                                     ///< … what is written into pictures, …
     std::shared_ptr<const layers::HostStack> first_layer_;  ///< … and what hides marks in a picture of …
     std::pair<std::uint64_t, int> first_layer_of_;          ///< … that version and width.
     std::stop_source drawing_;                              ///< Of the step asked for last.

@@ -10,6 +10,7 @@
 #include "csg/tree/out_of_memory.h"
 #include "ui/pipeline/following_builder.h"
 #include "ui/pipeline/measures.h"
+#include "ui/pipeline/picture/camera.h"
 #include "ui/pipeline/program_runner.h"
 #include "ui/pipeline/stopwatch.h"
 
@@ -76,6 +77,31 @@ std::shared_ptr<const csg::Tree> tree_of(const Baseline& before, csg::scad::Requ
     return run.good() ? run.evaluation.tree : nullptr;
 }
 
+/// The tree with glyphs of the program's motion, where that is known.
+std::shared_ptr<const csg::Tree> depicted_tree(const std::shared_ptr<const csg::Tree>& tree, const Source& source,
+                                               const ProgramRun& run, const csg::scad::Request& request,
+                                               ProgramRunner& runner, const std::stop_token& stop, Revision& revision) {
+    const auto& wanted = source.depicted;
+    if (!wanted || wanted->depictions.empty() || !wanted->motion || source.before || source.explained ||
+        wanted->of.program != run.evaluation.program || wanted->of.customized != source.customized) {
+        return tree;
+    }
+    const auto camera_at = [&](double time) {
+        csg::scad::Request at = request;
+        at.time = time;
+        const auto view = runner.run(at, false, [](const auto&, const auto&) { return std::size_t{0}; });
+        base::end_if_asked(stop);
+        return choose_camera({}, view.evaluation.view, {});
+    };
+    Depicted made = depict_what_can({*tree, *wanted->motion, source.time, camera_at, wanted->aspect},
+                                    wanted->depictions, revision.depiction_problems, stop);
+    revision.depicted = wanted;
+    revision.bubbles = std::move(made.bubbles);
+    revision.frames = std::move(made.frames);
+    revision.styles = std::move(made.styles);
+    return std::make_shared<const csg::Tree>(std::move(made.tree));
+}
+
 void evaluate_and_build(Revision& revision, const Source& source, const csg::scad::View& camera,
                         FollowingBuilder& builder, ProgramRunner& runner, const std::stop_token& stop) {
     if (csg::scad::has_statements(source.definitions) && !source.text && !source.edited) {
@@ -108,9 +134,10 @@ void evaluate_and_build(Revision& revision, const Source& source, const csg::sca
     }
     Stopwatch watch;
     const std::shared_ptr<const csg::Tree> tree =
-        source.before      ? std::make_shared<const csg::Tree>(csg::changes(*revision.before, *evaluation.tree))
-        : source.explained ? explained_tree(evaluation.tree, *source.explained, revision.messages)
-                           : shown_tree(evaluation.tree, source);
+        source.before ? std::make_shared<const csg::Tree>(csg::changes(*revision.before, *evaluation.tree))
+        : source.explained
+            ? explained_tree(evaluation.tree, *source.explained, revision.messages)
+            : depicted_tree(shown_tree(evaluation.tree, source), source, run, request, runner, stop, revision);
     builder.show(source.showing);
     builder.divide(source.parts);
     builder.cut(source.sections);

@@ -7,11 +7,13 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/scad/customizer/customizer.h"
 #include "csg/scad/scad.h"
 #include "ui/pipeline/model.h"
+#include "ui/pipeline/motion/depiction.h"
 #include "ui/viewer/call_at.h"
 #include "ui/viewer/file_watcher.h"
 #include "ui/viewer/message_log.h"
@@ -24,6 +26,22 @@ struct Baseline {
     std::shared_ptr<const csg::Tree> tree;  ///< Null: as the file says.
     std::string path;                       ///< Of that file.
     bool operator==(const Baseline&) const = default;
+};
+
+/// What the motion of a program depends on.
+struct ProgramState {
+    std::shared_ptr<const csg::scad::LoadedProgram> program;
+    std::vector<std::string> customized;
+    std::pair<double, double> interval{0, 1};  ///< Of $t.
+    bool operator==(const ProgramState&) const = default;
+};
+
+/// What is drawn of a motion beside the model of the program that moves so; beside others nothing is.
+struct DepictedMotion {
+    std::vector<Depiction> depictions;
+    std::shared_ptr<const Motion> motion;
+    ProgramState of;
+    double aspect = 1;  ///< Of pictures: width by height.
 };
 
 /// What is shown: where the text comes from and how it is evaluated.
@@ -48,6 +66,8 @@ struct Source {
     std::optional<Baseline> before{};   ///< … or what has changed since.
     csg::Showing showing = csg::Showing::Preview;
 
+    std::shared_ptr<const DepictedMotion> depicted{};  ///< Null: nothing is.
+
     std::optional<std::string> edited{};  ///< The main file's text with what is not saved: counts above all others.
 
     [[nodiscard]] bool nothing() const { return path.empty(); }
@@ -56,9 +76,14 @@ struct Source {
 };
 
 struct Revision {
-    std::shared_ptr<const Model> model;       ///< Null where there was an error.
-    std::shared_ptr<const csg::Tree> tree;    ///< Of the program: all of it, whatever of it the model shows.
-    std::shared_ptr<const csg::Tree> before;  ///< Of the source's baseline, where it has one.
+    std::shared_ptr<const Model> model;              ///< Null where there was an error.
+    std::shared_ptr<const csg::Tree> tree;           ///< Of the program: all of it, whatever of it the model shows.
+    std::shared_ptr<const csg::Tree> before;         ///< Of the source's baseline, where it has one.
+    std::shared_ptr<const DepictedMotion> depicted;  ///< Whose glyphs the model has; null: it has none.
+    std::vector<std::string> depiction_problems;     ///< By its depictions: why one is not drawn; empty where it is.
+    std::vector<BubbleRequest> bubbles;              ///< Of those, …
+    std::vector<FrameRequest> frames;                ///< … to be written into pictures, …
+    std::vector<GlyphStyle> styles;                  ///< … and in styles of their own.
     csg::scad::ViewSettings view;
     /// Of the main file, with the source's definitions as their values; nothing where that cannot be parsed.
     std::optional<std::vector<csg::scad::CustomizerParameter>> parameters;

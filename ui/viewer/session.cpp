@@ -40,12 +40,20 @@ Session::Session(const WindowOptions& options, Evaluate evaluate, std::function<
       settings_(read_settings(options.settings)),
       evaluate_(std::move(evaluate)),
       watcher_(options.source.followed()),
+      dynamics_(wake),
       find_ways_(make_find_ways()),
       moving_(wake),
       job_(std::move(wake)) {
     editing_ = Editing(document_.source(), settings_file_);
     shown_.recovery_form = editing_.left().has_value();
     view_.picture.camera = choose_camera(camera_request_, {}, {});
+    const csg::PartRule& parts = options.source.parts;
+    const bool of_sections = !options.source.sections.cuts.empty() && parts.kind == csg::PartRule::Kind::Color;
+    parts_given_ = parts != csg::PartRule{} && !of_sections && parts != parts_of_labels(options.glyphs.annotations);
+    if (options.glyphs.any()) {
+        shown_.dynamics = true;
+        set_glyphs(options.glyphs);
+    }
     this->evaluate();
 }
 
@@ -58,6 +66,11 @@ void Session::open(const std::filesystem::path& path) {
     moving_.cancel();
     held_ = {};
     select_next_.reset();
+    label_to_come_.reset();
+    dynamics_.cancel();
+    dynamics_.set({});
+    document_.depict(nullptr);
+    annotations_.reset();
     animation_ = {};
     text_ = {};
     watcher_ = FileWatcher(document_.source().followed());
@@ -149,6 +162,9 @@ bool Session::update(double now) {
         }
         renew_text();
         place_camera();
+        if (other_model) {
+            follow_motion();
+        }
         if (document_.model()) {
             warn(document_, *document_.model(), view_.picture.sections);
         }
@@ -157,6 +173,10 @@ bool Session::update(double now) {
     const bool was_gone = document_.state() == DocumentState::Gone;
     if (auto answer = moving_.take()) {
         take_ways(*std::move(answer));
+        news = true;
+    }
+    if (dynamics_.update()) {
+        follow_motion();
         news = true;
     }
     editing_.keep(now);

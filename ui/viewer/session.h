@@ -11,6 +11,7 @@
 #include "ui/viewer/commands.h"
 #include "ui/viewer/customizer.h"
 #include "ui/viewer/document.h"
+#include "ui/viewer/dynamics.h"
 #include "ui/viewer/editing.h"
 #include "ui/viewer/ghost.h"
 #include "ui/viewer/latest_job.h"
@@ -57,6 +58,12 @@ class Session {
     [[nodiscard]] const Ghost& ghost() const { return ghost_; }  ///< Of that.
     [[nodiscard]] const Animation& animation() const { return animation_; }
     [[nodiscard]] const TextPlace& text() const { return text_; }
+    /// What is drawn of motion, and written at parts.
+    [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
+    /// Wanted in pictures of the model; null: nothing is.
+    [[nodiscard]] const std::shared_ptr<const Annotations>& annotations() const { return annotations_; }
+    /// The last picture of the model could not have all of them, and why; empty: it has.
+    void tell_unwritten(const std::string& why) { dynamics_.set_picture_error(why); }
     /// What is edited by hand.
     [[nodiscard]] const Editing& editing() const { return editing_; }
     /// What a hand holds in the model that is shown, or has put there while the text follows.
@@ -131,6 +138,15 @@ class Session {
     bool look_at_tree(const Command& command);
     /// False where it is for others to do.
     bool inspect(const InspectionCommand& command);
+    /// False where it is no command about motion and labels.
+    bool act_on_dynamics(const DynamicsCommand& command);
+    void set_glyphs(GlyphTexts texts);
+    void depict_selected(const std::string& technique);
+    void label_selected(const std::string& text);
+    /// Where parts are not told apart yet, they are from the next model on, and the label follows then.
+    void add_label(const Model& model, csg::OccurrenceId occurrence, const std::string& text);
+    /// After a revision, or what was found: glyphs are those of the model that is shown.
+    void follow_motion();
     /// The newest texts take the place of what is shown.
     void renew_text();
     void place_camera();
@@ -155,6 +171,14 @@ class Session {
     TextPlace text_;  ///< That the text panel shows.
     bool customizing_ = false;
     Editing editing_;
+    std::shared_ptr<const Annotations> annotations_;
+    struct LabelToCome {
+        std::shared_ptr<const Model> model;  ///< In which it was asked for.
+        csg::OccurrenceId occurrence = csg::kNoOccurrence;
+        std::string text;
+    };
+    std::optional<LabelToCome> label_to_come_;
+    bool parts_given_ = false;  ///< What is a part is not for labels to say.
     HeldPart held_;
     std::optional<MoveAnswer> ways_;
     std::size_t way_taken_ = 0;
@@ -169,6 +193,7 @@ class Session {
     std::uint64_t layers_of_ = 0;  ///< Generation of the model that layer_count_ belongs to.
     Evaluate evaluate_;
     FileWatcher watcher_;
+    Dynamics dynamics_;
     FindWays find_ways_;
     LatestJob<MoveAnswer> moving_;
     LatestJob<Revision> job_;  ///< Last: its jobs use the above.

@@ -30,6 +30,9 @@ bool Session::perform(const Command& command) {
     if (const auto* asked = std::get_if<InspectionCommand>(&command)) {
         return inspect(*asked);
     }
+    if (const auto* glyphs = std::get_if<DynamicsCommand>(&command)) {
+        return act_on_dynamics(*glyphs);
+    }
     if (const auto* style = std::get_if<SetStyle>(&command)) {
         view_.show_style(std::min(style->style, npr::styles().size() - 1));
     } else if (const auto* set = std::get_if<SetParameter>(&command)) {
@@ -243,8 +246,8 @@ bool Session::act(Action action) {
             shown_.cube = !shown_.cube;
             break;
         case Action::TogglePanel:
-            shown_.panel = !shown_.panel || shown_.inspection;
-            shown_.inspection = false;
+            shown_.panel = !shown_.panel || shown_.inspection || shown_.dynamics;
+            shown_.inspection = shown_.dynamics = false;
             break;
         case Action::ToggleText:
             shown_.text = !shown_.text;
@@ -274,6 +277,12 @@ bool Session::act(Action action) {
             break;
         case Action::ToggleInspection:
             shown_.inspection = !shown_.inspection;
+            shown_.dynamics = false;
+            break;
+        case Action::ToggleDynamics:
+            shown_.dynamics = !shown_.dynamics;
+            shown_.inspection = false;
+            follow_motion();
             break;
         case Action::Settings:
             shown_.settings_form = true;

@@ -7,6 +7,7 @@
 
 #include "ui/pipeline/picture/camera.h"
 #include "ui/pipeline/picture/renderer.h"
+#include "ui/viewer/dynamics_commands.h"
 #include "ui/viewer/revision.h"
 
 namespace ui {
@@ -18,6 +19,7 @@ struct WindowOptions {
     goldfeather::EngineOptions engine;
     std::string frames_log;            ///< File for one line of JSON per frame; empty: none.
     std::filesystem::path settings{};  ///< Kept there; empty: as by default, and not kept.
+    GlyphTexts glyphs{};               ///< To begin with.
 };
 
 /// How things stand when the window is closed.

@@ -97,6 +97,9 @@ WindowEnd WindowLoop::run() {
         if (!inspection_.task().empty()) {
             counted = counted.value_or(0) + inspection_.task_seconds();
         }
+        if (const auto looking = session_.dynamics().looking_for()) {
+            counted = counted.value_or(0) + *looking;
+        }
         const bool counts = std::exchange(counted_, counted) != counted;
         if (updated || inspected || !input_.empty() || received || counts) {
             frames_to_draw_ = kFramesAfterInput;
@@ -198,6 +201,8 @@ Layout WindowLoop::draw_interface(Commands& commands) {
     const InspectionView inspected{session_, inspection_, fonts};
     if (session_.shown().inspection) {
         inspection_panel_.draw(layout.panel, inspected, commands);
+    } else if (session_.shown().dynamics) {
+        dynamics_panel_.draw(layout.panel, session_, fonts, commands);
     } else {
         draw_panel(layout.panel, session_, info_, fonts, commands);
     }

@@ -7,6 +7,7 @@
 #include "ui/pipeline/stopwatch.h"
 #include "ui/viewer/camera_flight.h"
 #include "ui/viewer/customizer_panel.h"
+#include "ui/viewer/dynamics_panel.h"
 #include "ui/viewer/export_form.h"
 #include "ui/viewer/export_job.h"
 #include "ui/viewer/frame_log.h"
@@ -69,6 +70,7 @@ class WindowLoop {
     /// True where an export has ended.
     bool receive_export();
     void save_picture(const WritePicture& what);
+    [[nodiscard]] PictureRequest with_glyph_styles(PictureRequest request) const;
     void plan_picture(glm::ivec2 size);
     void draw_picture();
     /// Takes what has become of what the picture's drawer was asked for. True where something is new.
@@ -101,6 +103,7 @@ class WindowLoop {
     TextPanel text_panel_;
     TreePanel tree_panel_;
     InspectionPanel inspection_panel_;
+    DynamicsPanel dynamics_panel_;
     RecentFiles recent_;
     OpenForm open_form_;
     ExportForm export_form_;
@@ -116,6 +119,7 @@ class WindowLoop {
     ViewMarks wanted_marks_;
     HeldPart wanted_held_;
     std::optional<ThicknessRequest> wanted_thickness_;
+    std::shared_ptr<const Annotations> wanted_annotations_;
     std::shared_ptr<const Model> wanted_model_;
     PictureInfo info_;
     std::uint64_t wanted_version_ = 0, shown_version_ = 0;  ///< Count the pictures that were wanted.

@@ -34,7 +34,19 @@ void WindowLoop::save_picture(const WritePicture& what) {
     }
     note_ = "Saving the picture…";
     ++saving_;
-    picture_.save(wanted_model_, what.picture, session_.view().thickness, what.path);
+    picture_.save(wanted_model_, with_glyph_styles(what.picture), session_.view().thickness, what.path,
+                  wanted_annotations_);
+}
+
+/// Of the model that the document shows.
+PictureRequest WindowLoop::with_glyph_styles(PictureRequest request) const {
+    const Document& document = session_.document();
+    if (document.model() && !document.glyphs().styles.empty()) {
+        for (npr::PartStyle& style : styles_of_glyphs(document.model()->scene, document.glyphs().styles)) {
+            request.part_styles.push_back(std::move(style));
+        }
+    }
+    return request;
 }
 
 bool WindowLoop::receive() {
@@ -108,13 +120,16 @@ void WindowLoop::receive(const DrawnStep& drawn) {
     info_.engine = drawn.statistics.engine;
     info_.walk = drawn.statistics.walk;
     inspection_.see(wanted ? wanted_model_ : nullptr, drawn.thickness);
+    if (wanted && drawn.step.divisor == 1) {
+        session_.tell_unwritten(drawn.unwritten);
+    }
     if (wanted && wanted_model_) {
         session_.see_layers(*wanted_model_, std::max(info_.walk.layers, wanted_.layers));
     }
 }
 
 void WindowLoop::plan_picture(glm::ivec2 size) {
-    const PictureRequest request = session_.view().request(size);
+    const PictureRequest request = with_glyph_styles(session_.view().request(size));
     const auto& model = session_.document().model();
     const bool other_model = model != wanted_model_;
     const bool other = (other_model && !session_.customizing()) || request.style != wanted_.style ||
@@ -123,7 +138,7 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     const ViewMarks marks = session_.shown().marks();
     const HeldPart& held = session_.held();
     if (!other && !other_model && request == wanted_ && marks == wanted_marks_ && held == wanted_held_ &&
-        session_.view().thickness == wanted_thickness_) {
+        session_.view().thickness == wanted_thickness_ && session_.annotations() == wanted_annotations_) {
         return;
     }
     other ? plan_.replaced(seconds()) : plan_.moved(seconds());
@@ -132,6 +147,7 @@ void WindowLoop::plan_picture(glm::ivec2 size) {
     wanted_marks_ = marks;
     wanted_held_ = held;
     wanted_thickness_ = session_.view().thickness;
+    wanted_annotations_ = session_.annotations();
     wanted_model_ = model;
     ++wanted_version_;
     info_.error.clear();
@@ -151,7 +167,8 @@ void WindowLoop::draw_picture() {
     }
     if (const auto step = busy ? std::nullopt : plan_.next(seconds())) {
         drawing_ = *step;
-        picture_.draw(wanted_model_, wanted_, wanted_marks_, wanted_thickness_, *step, wanted_version_, wanted_held_);
+        picture_.draw(wanted_model_, wanted_, wanted_marks_, wanted_thickness_, *step, wanted_version_, wanted_held_,
+                      wanted_annotations_);
         news |= receive();
     }
     if (news) {
@@ -184,6 +201,13 @@ void WindowLoop::log(double frame_ms) {
     record.unsaved = session_.editing().text().unsaved();
     record.found = toolbox_.text();
     record.inspection = inspection_.record();
+    record.dynamics = session_.dynamics().record();
+    record.dynamics.depictions =
+        session_.document().glyphs().of ? static_cast<int>(session_.document().glyphs().of->depictions.size()) : 0;
+    if (const auto& written = session_.annotations()) {
+        record.dynamics.labels =
+            static_cast<int>(written->labels.size() + written->bubbles.size() + written->frames.size());
+    }
     record.camera = session_.view().picture.camera;
     log_.write(record);
 }

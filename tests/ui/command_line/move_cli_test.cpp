@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/program_test.h"
+#include "tests/support/refusals.h"
 
 namespace {
 
@@ -88,29 +89,26 @@ TEST_F(MoveProgram, TellsHowManyCanBeMoved) {
 }
 
 TEST_F(MoveProgram, RefusesWhatItCannotDo) {
-    for (const auto& [bad, part] :
-         {std::pair("move box.scad --call 3 --by 0,0,0", "moves nothing"),
-          std::pair("move box.scad --call 9 --by 1,0,0", "nearest"),
-          std::pair("move box.scad --call 4 --number 3 --by 1,0,0", "2 solids come"),
-          std::pair("move box.scad --call 3 --by 1,0,0 --choice 99", "there are"),
-          std::pair("move box.scad --call 3 --by 1,0", "x,y,z"),
-          std::pair("move box.scad --cal 3 --by 1,0,0", "--call"), std::pair("move box.scad --by 1,0,0", "--survey"),
-          std::pair("move box.scad --call 3 --by 1,0,0 --turn 0,0,1", "one of --by"),
-          std::pair("move box.scad --call 3", "one of --by"),
-          std::pair("move box.scad --call 3 --turn 0,0,180", "half a turn"),
-          std::pair("move box.scad --call 3 --turn 0,0,0", "turns nothing"),
-          std::pair("move box.scad --call 3 --scale 1,1,0", "factors above 0"),
-          std::pair("move box.scad --call 3 --scale 1", "scales nothing"),
-          std::pair("move box.scad --call 3 --stretch x,2", "a side and how far"),
-          std::pair("move box.scad --call 3 --stretch +x,0", "stretches nothing"),
-          std::pair("move box.scad --survey 3 --turn 0,0,1", "with --by"),
-          std::pair("move box.scad --survey 3 --call 3", "without --call"),
-          std::pair("move box.scad --survey 0", "--survey"),
-          std::pair("move none.scad --call 3 --by 1,0,0", "none.scad")}) {
-        const Result result = run(bad);
-        EXPECT_EQ(result.status, 1) << bad;
-        EXPECT_NE(result.err.find(part), std::string::npos) << bad << ": " << result.err;
-    }
+    test_support::expect_refused([this](const std::string& arguments) { return run(arguments); },
+                                 {{"move box.scad --call 3 --by 0,0,0", "moves nothing"},
+                                  {"move box.scad --call 9 --by 1,0,0", "nearest"},
+                                  {"move box.scad --call 4 --number 3 --by 1,0,0", "2 solids come"},
+                                  {"move box.scad --call 3 --by 1,0,0 --choice 99", "there are"},
+                                  {"move box.scad --call 3 --by 1,0", "x,y,z"},
+                                  {"move box.scad --cal 3 --by 1,0,0", "--call"},
+                                  {"move box.scad --by 1,0,0", "--survey"},
+                                  {"move box.scad --call 3 --by 1,0,0 --turn 0,0,1", "one of --by"},
+                                  {"move box.scad --call 3", "one of --by"},
+                                  {"move box.scad --call 3 --turn 0,0,180", "half a turn"},
+                                  {"move box.scad --call 3 --turn 0,0,0", "turns nothing"},
+                                  {"move box.scad --call 3 --scale 1,1,0", "factors above 0"},
+                                  {"move box.scad --call 3 --scale 1", "scales nothing"},
+                                  {"move box.scad --call 3 --stretch x,2", "a side and how far"},
+                                  {"move box.scad --call 3 --stretch +x,0", "stretches nothing"},
+                                  {"move box.scad --survey 3 --turn 0,0,1", "with --by"},
+                                  {"move box.scad --survey 3 --call 3", "without --call"},
+                                  {"move box.scad --survey 0", "--survey"},
+                                  {"move none.scad --call 3 --by 1,0,0", "none.scad"}});
     EXPECT_EQ(folder_.read("box.scad"), kText);
 }
 

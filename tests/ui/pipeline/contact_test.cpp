@@ -113,6 +113,78 @@ TEST(Contact, WhatItRestsOnHidesNoOther) {
     EXPECT_NEAR(found[0].time, 0.7, 1e-8);
 }
 
+TEST(Contact, AShortPartingBetweenSamples) {
+    // A pin slides over a floor with a notch that is a little wider than the pin: 18 units in all of the time, of which
+    // it is free for 0.05. The motion is one straight line, of which few samples are taken.
+    const Motion motion = motion_of(
+        "module pin() cube([0.2, 1, 1]); translate([18 * $t, 0, 0]) pin();"
+        "difference() { translate([-5, -5, -1]) cube([40, 20, 1]); translate([9, -6, -0.5]) cube([0.25, 30, 2]); }");
+    ASSERT_LT(motion.times.size(), 60u);
+    const auto found = contacts(motion, "pin");
+    ASSERT_EQ(found.size(), 1u) << "what it slides on it touches from the first";
+    // The leading edge, 0.2 before the pin's own place, comes to the far side of the notch.
+    EXPECT_NEAR(found[0].time, (9.25 - 0.2) / 18, motion.error / 18 + 1e-8);
+    EXPECT_NEAR(found[0].point.x, 9.25, 1e-6);
+}
+
+TEST(Contact, EachToothThatAWheelHitsWithinASample) {
+    // An arm of length 10 that turns evenly hits five teeth of one comb, a degree and a half apart.
+    const Motion motion = motion_of(
+        "module arm() translate([0, -0.05, 0]) cube([10, 0.1, 1]); rotate(360 * $t) arm();"
+        "module comb() { translate([0, 0, -3]) cylinder(r = 12, h = 1);"
+        "for (i = [0:4]) rotate(40 + 1.5 * i) translate([9.8, -0.02, -2.5]) cube([1, 0.04, 4]); }"
+        "union() comb();");
+    const auto found = contacts(motion, "arm");
+    ASSERT_EQ(found.size(), 5u);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        // The arm's leading side, at y = 0.05 of its own, meets the tooth's face at y = -0.02 of the tooth's: first
+        // where the tooth begins, 9.8 out, or at the end of the arm.
+        const double tooth = (40 + 1.5 * static_cast<double>(i)) * std::numbers::pi / 180;
+        const double own = std::atan2(0.05, 10), its = std::asin(-0.02 / std::hypot(10, 0.05));
+        const double at_end = tooth + its - own;
+        const double begins = tooth + std::atan2(-0.02, 9.8) - std::asin(0.05 / std::hypot(9.8, 0.02));
+        EXPECT_NEAR(found[i].time, std::min(at_end, begins) / (2 * std::numbers::pi), 2 * motion.error / 60 + 1e-7)
+            << i;
+    }
+}
+
+TEST(Contact, AGraze) {
+    // The edges of a block that turns come as near to a wall as the wall is: they touch it for no time at all.
+    const std::string block = "rotate(360 * $t) cube([4, 4, 2], center = true);";
+    const auto wall = [](double x) { return "translate([" + std::to_string(x) + ", -9, -9]) cube([1, 18, 18]);"; };
+    const double reach = 2 * std::numbers::sqrt2;
+    const Motion motion = motion_of(block + "translate([2 * sqrt(2), -9, -9]) cube([1, 18, 18]);");
+    const auto found = contacts(motion, "cube");
+    ASSERT_EQ(found.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        // The distance grows by the square of the time: what is told to within the rounding of lengths is told to
+        // within its root in times.
+        EXPECT_NEAR(found[i].time, 0.125 + 0.25 * static_cast<double>(i), 1e-5);
+        EXPECT_NEAR(found[i].point.x, reach, 1e-6);
+    }
+    EXPECT_TRUE(contacts(motion_of(block + wall(reach + 1e-4)), "cube").empty());
+    EXPECT_EQ(contacts(motion_of(block + wall(reach - 1e-4)), "cube").size(), 4u);
+}
+
+TEST(Contact, InsideIsNoParting) {
+    // A small ball flies into a large block, and out again.
+    const Motion motion = motion_of(
+        "module ball() cube(1, center = true); translate([30 * $t - 15, 0, 0]) ball(); cube(12, center = true);");
+    const auto found = contacts(motion, "ball");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].time, (15 - 6.5) / 30, 1e-8);
+}
+
+TEST(Contact, ABodyOfTwoPiecesTouchesOnce) {
+    const Motion motion = motion_of(
+        "module car() cube([8, 4, 1]); module load() translate([2, 1, 1.001]) cube(2);"
+        "translate([40 * $t, 0, 0]) { car(); load(); }"
+        "module stop() translate([30, 1, 0]) cube([1, 1, 4]); stop();");
+    // All of it moves alike: it is one body, with a gap that stays.
+    ASSERT_EQ(motion.bodies.size(), 1u);
+    EXPECT_EQ(contacts(motion, motion.bodies[0].name).size(), 1u);
+}
+
 TEST(KeyTimes, AreWhereMotionsChange) {
     // Slides for 0.3, rests until 0.6, turns until the end.
     const Motion motion = motion_of(

@@ -10,6 +10,7 @@
 
 #include "csg/solid/placed.h"
 #include "csg/solid/winding_number.h"
+#include "npr/style.h"
 #include "tests/csg/scad/evaluate_text.h"
 #include "ui/pipeline/model.h"
 #include "ui/pipeline/motion/star.h"
@@ -181,6 +182,43 @@ TEST(Depiction, ExpressionsAreRead) {
     EXPECT_EQ(read_depiction("still {a} [3]").times, (std::pair(3.0, 3.0)));
 }
 
+TEST(Depiction, WhatSwingsBackHasStrokes) {
+    // A pendulum there and back; and legs of something that goes on, of which one swings back.
+    const auto of = [](const std::string& text) {
+        MotionRequest request;
+        request.derivatives = false;
+        const auto at_time = [&](double time) {
+            csg::scad::Request at;
+            at.time = time;
+            return test::run(text, {}, at).evaluation.tree;
+        };
+        const Motion found = find_motion(at_time, request);
+        const Depiction all = read_depiction("motion {*} [0.2,0.5] (n=1)");
+        const Depicted made = depict({*at_time(0.5), found, 0.5, {}, 1}, {all});
+        ModelBuilder builder;
+        const auto built = builder.build(std::make_shared<const csg::Tree>(made.tree));
+        // Even strokes are tubes of one radius; trails begin in a point.
+        std::size_t strokes = 0, trails = 0;
+        for (csg::LeafId leaf = 0; leaf < built->scene.leaves.size(); ++leaf) {
+            if (!built->scene.leaves[leaf].where.known()) {
+                const std::size_t points = built->geometry.leaves[leaf].points.size();
+                (points % 12 == 0 || points % 12 == 2 ? strokes : trails) += 1;
+            }
+        }
+        return std::pair(strokes, trails);
+    };
+    const auto [pendulum_strokes, pendulum_trails] =
+        of("rotate([0, 40 * sin(900 * $t), 0]) translate([0, 0, -20]) cube(4, center = true);");
+    EXPECT_GT(pendulum_strokes, 0u);
+    EXPECT_EQ(pendulum_trails, 1u);
+    const auto [leg_strokes, leg_trails] =
+        of("module fore() translate([60 * $t + 20 * $t, 0, 0]) cube(2); module aft() translate([60 * $t - 20 * $t, 9, "
+           "0]) cube(2);"
+           "fore(); aft();");
+    EXPECT_EQ(leg_strokes, 1u) << "of the one that falls back";
+    EXPECT_EQ(leg_trails, 1u);
+}
+
 TEST(Depiction, ErrorsSayWhereAndWhatWasExpected) {
     const std::pair<const char*, const char*> wrong[] = {
         {"", "a technique"},
@@ -193,7 +231,10 @@ TEST(Depiction, ErrorsSayWhereAndWhatWasExpected) {
         {"path {ball} (n)", "'='"},
         {"path {ball} (n=0)", "a whole number"},
         {"path {ball} (size=3)", "n=, squash=, width=, color=, text= or with="},
-        {"path {ball} (color=red)", "#rrggbb"},
+        {"path {ball} (color=rad)", "#rrggbb"},
+        {"ghost {ball} (style=)", "a style"},
+        {"ghost {ball} (sise=3)", "style=, text= or with="},
+        {"path {ball} (style=sketch)", "n=, squash=, width=, color=, text= or with="},
         {"path {ball} 7", "or the end"},
         {"speak {ball}", "what it says"},
         {"speak {ball} (text=hello)", "a text in quotes"},
@@ -208,7 +249,10 @@ TEST(Depiction, ErrorsSayWhereAndWhatWasExpected) {
             EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << text << "\n" << error.what();
         }
     }
-    for (const auto& [text, part] : {std::pair("path {bal}", "Did you mean \"ball\"?"),
+    for (const auto& [text, part] : {std::pair("ghost {ball} (style=sketsh)", "Did you mean \"sketch\"?"),
+                                     std::pair("still {ball} (style=sketsh)", "\n                      ^"),
+                                     std::pair("ghost {ball} (style=\"sketch,wobles=3\")", "wobles"),
+                                     std::pair("path {bal}", "Did you mean \"ball\"?"),
                                      std::pair("rotation {ball}", "does not turn about one axis")}) {
         try {
             (void)depicted({text}, 0);
@@ -217,6 +261,60 @@ TEST(Depiction, ErrorsSayWhereAndWhatWasExpected) {
             EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
         }
     }
+}
+
+TEST(Depiction, ImagesInAStyleOfTheirOwnFade) {
+    EXPECT_FLOAT_EQ(read_depiction("path {ball} (color=orange)").color->g, 165 / 255.0F);
+    const Depicted made =
+        glyphs({read_depiction("ghost {ball} (n=4, style=sketch)"), read_depiction("still {cube} [1] (style=lines)"),
+                read_depiction("ghost {cube} (n=3)")},
+               0, motion());
+    // Of four images the first is where the ball itself is.
+    ASSERT_EQ(made.styles.size(), 4u);
+    for (csg::PartRule::Kind kind :
+         {csg::PartRule::Kind::Model, csg::PartRule::Kind::Depth, csg::PartRule::Kind::Color}) {
+        csg::PartRule rule;
+        rule.kind = kind;
+        ModelBuilder builder;
+        builder.divide(rule);
+        const auto model = builder.build(std::make_shared<const csg::Tree>(made.tree));
+        const std::vector<npr::PartStyle> styles = styles_of_glyphs(model->scene, made.styles);
+        ASSERT_EQ(styles.size(), 4u) << "each is a part";
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_EQ(styles[i].style->name, i < 3 ? "sketch" : "lines");
+            EXPECT_EQ(std::count(names.begin(), names.end(), styles[i].of.name), 0);
+            names.push_back(styles[i].of.name);
+        }
+        EXPECT_GT(styles[0].opacity, styles[1].opacity) << "the fainter the farther off";
+        EXPECT_GT(styles[1].opacity, styles[2].opacity);
+        EXPECT_EQ(styles[3].opacity, 1);
+        // The ball itself, and the plain ghosts, are drawn as the picture is.
+        std::size_t styled = 0;
+        for (const csg::Part& part : model->scene.parts) {
+            layers::PartLook look;
+            look.name = part.name;
+            for (const npr::PartStyle& style : styles) {
+                styled += npr::selects(style.of, look) ? 1 : 0;
+            }
+        }
+        EXPECT_EQ(styled, 4u);
+    }
+}
+
+TEST(Depiction, WhatCanBeDrawnIsDrawn) {
+    std::vector<std::string> problems;
+    const std::vector<Depiction> all{read_depiction("path {ball}"), read_depiction("path {bal}"),
+                                     read_depiction("rotation {ball}"), read_depiction("rotation {cube}")};
+    const Depicted made = depict_what_can({*tree_at(0), motion(), 0, {}, 1}, all, problems);
+    ASSERT_EQ(problems.size(), 4u);
+    EXPECT_EQ(problems[0], "");
+    EXPECT_NE(problems[1].find("Did you mean \"ball\"?"), std::string::npos);
+    EXPECT_NE(problems[2].find("does not turn"), std::string::npos);
+    EXPECT_EQ(problems[3], "");
+    ModelBuilder builder;
+    const auto built = builder.build(std::make_shared<const csg::Tree>(made.tree));
+    EXPECT_GT(built->scene.leaves.size(), 6u) << "dashes and an arc";
 }
 
 TEST(Depiction, RulesAreForBodiesByTheirNames) {

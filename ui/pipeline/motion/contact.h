@@ -19,9 +19,7 @@ struct Contact {
 
 /// Those of one body with others that `meant` names, and with what stands still where it names "" too, by time. Bodies
 /// are rigid, by their exact meshes, and led from sample to sample by their screws: a time is off by at most the
-/// motion's error over the speed at which they approach each other. Steps are as long as they cannot reach each other
-/// within (conservative advancement, Mirtich 1996), so that none is missed that begins with more than twice that error
-/// between them at a sample.
+/// motion's error over the speed at which they approach each other. Which contacts are found: see Approach.
 [[nodiscard]] std::vector<Contact> contacts_of(const Motion& motion, const MovingBody& body,
                                                const std::function<bool(const std::string& name)>& meant, double from,
                                                double to, const std::stop_token& stop = {});

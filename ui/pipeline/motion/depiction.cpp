@@ -9,6 +9,7 @@
 #include "csg/tree/additions.h"
 #include "ui/pipeline/motion/box_corners.h"
 #include "ui/pipeline/motion/character.h"
+#include "ui/pipeline/motion/course.h"
 #include "ui/pipeline/motion/techniques.h"
 #include "ui/pipeline/suggestion.h"
 
@@ -37,31 +38,41 @@ double size_of(const Motion& motion) {
 class Depicter {
   public:
     Depicter(const DepictionSource& source, const std::vector<Depiction>& all, const std::stop_token& stop)
-        : motion_(source.motion), all_(all), stop_(stop), stage_{source, size_of(source.motion), {}, {}, {}} {}
+        : motion_(source.motion),
+          all_(all),
+          stop_(stop),
+          stage_{source, size_of(source.motion), glm::dvec3(0), {}, {}, {}, {}} {}
 
     void add(const Depiction& d) {
         try {
-            if (d.technique == Technique::Camera) {
-                draw_camera(stage_, task(d));
-                return;
-            }
-            for (const MovingBody* body : bodies(d)) {
-                try {
-                    d.technique == Technique::Auto ? choose(d, *body) : draw(d, d.technique, *body);
-                } catch (const std::runtime_error&) {
-                    if (!d.rule) {
-                        throw;  // A rule is for many, of which some do something else.
-                    }
-                }
-            }
+            draw_all(d);
         } catch (const std::runtime_error& problem) {
             throw std::runtime_error(fmt::format("{}: {}", d.text, problem.what()));
         }
     }
 
+    /// Of each body that it names.
+    void draw_all(const Depiction& d) {
+        if (d.technique == Technique::Camera) {
+            draw_camera(stage_, task(d));
+            return;
+        }
+        const std::vector<const MovingBody*> all = bodies(d);
+        stage_.onward = all.size() > 1 ? onward(all, task(d)) : glm::dvec3(0);
+        for (const MovingBody* body : all) {
+            try {
+                d.technique == Technique::Auto ? choose(d, *body) : draw(d, d.technique, *body);
+            } catch (const std::runtime_error&) {
+                if (!d.rule) {
+                    throw;  // A rule is for many, of which some do something else.
+                }
+            }
+        }
+    }
+
     Depicted finish() {
         return {csg::with_additions(stage_.source.model, stage_.additions), std::move(stage_.bubbles),
-                std::move(stage_.frames)};
+                std::move(stage_.frames), std::move(stage_.styles)};
     }
 
   private:
@@ -77,8 +88,8 @@ class Depicter {
         if (found.empty() && !d.rule) {
             throw std::runtime_error(
                 motion_.bodies.empty() ? "nothing moves while $t runs"
-                                       : fmt::format("nothing that moves is called {}{}", d.part,
-                                                     suggestion(d.part, names, "; csgscope motion lists what does.")));
+                                       : fmt::format("nothing that moves is called {}.{}", d.part,
+                                                     suggestion(d.part, names, " csgscope motion lists what does.")));
         }
         return found;
     }
@@ -88,6 +99,22 @@ class Depicter {
         return d.rule && d.part == "*" && std::any_of(all_.begin(), all_.end(), [&](const Depiction& other) {
                    return other.rule && other.part != "*" && names_body(other.part, body.name);
                });
+    }
+
+    /// The mean velocity of their middles, by the sizes of their boxes.
+    [[nodiscard]] glm::dvec3 onward(const std::vector<const MovingBody*>& all, const DepictionTask& task) const {
+        glm::dvec3 sum(0.0);
+        double weight = 0;
+        for (const MovingBody* body : all) {
+            const Course course(motion_, *body);
+            const auto first = course.at(task.from), last = course.at(task.to);
+            if (first && last && task.from < task.to) {
+                const glm::dvec4 middle(middle_of(*body), 1);
+                sum += body->box.diagonal() * glm::dvec3(*last * middle - *first * middle) / (task.to - task.from);
+                weight += body->box.diagonal();
+            }
+        }
+        return weight > 0 ? sum / weight : sum;
     }
 
     void choose(const Depiction& d, const MovingBody& body) {
@@ -169,6 +196,35 @@ Depicted depict(const DepictionSource& source, const std::vector<Depiction>& dep
         depicter.add(d);
     }
     return depicter.finish();
+}
+
+Depicted depict_what_can(const DepictionSource& source, const std::vector<Depiction>& depictions,
+                         std::vector<std::string>& problems, const std::stop_token& stop) {
+    Depicter depicter(source, depictions, stop);
+    problems.clear();
+    for (const Depiction& d : depictions) {
+        std::string& problem = problems.emplace_back();
+        try {
+            depicter.draw_all(d);
+        } catch (const std::runtime_error& error) {
+            problem = error.what();
+        }
+    }
+    return depicter.finish();
+}
+
+std::vector<npr::PartStyle> styles_of_glyphs(const csg::Scene& scene, const std::vector<GlyphStyle>& glyphs) {
+    std::vector<npr::PartStyle> styles;
+    for (const GlyphStyle& glyph : glyphs) {
+        for (const csg::Part& part : scene.parts) {
+            if (part.color == glyph.color) {
+                npr::PartStyle& style = styles.emplace_back(glyph.drawn);
+                style.of.name = style.of.text = part.name;
+                style.of.exact = true;
+            }
+        }
+    }
+    return styles;
 }
 
 }  // namespace ui

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "csg/scad/builtin/color_names.h"
 #include "ui/pipeline/suggestion.h"
+#include "ui/pipeline/trimmed.h"
 
 namespace ui {
 
@@ -117,11 +119,7 @@ class Reader {
             }
         }
         at_ -= name.size();
-        std::vector<std::string> names;
-        names.reserve(kTechniques.size());
-        for (const auto& [known, technique] : kTechniques) {
-            names.push_back(known);
-        }
+        const std::vector<std::string> names = technique_names();
         fail(fmt::format("a technique: {}{}", fmt::join(names, ", "), suggestion(name, names)));
     }
     std::pair<double, double> times() {
@@ -168,12 +166,18 @@ class Reader {
             } else if (name == "text") {
                 expect_value();
                 d.say = quoted();
+            } else if (name == "style" && has_images(d.technique)) {
+                expect_value();
+                skip();
+                d.style_at = at_;
+                d.style = style();
             } else if (name == "with") {
                 expect_value();
                 d.with = quoted();
             } else {
                 at_ -= name.size();
-                fail("n=, squash=, width=, color=, text= or with=");
+                fail(fmt::format("n=, squash=, width=, color=, {}text= or with=",
+                                 has_images(d.technique) ? "style=, " : ""));
             }
         } while (take(','));
         if (!take(')')) {
@@ -196,20 +200,37 @@ class Reader {
         at_ = close + 1;
         return result;
     }
+    static bool has_images(Technique technique) {
+        return technique == Technique::Still || technique == Technique::Ghost || technique == Technique::Auto;
+    }
+    /// A name, or in quotes STYLE,PARAMETER=VALUE,….
+    std::string style() {
+        skip();
+        if (at_ < text_.size() && (text_[at_] == '"' || text_[at_] == '\'')) {
+            return quoted();
+        }
+        const std::size_t begin = at_;
+        while (at_ < text_.size() && (std::isalpha(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '-')) {
+            ++at_;
+        }
+        if (at_ == begin) {
+            fail("a style");
+        }
+        return text_.substr(begin, at_ - begin);
+    }
+    /// #rrggbb, or a name of color().
     csg::Rgba color() {
         skip();
-        if (at_ + 7 > text_.size() || text_[at_] != '#') {
-            fail("a color, #rrggbb");
+        std::size_t end = at_;
+        while (end < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[end])) != 0 || text_[end] == '#')) {
+            ++end;
         }
-        unsigned value = 0;
-        const char* const begin = text_.data() + at_ + 1;
-        const auto [end, error] = std::from_chars(begin, begin + 6, value, 16);
-        if (error != std::errc() || end != begin + 6) {
-            fail("a color, #rrggbb");
+        const auto found = csg::scad::find_color(std::string_view(text_).substr(at_, end - at_));
+        if (!found) {
+            fail("a color, #rrggbb or a name");
         }
-        at_ += 7;
-        const auto part = [&](unsigned shift) { return static_cast<float>(value >> shift & 255U) / 255.0F; };
-        return {part(16), part(8), part(0), 1};
+        at_ = end;
+        return {found->r, found->g, found->b, 1};
     }
 
     const std::string& text_;
@@ -236,11 +257,6 @@ bool matches(std::string_view pattern, std::string_view name) {
     return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 /// Where what is behind a # begins; not of a color, nor in a text.
 std::size_t end_of_rule(std::string_view line) {
     char quote = 0;
@@ -257,6 +273,15 @@ std::size_t end_of_rule(std::string_view line) {
 }
 
 }  // namespace
+
+std::vector<std::string> technique_names() {
+    std::vector<std::string> names;
+    names.reserve(kTechniques.size());
+    for (const auto& [known, technique] : kTechniques) {
+        names.push_back(known);
+    }
+    return names;
+}
 
 Depiction read_depiction(const std::string& text) {
     try {

@@ -33,13 +33,18 @@ struct Depiction {
     double squash = 0;  ///< Of still and ghost: by how much a body at its highest speed is stretched, its volume kept.
     std::optional<double> width;  ///< World units, of frames pixels: of arrows and lines; absent: by the model's size.
     std::optional<csg::Rgba> color;
-    std::string with = "*";  ///< Of collision: with what; as `part`.
-    std::string say;         ///< `text`: of bubbles, frames and stars.
-    std::string text;        ///< As it was written.
+    std::string with = "*";    ///< Of collision: with what; as `part`.
+    std::string say;           ///< `text`: of bubbles, frames and stars.
+    std::string style;         ///< Of still and ghost: STYLE,PARAMETER=VALUE,…; empty: that of the picture.
+    std::size_t style_at = 0;  ///< Where that is in the text.
+    std::string text;          ///< As it was written.
     /// One of a file of rules: it may name nothing, or what does not do what the technique shows; where its part is
     /// "*", it is for what no other rule names (section 7.9).
     bool rule = false;
 };
+
+/// As expressions name them.
+[[nodiscard]] std::vector<std::string> technique_names();
 
 /// Throws std::runtime_error, with the place and what was expected there, where it is none.
 [[nodiscard]] Depiction read_depiction(const std::string& text);

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "ui/pipeline/drawn_style.h"
 #include "ui/pipeline/motion/character.h"
 #include "ui/pipeline/motion/techniques.h"
 
@@ -38,6 +40,18 @@ glm::dmat4 squashed(const Motion& motion, const Course& course, double time, dou
 
 }  // namespace
 
+std::optional<npr::PartStyle> style_of(const Depiction& d) {
+    if (d.style.empty()) {
+        return std::nullopt;
+    }
+    try {
+        return read_drawn_style(d.style);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(
+            fmt::format("expected a style: {}\n  {}\n  {:>{}}", error.what(), d.text, '^', d.style_at + 1));
+    }
+}
+
 void draw_images(DepictionStage& stage, const DepictionTask& task, const Course& course, bool several) {
     const double from = task.from, to = task.to;
     const Depiction& d = task.what;
@@ -46,6 +60,7 @@ void draw_images(DepictionStage& stage, const DepictionTask& task, const Course&
         throw std::runtime_error(fmt::format("{} changes its shape, of which there are no images", body.name));
     }
     const int count = several && from < to ? d.count : 1;
+    const std::optional<npr::PartStyle> style = style_of(d);
     const double fastest = character_of(stage.source.motion, body).fastest;
     for (int i = 0; i < count; ++i) {
         const double time = count == 1 ? (several ? from : to) : from + (to - from) * i / (count - 1);
@@ -56,9 +71,17 @@ void draw_images(DepictionStage& stage, const DepictionTask& task, const Course&
             continue;
         }
         csg::Rgba color = d.color ? *d.color : body.color.given() ? body.color : kGhost;
-        if (several) {
-            const double span = std::max({std::abs(from - stage.source.now), std::abs(to - stage.source.now), 1e-300});
-            color.a = static_cast<float>(0.5 - 0.35 * std::abs(time - stage.source.now) / span);
+        const double span = std::max({std::abs(from - stage.source.now), std::abs(to - stage.source.now), 1e-300});
+        const double away = std::abs(time - stage.source.now) / span;
+        if (style) {
+            // A part of its own in any case, by a color that is seen through by next to nothing; it fades as a whole.
+            constexpr float kOwn = 0.996F, kStep = 1e-5F;
+            color.a = kOwn - kStep * static_cast<float>(stage.styles.size());
+            npr::PartStyle drawn = *style;
+            drawn.opacity = several ? static_cast<float>(0.9 - 0.65 * away) : 1;
+            stage.styles.push_back({color, std::move(drawn)});
+        } else if (several) {
+            color.a = static_cast<float>(0.5 - 0.35 * away);
         }
         const glm::dmat4 placed = *pose * body.to_world;
         const glm::dmat4 shown =

@@ -1,7 +1,9 @@
 #include "ui/pipeline/motion/rigid_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "ui/pipeline/inspection/triangle_distance.h"
@@ -53,6 +55,21 @@ std::vector<std::unique_ptr<const RigidMesh>> RigidMesh::pieces() const {
         result.push_back(std::make_unique<const RigidMesh>(std::move(points), std::move(triangles)));
     }
     return result;
+}
+
+/// Solid angles of triangles: van Oosterom and Strackee 1983.
+bool RigidMesh::holds(const glm::dvec3& point) const {
+    if (glm::any(glm::lessThan(point, box_.lo)) || glm::any(glm::greaterThan(point, box_.hi))) {
+        return false;
+    }
+    double angle = 0;
+    for (const glm::uvec3& t : triangles_) {
+        const glm::dvec3 a = points_[t.x] - point, b = points_[t.y] - point, c = points_[t.z] - point;
+        const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+        angle += 2 * std::atan2(glm::dot(a, glm::cross(b, c)),
+                                la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+    }
+    return std::abs(angle) > 2 * std::numbers::pi;
 }
 
 RigidMesh::Near RigidMesh::nearest(const RigidMesh& a, const glm::dmat4& motion_a, const RigidMesh& b,

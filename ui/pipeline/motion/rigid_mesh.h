@@ -23,6 +23,9 @@ class RigidMesh {
     /// What of it hangs together by common points.
     [[nodiscard]] std::vector<std::unique_ptr<const RigidMesh>> pieces() const;
 
+    /// Is the point (in its own coordinates) inside of it, by the winding number? Of no use on the surface.
+    [[nodiscard]] bool holds(const glm::dvec3& point) const;
+
     struct Near {
         double distance = 0;
         glm::dvec3 a{0.0}, b{0.0};  ///< World coordinates: the nearest points.

@@ -14,9 +14,12 @@ namespace ui {
 struct DepictionStage {
     const DepictionSource& source;
     double size = 0;  ///< World units: how far what moves reaches.
+    /// Per unit of $t: how the bodies of one depiction go together; 0 of one alone.
+    glm::dvec3 onward{0.0};
     std::vector<csg::Addition> additions;
     std::vector<BubbleRequest> bubbles;
     std::vector<FrameRequest> frames;
+    std::vector<GlyphStyle> styles;
 
     void add(csg::Polyhedron mesh, const csg::Rgba& color);
 };

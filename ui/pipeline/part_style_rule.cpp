@@ -1,7 +1,9 @@
-#include "ui/command_line/part_style_rule.h"
+#include "ui/pipeline/part_style_rule.h"
 
 #include <algorithm>
 #include <string_view>
+
+#include "ui/pipeline/trimmed.h"
 
 namespace ui {
 
@@ -11,9 +13,7 @@ constexpr std::string_view kOfColor = "color=", kOfModule = "module=";
 
 /// What stands before the colon, or the comma, without blanks.
 std::string_view selector(std::string_view text) {
-    text = text.substr(0, std::min(text.rfind(':'), text.find(',')));
-    const std::size_t first = text.find_first_not_of(' ');
-    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+    return trimmed(text.substr(0, std::min(text.rfind(':'), text.find(','))));
 }
 
 }  // namespace
