@@ -203,6 +203,28 @@ std::shared_ptr<const Annotations> Dynamics::annotations(const Document& documen
     return all->any() ? all : nullptr;
 }
 
+std::vector<std::string> Dynamics::options() const {
+    std::vector<std::string> all;
+    const auto add = [&](const char* option, const std::vector<std::string>& texts,
+                         const std::vector<std::string>& errors) {
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            if (i >= errors.size() || errors[i].empty()) {
+                all.insert(all.end(), {option, texts[i]});
+            }
+        }
+    };
+    add("--depict", texts_.depictions, errors_.depictions);
+    add("--label", texts_.annotations.labels, errors_.labels);
+    add("--arrow", texts_.annotations.arrows, errors_.arrows);
+    if (!texts_.rules_file.empty() && errors_.rules.empty()) {
+        all.insert(all.end(), {"--depict-rules", texts_.rules_file});
+    }
+    if (texts_.annotations.callouts) {
+        all.emplace_back("--callouts");
+    }
+    return all;
+}
+
 FrameRecord::Dynamics Dynamics::record() const {
     FrameRecord::Dynamics record;
     record.searches = searches_;

@@ -34,6 +34,9 @@ class Dynamics {
     void set(GlyphTexts texts);
     [[nodiscard]] const GlyphTexts& texts() const { return texts_; }
 
+    /// Those with which nothing is wrong, as options of the command line.
+    [[nodiscard]] std::vector<std::string> options() const;
+
     /// What is wrong with each text, by its place in texts(): with its form, its names, or what it asks to be drawn.
     struct Errors {
         std::vector<std::string> depictions, labels, arrows;

@@ -286,6 +286,8 @@ void WindowLoop::export_frames() {
     if (picture.camera.projection == base::Projection::Orthographic) {
         more.insert(more.end(), {"--projection", "o"});
     }
+    const std::vector<std::string> glyphs = session_.dynamics().options();
+    more.insert(more.end(), glyphs.begin(), glyphs.end());
     std::filesystem::path path = source.followed().empty() ? "frame.png" : source.path;
     path.replace_extension(".png");
     note_ = fmt::format("Exporting {} pictures…", session_.animation().steps());

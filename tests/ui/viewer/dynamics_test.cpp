@@ -136,6 +136,9 @@ TEST_F(DynamicsTest, WhatIsWrongIsToldWhereItIs) {
     EXPECT_EQ(errors.arrows[0], "expected two points or more, x,y,z:x,y,z");
     EXPECT_EQ(errors.arrows[1], "");
     ASSERT_NE(session_->annotations(), nullptr);
+    EXPECT_EQ(session_->dynamics().options(), (std::vector<std::string>{"--depict", "rotation {door}", "--label",
+                                                                        "frame=A frame", "--arrow", "0,0,0:1,2,3"}))
+        << "what frames are exported with";
     EXPECT_EQ(session_->annotations()->labels.size(), 1u) << "what is right is drawn";
     EXPECT_EQ(session_->annotations()->arrows.size(), 1u);
 }
