@@ -1,6 +1,8 @@
 #include "goldfeather/smooth_facets.h"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include "base/parallel.h"
 #include "csg/solid/corner_normals.h"
@@ -61,19 +63,9 @@ std::vector<FacetRow> rows_of(const csg::solid::PlacedLeaf& leaf, std::uint32_t 
     return rows;
 }
 
-}  // namespace
-
-layers::SmoothFacets smooth_facets(const csg::solid::Geometry& geometry) {
-    const glm::dvec3 center = local_frame(geometry).center;
-    std::vector<std::vector<FacetRow>> by_leaf(geometry.leaves.size());
-    base::for_each_index(static_cast<int>(by_leaf.size()), [&] {
-        return [&](int leaf) {
-            const auto i = static_cast<std::size_t>(leaf);
-            by_leaf[i] = rows_of(geometry.leaves[i], static_cast<std::uint32_t>(i), center);
-        };
-    });
+layers::SmoothFacets by_plane(const std::vector<std::vector<FacetRow>>& by_leaf, std::size_t planes) {
     layers::SmoothFacets smooth;
-    smooth.starts.assign(geometry.planes.planes().size() + 1, 0);
+    smooth.starts.assign(planes + 1, 0);
     for (const std::vector<FacetRow>& rows : by_leaf) {
         for (const FacetRow& row : rows) {
             ++smooth.starts[row.plane + 1];
@@ -84,13 +76,69 @@ layers::SmoothFacets smooth_facets(const csg::solid::Geometry& geometry) {
     }
     smooth.facets.resize(smooth.starts.back());
     std::vector<std::uint32_t> next(smooth.starts.begin(), smooth.starts.end() - 1);
-    for (std::vector<FacetRow>& rows : by_leaf) {
+    for (const std::vector<FacetRow>& rows : by_leaf) {
         for (const FacetRow& row : rows) {
             smooth.facets[next[row.plane]++] = row.facet;
         }
-        rows = {};
     }
     return smooth;
+}
+
+void find_rows(const csg::solid::Geometry& geometry, const std::vector<csg::LeafId>& leaves,
+               std::vector<std::vector<FacetRow>>& by_leaf) {
+    const glm::dvec3 center = local_frame(geometry).center;
+    base::for_each_index(static_cast<int>(leaves.size()), [&] {
+        return [&](int i) {
+            const csg::LeafId leaf = leaves[static_cast<std::size_t>(i)];
+            by_leaf[leaf] = rows_of(geometry.leaves[leaf], leaf, center);
+        };
+    });
+}
+
+std::vector<csg::LeafId> all_leaves(const csg::solid::Geometry& geometry) {
+    std::vector<csg::LeafId> all(geometry.leaves.size());
+    std::iota(all.begin(), all.end(), csg::LeafId{0});
+    return all;
+}
+
+}  // namespace
+
+layers::SmoothFacets smooth_facets(const csg::solid::Geometry& geometry) {
+    std::vector<std::vector<FacetRow>> by_leaf(geometry.leaves.size());
+    find_rows(geometry, all_leaves(geometry), by_leaf);
+    return by_plane(by_leaf, geometry.planes.planes().size());
+}
+
+struct SmoothFacetKeeper::Rows {
+    std::vector<std::vector<FacetRow>> by_leaf;  ///< Empty: not known.
+    std::vector<csg::LeafId> changed;
+};
+
+SmoothFacetKeeper::SmoothFacetKeeper() : rows_(std::make_unique<Rows>()) {}
+SmoothFacetKeeper::~SmoothFacetKeeper() = default;
+
+void SmoothFacetKeeper::forget() {
+    *rows_ = {};
+}
+
+void SmoothFacetKeeper::changed(const csg::solid::SceneChange& change) {
+    if (change.structure || change.center || change.all_planes) {
+        forget();
+        return;
+    }
+    rows_->changed.insert(rows_->changed.end(), change.leaves.begin(), change.leaves.end());
+}
+
+layers::SmoothFacets SmoothFacetKeeper::facets(const csg::solid::Geometry& geometry) {
+    if (rows_->by_leaf.size() != geometry.leaves.size()) {
+        rows_->by_leaf.resize(geometry.leaves.size());
+        rows_->changed = all_leaves(geometry);
+    }
+    std::sort(rows_->changed.begin(), rows_->changed.end());
+    rows_->changed.erase(std::unique(rows_->changed.begin(), rows_->changed.end()), rows_->changed.end());
+    find_rows(geometry, rows_->changed, rows_->by_leaf);
+    rows_->changed.clear();
+    return by_plane(rows_->by_leaf, geometry.planes.planes().size());
 }
 
 }  // namespace goldfeather

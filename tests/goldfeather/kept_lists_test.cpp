@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "goldfeather/lists_cpu/lists_cpu.h"
+#include "goldfeather/smooth_facets.h"
 #include "tests/goldfeather/edited_scene.h"
 #include "tests/random/build_model.h"
 
@@ -120,6 +121,37 @@ TEST(KeptLists, AreForgottenWithTheirStack) {
     EXPECT_ANY_THROW(kept.peel(model, view, 0, 1, second, ignored, stop.get_token()));
     kept.peel(model, view, 0, 1, second, ignored, {});
     EXPECT_EQ(first.counts, second.counts) << "what was stopped is done again";
+}
+
+TEST(SmoothFacetKeeper, HasThoseOfTheWholeScene) {
+    std::mt19937_64 random(3);
+    const auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    csg::solid::SolidCache cache;
+    Subject subject(plate(5), cache);
+    csg::solid::EditableScene scene(subject.scene, subject.geometry);
+    goldfeather::SmoothFacetKeeper keeper;
+    int kept = 0;
+    for (int step = 0; step < 60; ++step) {
+        const auto leaf = static_cast<csg::LeafId>(pick(subject.scene.leaves.size()));
+        const glm::dvec3 by(0.1 * static_cast<double>(pick(9)), 0.1 * static_cast<double>(pick(9)), 0);
+        scene.move(leaf, glm::translate(subject.scene.leaves[leaf].to_world, by));
+        const csg::solid::SceneChange change = scene.commit();
+        kept += change.all_planes || change.center ? 0 : 1;
+        keeper.changed(change);
+        if (step % 3 == 1) {
+            continue;  // Not every edit is drawn.
+        }
+        const layers::SmoothFacets now = keeper.facets(subject.geometry),
+                                   whole = goldfeather::smooth_facets(subject.geometry);
+        ASSERT_EQ(now.starts, whole.starts) << step;
+        ASSERT_EQ(now.facets.size(), whole.facets.size()) << step;
+        for (std::size_t i = 0; i < now.facets.size(); ++i) {
+            ASSERT_EQ(now.facets[i].first, whole.facets[i].first) << step;
+            ASSERT_EQ(now.facets[i].second, whole.facets[i].second) << step;
+            ASSERT_EQ(now.facets[i].normals, whole.facets[i].normals) << step;
+        }
+    }
+    EXPECT_GT(kept, 10);
 }
 
 }  // namespace

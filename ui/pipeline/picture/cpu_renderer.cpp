@@ -17,6 +17,8 @@ void CpuRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine
     scene_ = engines_.prepare({model.scene, model.geometry, model.products}, engine);
     engine_ = &engine;
     generation_ = model.generation;
+    edited_ = false;
+    facets_.forget();
 }
 
 void CpuRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
@@ -32,6 +34,8 @@ void CpuRenderer::update(const Model& model, const csg::solid::SceneChange& chan
     if (stack_.host) {
         stack_.host->table.reset();  // Nobody else holds the table then.
     }
+    edited_ = true;
+    facets_.changed(change);
     goldfeather::update(*table_, model.scene, model.geometry, change);
 }
 
@@ -49,7 +53,7 @@ void CpuRenderer::draw_sample(const Model& model, const npr::Picture& picture, c
     Stopwatch watch;
     hold(model, engine);
     if (npr::shades_smoothly(picture) && table_->smooth.starts.empty()) {
-        table_->smooth = goldfeather::smooth_facets(model.geometry);
+        table_->smooth = edited_ ? facets_.facets(model.geometry) : goldfeather::smooth_facets(model.geometry);
     }
     statistics_.upload_ms += watch.lap();
     const int layers = layers_to_peel(picture, model);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "goldfeather/engine_set.h"
+#include "goldfeather/smooth_facets.h"
 #include "layers/host_stack.h"
 #include "npr/painter/cpu_accumulate.h"
 #include "npr/part_painter.h"
@@ -57,7 +58,9 @@ class CpuRenderer {
     std::unique_ptr<goldfeather::PreparedScene> scene_;  ///< The same, for the engine that it is held for.
     const goldfeather::EngineInfo* engine_ = nullptr;
     std::uint64_t generation_ = 0;  ///< Of the model.
-    layers::Stack stack_;           ///< Of the last sample.
+    bool edited_ = false;           ///< It has been; then what it is shaded by is kept.
+    goldfeather::SmoothFacetKeeper facets_;
+    layers::Stack stack_;  ///< Of the last sample.
     npr::CpuAccumulator accumulator_;
     std::map<const npr::StyleInfo*, npr::Paint> styles_;  ///< Made when first used.
     layers::HostStack revealed_;
