@@ -59,11 +59,19 @@ layers::TextureStack Accumulator::draw_sample(Style& style, const Picture& pictu
     layers::TextureStack layers = subject.peel(view);
     Frame frame{wide, view, layers, sample_target_, stop};
     frame.mesh = subject.mesh;
+    frame.sample = static_cast<int>(sample);
     if (picture.transparency == Transparency::ViewDependent) {
         if (!shine_) {
             shine_.emplace(gl_);
         }
         frame.shine = &shine_->draw(frame);
+    }
+    if (subject.shadows && casts_shadows(picture)) {
+        if (!shadows_) {
+            shadows_.emplace(gl_);
+        }
+        shadows_->upload<ShadowBits>(subject.shadows(view), GL_DYNAMIC_DRAW);
+        frame.shadows = &*shadows_;
     }
     style.draw(frame);
     sum_target_.bind();

@@ -22,6 +22,7 @@ struct Subject {
     /// Its layers as seen from a view; called once per sample.
     std::function<layers::TextureStack(const base::View& view)> peel;
     const ColoredMesh* mesh = nullptr;  ///< Of the parts, for pictures that need it.
+    FindShadows shadows{};              ///< For pictures that need them; none: nothing lies in a shadow.
 };
 
 /// Draws pictures sample by sample and keeps their sum. One per context, reused; `gl` must outlive it.
@@ -55,9 +56,10 @@ class Accumulator {
     gl::VertexArray empty_array_;
     gl::Texture sample_, sum_, resolved_;
     gl::Framebuffer sample_target_, sum_target_, resolved_target_;
-    std::optional<ShineMap> shine_;  ///< Made when first needed.
-    int samples_ = 1;                ///< In the sum.
-    int guard_ = 0;                  ///< Of its pixels, at each side not shown.
+    std::optional<ShineMap> shine_;      ///< Made when first needed.
+    std::optional<gl::Buffer> shadows_;  ///< The same.
+    int samples_ = 1;                    ///< In the sum.
+    int guard_ = 0;                      ///< Of its pixels, at each side not shown.
 };
 
 }  // namespace npr

@@ -61,4 +61,11 @@ ShineRow shine_row(ivec2 pixel) {
     return shine_rows[pixel.y * picture_size().x + pixel.x];
 }
 
+// npr/cast_shadows.h
+layout(std430, binding = 14) readonly buffer ShadowRows { uint shadow_rows[]; };
+
+uint shadow_bits(ivec2 pixel) {
+    return shadow_rows[pixel.y * picture_size().x + pixel.x];
+}
+
 #include "npr/pixel.glsl"

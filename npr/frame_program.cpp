@@ -36,9 +36,11 @@ void FrameProgram::use(const Frame& frame) {
     media_.upload<MediumRow>(media.rows, GL_DYNAMIC_DRAW);
     media_.bind(GL_SHADER_STORAGE_BUFFER, 11);
     (frame.shine != nullptr ? *frame.shine : media_).bind(GL_SHADER_STORAGE_BUFFER, 16);
+    (frame.shadows != nullptr ? *frame.shadows : media_).bind(GL_SHADER_STORAGE_BUFFER, 14);
     FrameValues values =
         frame_values(frame.picture, frame.view, table.local_center, table.diagonal, frame.layers.layers);
     values.medium_unit = media.unit;
+    values.shadows_known = frame.shadows != nullptr;
     FrameValues::table().set_uniforms(program_, values);
     program_.use();
 }

@@ -41,7 +41,7 @@ const SettingsTable<FrameValues>& FrameValues::table() {
         setting<&FrameValues::transparency>(),    setting<&FrameValues::medium_unit>(),
         setting<&FrameValues::medium_light>(),    setting<&FrameValues::door_size>(),
         setting<&FrameValues::door_tilt>(),       setting<&FrameValues::gooch_shading>(),
-        setting<&FrameValues::back_faces>(),
+        setting<&FrameValues::back_faces>(),      setting<&FrameValues::shadows_known>(),
     };
     return all;
 }

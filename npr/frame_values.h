@@ -25,6 +25,7 @@ struct FrameValues {
     float door_size{};         ///< In screen-door: of a surface's samples, in pixels.
     bool door_tilt{};          ///< The same: tilted surfaces are more opaque.
     bool gooch_shading{};      ///< Cool to warm colors in place of light and dark.
+    bool shadows_known{};      ///< See npr/cast_shadows.h.
     bool back_faces{};         ///< Of what is seen through, faces away from the eye are seen as well.
 
     static const SettingsTable<FrameValues>& table();

@@ -9,6 +9,8 @@
 namespace npr {
 namespace {
 
+/// Among the groups: what a style keeps of one is of no use for another.
+constexpr std::size_t kGround = ~std::size_t{0};
 constexpr int kNoLayer = 1 << 30;  ///< As kNothingHides (npr/shine/shine_rules.glsl).
 
 /// What a pixel of a view-dependent picture shows, with the layers counted that are left of it.
@@ -30,6 +32,21 @@ ShineRow in_group(const ShineRow& row, const layers::HostStack& all, std::size_t
         if (group_of_part[all.table->leaves[s.leaf].part.x] == group) {
             mine.front = layer == row.front ? kept : mine.front;
             mine.last = layer == row.last ? kept : mine.last;
+            ++kept;
+        }
+    }
+    return mine;
+}
+
+/// The bits of the layers that are left of a pixel.
+ShadowBits bits_in_group(ShadowBits bits, const layers::HostStack& all, std::size_t pixel,
+                         std::span<const std::size_t> group_of_part, std::size_t group) {
+    ShadowBits mine = 0;
+    int kept = 0;
+    for (int layer = 0; layer < std::min(all.layers, kLayersInShadow) && bits >> layer != 0; ++layer) {
+        const glm::uvec2 ids = all.planes[static_cast<std::size_t>(layer)].surface[pixel];
+        if (group_of_part[all.table->leaves[layers::decode(1, ids).leaf].part.x] == group) {
+            mine |= (bits >> layer & 1U) << kept;
             ++kept;
         }
     }
@@ -81,12 +98,18 @@ void PartNotes::paint_group(const CpuFrame& frame, std::size_t number, std::span
     for (std::size_t pixel = 0; pixel < frame.shine.size(); ++pixel) {
         mine.shine.push_back(in_group(frame.shine[pixel], frame.layers, pixel, group_of_part, number));
     }
+    mine.shadows.clear();
+    for (std::size_t pixel = 0; pixel < frame.shadows.size(); ++pixel) {
+        mine.shadows.push_back(bits_in_group(frame.shadows[pixel], frame.layers, pixel, group_of_part, number));
+    }
     mine.notes.resize(static_cast<std::size_t>(Tiles(mine.stack).count()));
     for (TileNotes& tile : mine.notes) {
         tile.clear();
     }
     CpuFrame own{picture, frame.view, mine.stack, {}, frame.stop};
+    own.sample = frame.sample;
     own.shine = mine.shine;
+    own.shadows = mine.shadows;
     own.notes = &mine.notes;
     mine.paint(own);
     if (const float opacity = number > 0 ? frame.picture.part_styles[number - 1].opacity : 1; opacity < 1) {
@@ -106,7 +129,9 @@ void PartNotes::paint_ground(const CpuFrame& frame) {
     empty_.complete = true;
     empty_.table = frame.layers.table;
     ground_.assign(frame.sum.size(), glm::vec4(0));
-    group(0, picture).paint({picture, frame.view, empty_, ground_, frame.stop});
+    CpuFrame bare{picture, frame.view, empty_, ground_, frame.stop};
+    bare.sample = frame.sample;
+    group(kGround, picture).paint(bare);
 }
 
 void PartNotes::read(int tile, std::size_t in_tile, std::vector<std::span<const Note>>& notes) const {

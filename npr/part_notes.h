@@ -30,6 +30,7 @@ class PartNotes {
         Paint paint;
         layers::HostStack stack;
         std::vector<ShineRow> shine;
+        std::vector<ShadowBits> shadows;
         LayerNotes notes;
     };
     Group& group(std::size_t number, const Picture& picture);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string_view>
 #include <vector>
 
 #include "base/camera.h"
@@ -55,6 +56,9 @@ struct Picture {
     /// Whether both ask for the same pixels.
     bool operator==(const Picture&) const = default;
 };
+
+/// Is a toggle of that label on, in the style of the picture or of one of its parts?
+[[nodiscard]] bool has_on(const Picture& picture, std::string_view label);
 
 /// The default style in the default color scheme.
 [[nodiscard]] Picture default_picture();

@@ -14,7 +14,9 @@ Frame::Frame(const CpuFrame& frame)
       smooth_facets(frame.layers.table->smooth.facets.data()),
       size(frame.layers.size),
       srgb(&SrgbTables::get()),
-      shine(frame.shine) {
+      shine(frame.shine),
+      shadows(frame.shadows) {
+    shadows_known = !shadows.empty();
     MediumTable media = media_of(frame.picture, frame.layers.table->parts, frame.layers.table->diagonal);
     medium_unit = media.unit;
     medium_rows = std::move(media.rows);

@@ -34,8 +34,9 @@ struct Frame : FrameValues, LineCode {
     std::vector<const uvec2*> surfaces;  ///< By layer, then by pixel.
     std::vector<const float*> depths;
     const SrgbTables* srgb;
-    std::vector<MediumRow> medium_rows;  ///< By part.
-    std::span<const ShineRow> shine;     ///< By pixel.
+    std::vector<MediumRow> medium_rows;   ///< By part.
+    std::span<const ShineRow> shine;      ///< By pixel.
+    std::span<const ShadowBits> shadows;  ///< By pixel.
 
 #include "gl/view_distance.glsl"
 #include "layers/surface.glsl"
@@ -75,6 +76,9 @@ struct Frame : FrameValues, LineCode {
     }
     [[nodiscard]] ShineRow shine_row(ivec2 p) const {
         return shine.empty() ? ShineRow{-1, 1 << 30, 1 << 30, 1, 0, 0} : shine[index(p)];
+    }
+    [[nodiscard]] uint shadow_bits(ivec2 p) const {
+        return shadows[index(p)];
     }
     [[nodiscard]] vec4 premultiplied(vec3 color, float alpha) const {
         return {srgb->linear(color.r) * alpha, srgb->linear(color.g) * alpha, srgb->linear(color.b) * alpha, alpha};

@@ -32,6 +32,19 @@ void Picture::draw_as(const StyleInfo& info) {
     parameters = Parameters(info.parameters);
 }
 
+bool has_on(const Picture& picture, std::string_view label) {
+    const auto on = [&](const Parameters& parameters) {
+        for (std::size_t i = 0; i < parameters.list().size(); ++i) {
+            if (parameters.list()[i].label == label) {
+                return std::get<bool>(parameters.at(i));
+            }
+        }
+        return false;
+    };
+    return on(picture.parameters) || std::any_of(picture.part_styles.begin(), picture.part_styles.end(),
+                                                 [&](const PartStyle& each) { return on(each.parameters); });
+}
+
 Picture default_picture() {
     Picture picture;
     picture.draw_as(styles().front());

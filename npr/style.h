@@ -23,8 +23,10 @@ struct Frame {
     /// Of the size of the stack, one RGBA32F attachment: linear light, premultiplied alpha. Undefined before.
     const gl::Framebuffer& target;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the target is undefined then.
-    const gl::Buffer* shine = nullptr;  ///< Of ShineRow (npr/shine/shine.h), in pictures that need them.
-    const ColoredMesh* mesh = nullptr;  ///< Of the parts, in pictures that need it.
+    const gl::Buffer* shine = nullptr;    ///< Of ShineRow (npr/shine/shine.h), in pictures that need them.
+    const ColoredMesh* mesh = nullptr;    ///< Of the parts, in pictures that need it.
+    int sample = 0;                       ///< Of the picture, from 0.
+    const gl::Buffer* shadows = nullptr;  ///< Of ShadowBits (npr/cast_shadows.h), in pictures that need them.
 };
 
 /// A way to draw layers. Made once per context, which must be current in every call and outlive the style.
@@ -35,7 +37,8 @@ class Style {
     Style& operator=(const Style&) = delete;
 
     /// Writes every pixel of the target. The same frame gives the same pixels; noise is anchored to pixels of the
-    /// picture, never to the sample's jitter. A stack with fewer or more layers than needed is drawn as it is.
+    /// picture or to what its first sample sees, never to the sample's jitter. A stack with fewer or more layers than
+    /// needed is drawn as it is.
     virtual void draw(const Frame& frame) = 0;
 
   protected:

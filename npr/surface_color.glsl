@@ -4,7 +4,7 @@
 #include "peel/composite.glsl"
 
 // Ambient light and two lights from opposite sides, fixed to the eye; flat, as the facets are.
-const vec3 kLightDirection = vec3(-0.57735027f, 0.57735027f, 0.57735027f);  // in the eye's coordinates
+#include "npr/light_direction.glsl"
 
 float light(vec3 normal) {
     return 0.2f + abs(dot(mat3(view.eye_from_world) * normal, kLightDirection));

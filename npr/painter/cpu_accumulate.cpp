@@ -21,10 +21,16 @@ void CpuAccumulator::paint_sample(const Paint& paint, const Picture& picture, st
     const base::View view = sample_view(wide, sample, subject.lo, subject.hi);
     CpuFrame frame{wide, view, subject.peel(view), sum_, stop};
     frame.mesh = subject.mesh;
+    frame.sample = static_cast<int>(sample);
     std::vector<ShineRow> shine;
     if (picture.transparency == Transparency::ViewDependent) {
         shine = find_shine(frame);
         frame.shine = shine;
+    }
+    std::vector<ShadowBits> shadows;
+    if (subject.shadows && casts_shadows(picture)) {
+        shadows = subject.shadows(view);
+        frame.shadows = shadows;
     }
     paint(frame);
 }

@@ -16,6 +16,7 @@ struct CpuSubject {
     /// Its layers as seen from a view, which must stand until the next call; called once per sample.
     std::function<const layers::HostStack&(const base::View& view)> peel;
     const ColoredMesh* mesh = nullptr;  ///< Of the parts, for pictures that need it.
+    FindShadows shadows{};              ///< For pictures that need them; none: nothing lies in a shadow.
 };
 
 /// Paints pictures sample by sample and keeps their sum.

@@ -8,6 +8,7 @@
 
 #include "base/camera.h"
 #include "layers/host_stack.h"
+#include "npr/cast_shadows.h"
 #include "npr/colored_mesh.h"
 #include "npr/painter/layer_notes.h"
 #include "npr/picture.h"
@@ -23,8 +24,10 @@ struct CpuFrame {
     /// By pixel, rows from bottom to top: linear light, premultiplied alpha. The sample is added to what is there.
     std::span<glm::vec4> sum;
     std::stop_token stop{};  ///< Where it is asked for, the style throws base::Stopped; the sum is undefined then.
-    std::span<const ShineRow> shine{};  ///< By pixel, in pictures that need them.
-    const ColoredMesh* mesh = nullptr;  ///< Of the parts, in pictures that need it.
+    std::span<const ShineRow> shine{};      ///< By pixel, in pictures that need them.
+    const ColoredMesh* mesh = nullptr;      ///< Of the parts, in pictures that need it.
+    int sample = 0;                         ///< Of the picture, from 0.
+    std::span<const ShadowBits> shadows{};  ///< By pixel, in pictures that need them.
     /// Null, or by tile what the style draws is to be noted, and nothing added to the sum.
     LayerNotes* notes = nullptr;
 };

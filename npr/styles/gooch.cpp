@@ -1,4 +1,5 @@
 // Technical illustration (Gooch et al. 1998; Nienhaus 2005, listing 3-2 and 4.6).
+#include "npr/cast_shadows.h"
 #include "npr/smooth_shading.h"
 #include "npr/styles/gooch_light.h"
 #include "npr/styles/two_inks.h"
@@ -10,6 +11,7 @@ struct Settings : VisibleLines, GoochLight {
     glm::vec3 inner_color{};
     glm::vec3 profile_color{};
     bool smooth_shading{};
+    bool cast_shadows{};
 
     static const SettingsTable<Settings>& table();
 };
@@ -29,6 +31,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::inner_color>(Parameter::color("inner-color", "Color of inner edges", {1, 1, 1})),
         setting<&Settings::profile_color>(Parameter::color("profile-color", "Color of profile edges", {0, 0, 0})),
         setting<&Settings::smooth_shading>(smooth_surfaces()),
+        setting<&Settings::cast_shadows>(shadows_cast(false)),
         setting<&Settings::section_share>(section_line_width()),
         setting<&Settings::halo>(line_halo()),
         setting<&Settings::taper>(line_taper()),

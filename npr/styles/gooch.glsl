@@ -1,6 +1,7 @@
 // Cool-to-warm shading for technical illustrations, with inner edges and profile edges in colors of their own (Gooch et
 // al. 1998; Nienhaus 2005, listing 3-2). Valid in shaders and, within a struct with the same names, in C++.
 
+#include "npr/shadow.glsl"
 #include "npr/smooth_normal.glsl"
 #include "npr/styles/gooch_light.glsl"
 
@@ -16,7 +17,7 @@ vec4 gooch(ivec2 pixel) {
         vec4 c = vec4(0.0f);
         if (s.hit) {
             vec4 base = seen_color(s);
-            c = hatched(vec4(gooch_color(vec3(base), rounded(s, pixel), direction), base.a), s.leaf, s.plane, pixel);
+            c = hatched(vec4(gooch_color(vec3(base), rounded(s, pixel), direction, in_shadow(pixel, seen.layer)), base.a), s.leaf, s.plane, pixel);
         }
         if (line_near(seen.layer) && !(s.hit && c.a == 0.0f && !bounds_medium(s))) {
             Edge edge = line_edge(seen.layer);

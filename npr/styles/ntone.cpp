@@ -1,4 +1,5 @@
 // Few tones (Nienhaus 2005, 4.6).
+#include "npr/cast_shadows.h"
 #include "npr/smooth_shading.h"
 #include "npr/styles/lined_style.h"
 
@@ -11,6 +12,7 @@ struct Settings : VisibleLines {
     float cue{};     ///< How much less saturated the far end is.
     glm::vec3 edge_color{};
     bool smooth_shading{};
+    bool cast_shadows{};
 
     static const SettingsTable<Settings>& table();
 };
@@ -27,6 +29,7 @@ const SettingsTable<Settings>& Settings::table() {
         setting<&Settings::cue>(Parameter::number("cue", "Less saturation of what is far", 0.8F, 0, 1)),
         setting<&Settings::edge_color>(Parameter::color("edge-color", "Color of edges", {0.08F, 0.07F, 0.07F})),
         setting<&Settings::smooth_shading>(smooth_surfaces()),
+        setting<&Settings::cast_shadows>(shadows_cast(true)),
         setting<&Settings::section_share>(section_line_width()),
         setting<&Settings::halo>(line_halo()),
         setting<&Settings::taper>(line_taper()),

@@ -1,12 +1,13 @@
-// n-tone shading with saturation as depth cue, as for illustrative city models (Nienhaus 2005, 4.8). Valid in shaders
+// n-tone shading with cast shadows and saturation as depth cue, as for illustrative city models (Nienhaus 2005, 4.8). Valid in shaders
 // and, within a struct with the same names, in C++.
 
+#include "npr/shadow.glsl"
 #include "npr/smooth_normal.glsl"
 #include "npr/styles/remoteness.glsl"
 
 // One of `steps` tints of the surface's color: by the angle to the light the darker ones are cooler, too.
-vec3 tint_of(vec3 base, Surface s) {
-    float facing = 0.5f * (dot(mat3(view.eye_from_world) * s.normal, kLightDirection) + 1.0f);
+vec3 tint_of(vec3 base, Surface s, bool shadowed) {
+    float facing = half_lit(0.5f * (dot(mat3(view.eye_from_world) * s.normal, kLightDirection) + 1.0f), shadowed);
     float tone = min(floor(facing * float(steps)), float(steps) - 1.0f) / float(steps - 1);
     return mix(shadow * base * vec3(0.82f, 0.88f, 1.0f), base, tone);
 }
@@ -28,7 +29,7 @@ vec4 ntone(ivec2 pixel) {
         if (s.hit)
             c = seen_color(s);
         if (c.a > 0.0f) {
-            vec3 tint = less_saturated(tint_of(vec3(c), rounded(s, pixel)), cue * remoteness(s));
+            vec3 tint = less_saturated(tint_of(vec3(c), rounded(s, pixel), in_shadow(pixel, seen.layer)), cue * remoteness(s));
             c = hatched(vec4(tint, c.a), s.leaf, s.plane, pixel);
         }
         if (line_near(seen.layer) && !(s.hit && c.a == 0.0f && !bounds_medium(s)))

@@ -15,7 +15,7 @@ vec4 tech(ivec2 pixel) {
         vec4 c = vec4(0.0f);
         if (s.hit) {
             vec4 base = base_color(s);
-            c = hatched(vec4(gooch_color(vec3(base), rounded(s, pixel), direction), base.a * opacity), s.leaf, s.plane, pixel);
+            c = hatched(vec4(gooch_color(vec3(base), rounded(s, pixel), direction, false), base.a * opacity), s.leaf, s.plane, pixel);
         }
         if (line_near(seen.layer))
             c = with_line(c, edge_color, strength * line_ink(seen.layer));

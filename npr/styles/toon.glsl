@@ -2,10 +2,13 @@
 // are smoothed as there, by blurring the map of tones. Valid in shaders and, within a struct with the same names, in
 // C++.
 
+#include "npr/shadow.glsl"
 #include "npr/smooth_normal.glsl"
 
 // Of the palette: 0 to steps - 1; `steps` where a highlight lightens the lightest.
-int toon_tone(Surface s, vec3 direction) {
+int toon_tone(Surface s, vec3 direction, bool shadowed) {
+    if (shadowed)
+        return 0;
     mat3 turn = mat3(view.eye_from_world);
     vec3 n = turn * s.normal;
     float mirrored = max(dot(reflect(kLightDirection, n), turn * direction), 0.0f);
@@ -38,12 +41,15 @@ vec3 toon_beside(ivec2 pixel, int layer, Surface s, vec3 base, vec3 own) {
         return own;
     vec3 ray = pixel_ray(pixel);
     Surface t = layer_surface(pixel, layer, ray);
-    return t.leaf == s.leaf && t.leaving == s.leaving ? toon_color(base, toon_tone(rounded(t, pixel), normalize(ray))) : own;
+    return t.leaf == s.leaf && t.leaving == s.leaving ? toon_color(base, toon_tone(rounded(t, pixel), normalize(ray), false)) : own;
 }
 
 vec3 toon_blurred(ivec2 pixel, int layer, Surface s, vec3 base, vec3 direction) {
     Surface lit = rounded(s, pixel);
-    vec3 own = toon_color(base, toon_tone(lit, direction));
+    bool shadowed = in_shadow(pixel, layer);
+    vec3 own = toon_color(base, toon_tone(lit, direction, shadowed));
+    if (shadowed)
+        return own;
     if (smooth_shading && !near_a_step(lit, direction))
         return own;
     vec3 sum = 4.0f * own;

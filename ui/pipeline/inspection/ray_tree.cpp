@@ -29,15 +29,14 @@ std::size_t halve(std::span<std::uint32_t> ids, std::span<const csg::Box> boxes)
 
 }  // namespace
 
-RayTree::Ray::Ray(const glm::dvec3& from, const glm::dvec3& direction, double length)
+RayTree::Ray::Ray(const csg::Box& from, const glm::dvec3& direction, double length)
     : most(std::nextafter(static_cast<float>(length), std::numeric_limits<float>::infinity())) {
     // Not infinite, so that a ray that lies just in a face of a box is between its faces.
     constexpr double kLeast = 1e-30;
     for (int axis = 0; axis < 3; ++axis) {
         const double d = direction[axis];
-        const double lost = kLost * std::abs(from[axis]);
-        below[static_cast<std::size_t>(axis)] = static_cast<float>(from[axis] - lost);
-        above[static_cast<std::size_t>(axis)] = static_cast<float>(from[axis] + lost);
+        below[static_cast<std::size_t>(axis)] = static_cast<float>(from.lo[axis] - kLost * std::abs(from.lo[axis]));
+        above[static_cast<std::size_t>(axis)] = static_cast<float>(from.hi[axis] + kLost * std::abs(from.hi[axis]));
         inverse[static_cast<std::size_t>(axis)] =
             static_cast<float>(1 / (std::abs(d) < kLeast ? std::copysign(kLeast, d) : d));
     }

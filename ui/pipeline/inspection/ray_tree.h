@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "csg/tree/box.h"
@@ -22,10 +23,15 @@ class RayTree {
     /// anything, but the same each time.
     template <typename Visit>
     void along(const glm::dvec3& origin, const glm::dvec3& direction, double most, Visit&& visit) const {
+        along(csg::Box{origin, origin}, direction, most, visit);
+    }
+    /// The same for all rays of that direction from points of a box. `visit` may give whether to go on.
+    template <typename Visit>
+    void along(const csg::Box& origins, const glm::dvec3& direction, double most, Visit&& visit) const {
         if (nodes_.empty()) {
             return;
         }
-        const Ray ray(origin, direction, most);
+        const Ray ray(origins, direction, most);
         std::array<std::uint32_t, kMostWaiting> waiting;
         std::size_t count = 0;
         waiting[count++] = 0;
@@ -34,7 +40,13 @@ class RayTree {
             for (unsigned met = meets(node, ray); met != 0; met &= met - 1) {
                 const std::uint32_t child = node.child[static_cast<std::size_t>(std::countr_zero(met))];
                 if ((child & kIsBox) != 0) {
-                    visit(child & ~kIsBox);
+                    if constexpr (std::is_same_v<decltype(visit(child)), bool>) {
+                        if (!visit(child & ~kIsBox)) {
+                            return;
+                        }
+                    } else {
+                        visit(child & ~kIsBox);
+                    }
                 } else {
                     waiting[count++] = child;
                 }
@@ -54,8 +66,8 @@ class RayTree {
         unsigned children = 0;  ///< A bit for each that is there.
     };
     struct Ray {
-        Ray(const glm::dvec3& from, const glm::dvec3& direction, double length);
-        std::array<float, 3> below, above, inverse;  ///< The origin lies between the first two.
+        Ray(const csg::Box& from, const glm::dvec3& direction, double length);
+        std::array<float, 3> below, above, inverse;  ///< All origins lie between the first two.
         float most;
     };
 

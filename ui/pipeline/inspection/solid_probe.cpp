@@ -172,6 +172,45 @@ void SolidProbe::crossings(const glm::dvec3& origin, const glm::dvec3& direction
     std::sort(out.begin(), out.end(), nearer);
 }
 
+void SolidProbe::crossings(const glm::dvec3& origin, const glm::dvec3& direction, std::span<const Face> faces,
+                           std::vector<Crossing>& out) const {
+    out.clear();
+    for (const Face& face : faces) {
+        const auto met = crossing(face.leaf, face.triangle, origin, direction, event_, kInfinity);
+        if (met && met->t > event_) {
+            out.push_back(*met);
+        }
+    }
+    std::sort(out.begin(), out.end(), nearer);
+}
+
+bool PartRay::passes(std::span<const char> parts, const glm::dvec3& origin, const glm::dvec3& direction) {
+    probe_.crossings(origin, direction, kInfinity, crossings_);
+    return passes_one(parts);
+}
+
+bool PartRay::passes(std::span<const char> parts, const glm::dvec3& origin, const glm::dvec3& direction,
+                     std::span<const SolidProbe::Face> faces) {
+    probe_.crossings(origin, direction, faces, crossings_);
+    return passes_one(parts);
+}
+
+bool PartRay::passes_one(std::span<const char> parts) {
+    covers_.clear();
+    for (std::size_t end = crossings_.size(), begin = end; end > 0; end = begin) {
+        for (; begin > 0 && crossings_[begin - 1].t >= crossings_[end - 1].t - probe_.event(); --begin) {
+            pass(covers_, crossings_[begin - 1].leaf, -crossings_[begin - 1].step);
+        }
+        if (!covers_.empty()) {
+            const std::vector<csg::PartId>& in = at(covers_).parts();
+            if (std::any_of(in.begin(), in.end(), [&](csg::PartId part) { return parts[part] != 0; })) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 const PointValues& PartRay::at(const Covers& covers) {
     probe_.inside(covers, inside_);
     values_.go(inside_);

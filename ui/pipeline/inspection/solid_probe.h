@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -64,6 +65,33 @@ class SolidProbe {
     void crossings(const glm::dvec3& origin, const glm::dvec3& direction, double most,
                    std::vector<Crossing>& out) const;
 
+    /// A triangle of a leaf.
+    struct Face {
+        csg::LeafId leaf = 0;
+        std::uint32_t triangle = 0;
+    };
+    /// For many rays of one direction from points of a box: all faces that they may meet and that `keep`(face) is true
+    /// of. False where they are more than `most`; `out` holds some of them then.
+    template <typename Keep>
+    [[nodiscard]] bool faces_along(const csg::Box& origins, const glm::dvec3& direction, std::size_t most,
+                                   const Keep& keep, std::vector<Face>& out) const {
+        out.clear();
+        leaf_rays_.along(origins, direction, std::numeric_limits<double>::infinity(), [&](std::uint32_t leaf) {
+            triangles_[leaf].along(origins, direction, std::numeric_limits<double>::infinity(),
+                                   [&](std::uint32_t triangle) {
+                                       if (keep(Face{leaf, triangle})) {
+                                           out.push_back({leaf, triangle});
+                                       }
+                                       return out.size() <= most;
+                                   });
+            return out.size() <= most;
+        });
+        return out.size() <= most;
+    }
+    /// As crossings(), of these faces alone.
+    void crossings(const glm::dvec3& origin, const glm::dvec3& direction, std::span<const Face> faces,
+                   std::vector<Crossing>& out) const;
+
     /// Outwards of the leaf, of length 1.
     [[nodiscard]] glm::dvec3 normal(csg::LeafId leaf, std::uint32_t triangle) const;
     [[nodiscard]] bool holds(const Cover& cover) const;
@@ -109,10 +137,18 @@ class PartRay {
     /// Where a ray from a point that is not in `part` enters it.
     [[nodiscard]] std::optional<Hit> enter(csg::PartId part, const glm::dvec3& origin, const glm::dvec3& direction,
                                            const Covers& covers, double most);
+    /// Does a ray come through one of the `parts` (by part: 1 of those), farther than event() from its origin? It is
+    /// followed from its far end, so that nobody need know what holds the origin.
+    [[nodiscard]] bool passes(std::span<const char> parts, const glm::dvec3& origin, const glm::dvec3& direction);
+    /// The same where it can meet these faces only.
+    [[nodiscard]] bool passes(std::span<const char> parts, const glm::dvec3& origin, const glm::dvec3& direction,
+                              std::span<const SolidProbe::Face> faces);
     /// Goes to the point that these hold.
     const PointValues& at(const Covers& covers);
 
   private:
+    /// Of what crossings_ holds.
+    [[nodiscard]] bool passes_one(std::span<const char> parts);
     template <typename Until>
     std::optional<Hit> walk(const glm::dvec3& origin, const glm::dvec3& direction, const Covers& covers, double most,
                             const Until& until);

@@ -24,6 +24,7 @@ void CpuRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine
 void CpuRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
     sorted_.reset();
     meshes_.forget();
+    shadows_.forget();
     if (!scene_ || generation_ != model.generation) {
         return;
     }
@@ -104,15 +105,19 @@ void CpuRenderer::paint_sample(const Model& model, const npr::Picture& picture, 
                                const std::function<const layers::HostStack&(const base::View&)>& peel,
                                const std::stop_token& stop) {
     Stopwatch watch;
-    const npr::CpuSubject subject{model.geometry.box.lo, model.geometry.box.hi,
-                                  [&](const base::View& view) -> const layers::HostStack& {
-                                      statistics_.style_ms += watch.lap();
-                                      const layers::HostStack& stack = peel(view);
-                                      statistics_.peel_ms += watch.lap();
-                                      ++statistics_.samples;
-                                      return picture.reveal.empty() ? stack : reveal(picture, stack, sample);
-                                  },
-                                  npr::shines_by_vertex(picture) ? &meshes_.of(model, picture.scheme, stop) : nullptr};
+    const layers::HostStack* drawn = nullptr;
+    const npr::CpuSubject subject{
+        model.geometry.box.lo, model.geometry.box.hi,
+        [&](const base::View& view) -> const layers::HostStack& {
+            statistics_.style_ms += watch.lap();
+            const layers::HostStack& stack = peel(view);
+            statistics_.peel_ms += watch.lap();
+            ++statistics_.samples;
+            drawn = picture.reveal.empty() ? &stack : &reveal(picture, stack, sample);
+            return *drawn;
+        },
+        npr::shines_by_vertex(picture) ? &meshes_.of(model, picture.scheme, stop) : nullptr,
+        [&](const base::View& view) { return shadows_.of(model).shadows(view, *drawn, stop); }};
     const auto in_parts = [&](const npr::CpuFrame& frame) { parts_(frame); };
     accumulator_.paint_sample(picture.part_styles.empty() ? paint(*picture.style) : npr::Paint(in_parts), picture,
                               static_cast<std::size_t>(sample), subject, stop);
@@ -132,6 +137,7 @@ void CpuRenderer::draw_sorted(const Model& model, const npr::Picture& picture, i
     }
     const bool styled = sorts_layers(picture);
     const layers::HostStack none;  // It is not looked at.
+    const layers::HostStack* drawn = &none;
     accumulator_.paint_sample(
         [&](const npr::CpuFrame& frame) {
             styled ? sorted_->paint_styled(frame, sample == 0) : sorted_->paint(frame, sample == 0);
@@ -143,8 +149,10 @@ void CpuRenderer::draw_sorted(const Model& model, const npr::Picture& picture, i
                  return none;
              }
              const layers::HostStack& all = sorted_->layers(view, sorted_table_);
-             return picture.reveal.empty() ? all : reveal(picture, all, sample);
-         }},
+             drawn = picture.reveal.empty() ? &all : &reveal(picture, all, sample);
+             return *drawn;
+         },
+         nullptr, [&](const base::View& view) { return shadows_.of(model).shadows(view, *drawn, stop); }},
         stop);
     ++statistics_.samples;
     statistics_.sorts = sorted_->counts();

@@ -13,6 +13,7 @@
 #include "npr/part_painter.h"
 #include "npr/sorted/sorted_painter.h"
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/pipeline/picture/shadow_caster.h"
 #include "ui/pipeline/picture/sorted_mesh.h"
 #include "ui/pipeline/statistics.h"
 
@@ -66,6 +67,7 @@ class CpuRenderer {
     layers::HostStack revealed_;
     npr::PartPainter parts_;
     PartMeshes meshes_;
+    ShadowCasters shadows_;
     std::unique_ptr<npr::SortedPainter> sorted_;  ///< Of the model and scheme in its last picture; null before.
     std::uint64_t sorted_generation_ = 0;
     npr::ColorScheme sorted_scheme_;

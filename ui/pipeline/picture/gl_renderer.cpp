@@ -33,6 +33,7 @@ void GlRenderer::hold(const Model& model, const goldfeather::EngineInfo& engine)
 
 void GlRenderer::update(const Model& model, const csg::solid::SceneChange& change) {
     meshes_.forget();
+    shadows_.forget();
     if (!scene_ || generation_ != model.generation) {
         return;
     }
@@ -54,8 +55,12 @@ void GlRenderer::update(const Model& model, const csg::solid::SceneChange& chang
 }
 
 layers::TextureStack GlRenderer::peel(const base::View& view, int max_layers, goldfeather::WalkStats& stats,
-                                      const std::stop_token& stop) {
-    layers::TextureStack stack = upload_.textures(scene_->draw(view, max_layers, stats, stop));
+                                      const std::stop_token& stop, std::shared_ptr<const layers::HostStack>* copy) {
+    const layers::Stack drawn = scene_->draw(view, max_layers, stats, stop);
+    if (copy != nullptr) {
+        *copy = layers::in_main_memory(gl_, drawn);
+    }
+    layers::TextureStack stack = upload_.textures(drawn);
     stack.table = table_;
     return stack;
 }
@@ -85,16 +90,19 @@ void GlRenderer::draw_sample(const Model& model, const npr::Picture& picture, co
     statistics_.upload_ms += held ? 0 : upload;
 
     const int layers = layers_to_peel(picture, model);
+    std::shared_ptr<const layers::HostStack> drawn;  // Where shadows are asked for.
     const npr::Subject subject{model.geometry.box.lo, model.geometry.box.hi,
                                [&](const base::View& view) {
                                    (void)watch.lap();
-                                   layers::TextureStack stack = peel(view, layers, statistics_.walk, stop);
+                                   layers::TextureStack stack = peel(view, layers, statistics_.walk, stop,
+                                                                     npr::casts_shadows(picture) ? &drawn : nullptr);
                                    gl_.Finish();
                                    statistics_.peel_ms += watch.lap();
                                    ++statistics_.samples;
                                    return stack;
                                },
-                               npr::shines_by_vertex(picture) ? &meshes_.of(model, picture.scheme, stop) : nullptr};
+                               npr::shines_by_vertex(picture) ? &meshes_.of(model, picture.scheme, stop) : nullptr,
+                               [&](const base::View& view) { return shadows_.of(model).shadows(view, *drawn, stop); }};
     upload_.give_back(accumulator_.draw_sample(style, picture, static_cast<std::size_t>(sample), subject, stop));
     gl_.Finish();
     statistics_.style_ms += watch.lap();

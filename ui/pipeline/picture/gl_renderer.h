@@ -16,6 +16,7 @@
 #include "npr/style.h"
 #include "ui/pipeline/model.h"
 #include "ui/pipeline/picture/picture_request.h"
+#include "ui/pipeline/picture/shadow_caster.h"
 #include "ui/pipeline/picture/sorted_mesh.h"
 #include "ui/pipeline/statistics.h"
 
@@ -45,9 +46,11 @@ class GlRenderer {
   private:
     [[nodiscard]] bool holds(const Model& model, const goldfeather::EngineInfo& engine) const;
     void hold(const Model& model, const goldfeather::EngineInfo& engine);
-    /// The first `max_layers` surfaces of the model that is held.
+    /// The first `max_layers` surfaces of the model that is held. `copy`: null, or where they are wanted in main
+    /// memory, too.
     [[nodiscard]] layers::TextureStack peel(const base::View& view, int max_layers, goldfeather::WalkStats& stats,
-                                            const std::stop_token& stop = {});
+                                            const std::stop_token& stop,
+                                            std::shared_ptr<const layers::HostStack>* copy);
     npr::Style& style(const npr::StyleInfo& info);
 
     const gl::Functions& gl_;
@@ -61,6 +64,7 @@ class GlRenderer {
     const goldfeather::EngineInfo* engine_ = nullptr;
     std::uint64_t generation_ = 0;  ///< Of the model.
     PartMeshes meshes_;
+    ShadowCasters shadows_;
     PictureStatistics statistics_;
 };
 
