@@ -86,6 +86,14 @@ HostStack read_back(const gl::Functions& gl, const TextureStack& stack) {
     return host;
 }
 
+std::vector<float> first_depths(const gl::Functions& gl, const TextureStack& stack) {
+    std::vector<float> depths(static_cast<std::size_t>(stack.size.x) * static_cast<std::size_t>(stack.size.y));
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl.GetTextureSubImage(stack.depth.id(), 0, 0, 0, 0, stack.size.x, stack.size.y, 1, GL_RED, GL_FLOAT,
+                          static_cast<GLsizei>(depths.size() * sizeof(float)), depths.data());
+    return depths;
+}
+
 std::shared_ptr<const HostStack> in_main_memory(const gl::Functions& gl, const Stack& stack) {
     return stack.host ? stack.host : std::make_shared<const HostStack>(read_back(gl, *stack.textures));
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "gl/objects.h"
 #include "gl/shader_file.h"
@@ -44,6 +45,9 @@ void grow(const gl::Functions& gl, TextureStack& stack, int layers);
 
 /// Waits for the GPU and copies all but the table.
 [[nodiscard]] HostStack read_back(const gl::Functions& gl, const TextureStack& stack);
+
+/// The same of the depths of the first layer, by pixel.
+[[nodiscard]] std::vector<float> first_depths(const gl::Functions& gl, const TextureStack& stack);
 
 /// The stack itself, where it is in main memory, or a copy.
 [[nodiscard]] std::shared_ptr<const HostStack> in_main_memory(const gl::Functions& gl, const Stack& stack);

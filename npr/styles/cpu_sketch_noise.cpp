@@ -11,7 +11,15 @@ namespace {
 using namespace glm;  // As shader files do.
 
 struct NoisePixels : shader::Frame, SketchSettings {
-    NoisePixels(const CpuFrame& frame, const SketchSettings& settings) : Frame(frame), SketchSettings(settings) {}
+    NoisePixels(const CpuFrame& frame, const SketchSettings& settings, const Relief& relief)
+        : Frame(frame), SketchSettings(settings), relief_cell(relief.cell), relief_(relief) {}
+
+    float relief_cell;
+    [[nodiscard]] ivec2 relief_size() const { return relief_.size; }
+    [[nodiscard]] float relief_distance(ivec2 cell) const {
+        return relief_.distances[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(relief_.size.x) +
+                                 static_cast<std::size_t>(cell.x)];
+    }
 
 #include "npr/styles/noise.glsl"
 
@@ -36,6 +44,7 @@ struct NoisePixels : shader::Frame, SketchSettings {
         vec3 low{0};  ///< Corner of the cell.
         Gradients gradients;
     };
+    const Relief& relief_;
     std::array<Lattice, 8> lattices{};  ///< By what npr/styles/sketch_noise.glsl adds to eight times the seed.
 };
 
@@ -43,20 +52,22 @@ struct NoisePixels : shader::Frame, SketchSettings {
 
 void CpuSketchNoise::draw(const CpuFrame& frame, const SketchSettings& settings) {
     const ivec2 size = frame.layers.size;
-    const NoiseKey key =
-        noise_key(settings, size, frame.picture.guard,
-                  {frame.view.camera(), frame.layers.table->local_center, frame.layers.table->diagonal});
-    if (key_ == key) {
+    const NoiseKey key = noise_key(settings, size, frame.picture.guard);
+    if (key_ == key && (frame.sample > 0 || !settings.on_model)) {
         return;
     }
     key_.reset();
+    const layers::SurfaceTable& table = *frame.layers.table;
+    const Relief relief = settings.on_model ? sketch_relief(frame.view, frame.layers.planes.front().depth, settings,
+                                                            table.local_center, table.diagonal)
+                                            : Relief();
     const auto width = static_cast<std::size_t>(size.x), pixels = width * static_cast<std::size_t>(size.y);
     strokes_.resize(pixels);
     grain_.resize(pixels);
     base::for_each_index(
         size.y,
         [&] {
-            return [&, rules = NoisePixels(frame, settings)](int y) mutable {
+            return [&, rules = NoisePixels(frame, settings, relief)](int y) mutable {
                 const std::size_t row = static_cast<std::size_t>(y) * width;
                 for (int x = 0; x < size.x; ++x) {
                     strokes_[row + static_cast<std::size_t>(x)] = rules.sketch_noise({x, y});

@@ -9,7 +9,8 @@
 
 namespace npr {
 
-/// The noise of a picture, kept while it stays the same.
+/// The noise of a picture, kept while it stays the same: on the model for all of its samples, else for as long as no
+/// other is asked for.
 class CpuSketchNoise {
   public:
     void draw(const CpuFrame& frame, const SketchSettings& settings);

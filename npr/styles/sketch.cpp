@@ -12,21 +12,20 @@
 namespace npr {
 namespace {
 
-/// The noise of a picture, kept while it stays the same.
+/// As CpuSketchNoise.
 class Noise {
   public:
     Noise(const gl::Functions& gl, const Hand& hand)
-        : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag", {hand.table->declarations()}), target_(gl) {}
+        : gl_(gl), pass_(gl, "npr/styles/sketch_noise.frag", {hand.table->declarations()}), target_(gl), relief_(gl) {}
 
     void draw(const Frame& frame, const SketchSettings& settings) {
-        const auto& tables = *frame.layers.table;
-        const NoiseKey key = noise_key(settings, frame.layers.size, frame.picture.guard,
-                                       {frame.view.camera(), tables.local_center, tables.diagonal});
+        const NoiseKey key = noise_key(settings, frame.layers.size, frame.picture.guard);
         if (!(texture_ && texture_.size() == key.size)) {
             texture_ = gl::Texture::make_2d(gl_, GL_RGBA32F, key.size);
         }
-        if (!(key_ && *key_ == key)) {
+        if (!(key_ && *key_ == key && (frame.sample > 0 || !settings.on_model))) {
             target_.attach({&texture_});
+            lay_out(frame, settings);
             SketchSettings::table().set_uniforms(pass_.program(), settings);
             pass_.draw(frame, target_);
             key_ = key;
@@ -35,9 +34,21 @@ class Noise {
     }
 
   private:
+    void lay_out(const Frame& frame, const SketchSettings& settings) {
+        const auto& tables = *frame.layers.table;
+        const Relief relief = settings.on_model ? sketch_relief(frame.view, layers::first_depths(gl_, frame.layers),
+                                                                settings, tables.local_center, tables.diagonal)
+                                                : Relief();
+        relief_.upload<float>(relief.distances, GL_DYNAMIC_DRAW);
+        relief_.bind(GL_SHADER_STORAGE_BUFFER, 15);
+        pass_.program().set("relief_cell", relief.cell);
+        pass_.program().set("relief_cells", relief.size);
+    }
+
     const gl::Functions& gl_;
     StylePass pass_;
     gl::Framebuffer target_;
+    gl::Buffer relief_;    ///< Relief::distances.
     gl::Texture texture_;  ///< RGBA32F.
     std::optional<NoiseKey> key_;
 };

@@ -2,6 +2,18 @@
 #include "npr/styles/noise.glsl"
 #include "npr/settings.glsl"
 
+uniform float relief_cell;
+uniform ivec2 relief_cells;
+layout(std430, binding = 15) readonly buffer ReliefRows { float relief_rows[]; };
+
+ivec2 relief_size() {
+    return relief_cells;
+}
+
+float relief_distance(ivec2 cell) {
+    return relief_rows[cell.y * relief_cells.x + cell.x];
+}
+
 out vec4 result;
 
 // Smooth, about -1 to 1, mean 0; features about 1 apart.

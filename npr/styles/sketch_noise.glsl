@@ -1,26 +1,18 @@
 // The noise of a sketch, the same for all samples and all layers of a picture. Valid in shaders and, within a struct
 // with the same names, in C++.
 
-const float kDome = 0.28f;  // its radius, of the diagonal of the scene
+#include "npr/styles/relief.glsl"
 
-// Where the noise of a pixel is taken from: its place in the picture, in 512ths of the height, or on the plane through
-// the scene: half of a ball about its middle that faces the eye, with a soft rim, flat outside. The model's surfaces move about as the dome does
-// when it is turned, shifted or zoomed (6.7), and the noise is as smooth outside the model as within.
+// Where the noise of a pixel is taken from: its place in the picture, in 512ths of the height, or, turned to the model's
+// own axes, that on a smooth sheet over what the picture sees (6.7): so it moves as the surfaces do when the model is
+// turned, shifted or zoomed, and goes on beyond the outlines.
 vec3 noise_place(ivec2 pixel) {
     vec2 at = vec2(pixel) + 0.5f - 0.5f * vec2(view.picture);
     if (!on_model)
         return vec3(at / unit, 0.0f);
-    float scale = 2.0f * view.picture.z / view.picture.y;
-    float distance = -center_in_eye.z;
-    float radius = kDome * view.depth_range.w;
-    vec2 aside = vec2(0.0f);
-    float height = radius;
-    for (int i = 0; i < 3; ++i) {
-        aside = at * scale * (view.depth_range.z > 0.5f ? 1.0f : distance - height) - vec2(center_in_eye);
-        float inside = 1.0f - dot(aside, aside) / (radius * radius);
-        height = radius * sqrt(0.5f * (inside + sqrt(inside * inside + 0.02f)));
-    }
-    vec3 from_center = vec3(aside, height) * mat3(view.eye_from_world);
+    float distance = relief_at(at);
+    vec2 aside = at * (2.0f * view.picture.z / view.picture.y) * (view.depth_range.z > 0.5f ? 1.0f : distance);
+    vec3 from_center = (vec3(aside, -distance) - center_in_eye) * mat3(view.eye_from_world);
     return from_center * (400.0f / view.depth_range.w);
 }
 

@@ -66,9 +66,15 @@ void SketchSettings::complete(const Picture& picture) {
     hidden_falloff = hidden_falloff > 0 ? hidden_falloff : 1;
 }
 
-NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, int guard, const NoiseKey::Anchor& anchor) {
-    return {size, guard, settings.seed, settings.correlated,
-            settings.on_model ? std::optional(anchor) : std::optional<NoiseKey::Anchor>()};
+NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, int guard) {
+    return {size, guard, settings.seed, settings.correlated, settings.on_model};
+}
+
+Relief sketch_relief(const base::View& view, std::span<const float> depths, const SketchSettings& settings,
+                     const glm::dvec3& center, double diagonal) {
+    constexpr float kCell = 8;  // 512ths of the height: less than outlines are apart, more than noise is fine.
+    const glm::dvec4 in_eye = view.eye_from_world() * glm::dvec4(center, 1);
+    return relief_of(view, depths, kCell * settings.unit, -in_eye.z, diagonal);
 }
 
 }  // namespace npr

@@ -6,6 +6,7 @@
 #include "base/camera.h"
 #include "npr/edges/line_types.h"
 #include "npr/settings.h"
+#include "npr/styles/relief.h"
 
 namespace npr {
 
@@ -51,24 +52,20 @@ struct HandParameters {
     return 2 * settings.width;
 }
 
-/// What the noise of a picture depends on: not on the sample's jitter.
+/// What the noise of a picture depends on, beside what the picture's first sample sees where it lies on the model.
 struct NoiseKey {
-    /// What counts only where the noise is anchored to the model.
-    struct Anchor {
-        base::Camera camera;
-        glm::dvec3 center{0};  ///< Of the model, in the world.
-        double diagonal = 0;   ///< Of the model.
-        bool operator==(const Anchor&) const = default;
-    };
     glm::ivec2 size{0};
     int guard = 0;
     glm::uint seed = 0;
-    bool correlated = true;
-    std::optional<Anchor> anchor;
+    bool correlated = true, on_model = false;
     bool operator==(const NoiseKey&) const = default;
 };
 
-[[nodiscard]] NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, int guard,
-                                 const NoiseKey::Anchor& anchor);
+[[nodiscard]] NoiseKey noise_key(const SketchSettings& settings, glm::ivec2 size, int guard);
+
+/// What the noise lies on where it is anchored to the model. `depths`: by pixel, of the first layer; `center` (world)
+/// and `diagonal`: of the scene.
+[[nodiscard]] Relief sketch_relief(const base::View& view, std::span<const float> depths,
+                                   const SketchSettings& settings, const glm::dvec3& center, double diagonal);
 
 }  // namespace npr

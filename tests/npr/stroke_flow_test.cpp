@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "npr/styles/cpu_sketch_noise.h"
 #include "tests/npr/easel.h"
@@ -42,8 +45,11 @@ struct Turned {
 
 /// Over a turntable of 1 degree steps: how much the offset of a stroke changes from picture to picture at a point of
 /// the surface, as a share of what it would if strokes stood still in the picture. 0: they are drawn on the model.
-double slip(const comparison::Subject& subject, const char* anchor) {
-    double changed = 0, standing = 0;
+struct Slip {
+    double all = 0, most = 0;  ///< Of all points; of the nine tenths of them that change least.
+};
+Slip slip(const comparison::Subject& subject, const char* anchor) {
+    std::vector<glm::dvec2> points;  // What changes, and what would if strokes stood still.
     for (int step = 0; step < 360; step += 30) {
         const Turned now(subject, anchor, step), next(subject, anchor, step + 1);
         for (int y = 0; y < 128; y += 2) {
@@ -56,23 +62,31 @@ double slip(const comparison::Subject& subject, const char* anchor) {
                 const glm::dvec3 point = ray.origin + now.view->distance(s.depth) * ray.direction;
                 const glm::dvec4 clip = next.view->clip_from_world() * glm::dvec4(point, 1);
                 const glm::dvec2 from(x + 0.5, y + 0.5), to = (glm::dvec2(clip) / clip.w + 1.0) * 64.0;
-                changed += glm::distance(next.offset_at(to), now.offset_at(from));
-                standing += glm::distance(now.offset_at(to), now.offset_at(from));
+                points.emplace_back(glm::distance(next.offset_at(to), now.offset_at(from)),
+                                    glm::distance(now.offset_at(to), now.offset_at(from)));
             }
         }
     }
-    return changed / standing;
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    const auto share = [&](std::size_t count) {
+        const glm::dvec2 sum =
+            std::accumulate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count), glm::dvec2(0));
+        return sum.x / sum.y;
+    };
+    return {share(points.size()), share(points.size() * 9 / 10)};
 }
 
 TEST(StrokeFlow, NoiseOfTheModelMovesWithItsSurface) {
     for (const auto& [name, model] : {std::pair("widget", scene::widget()), {"blocks", scene::flush_blocks()}}) {
         const comparison::Subject subject(random_tree::make_tree(model));
-        const double picture = slip(subject, "picture"), on_model = slip(subject, "model");
-        RecordProperty(fmt::format("{}_slip_of_model_noise", name), fmt::format("{:.3f}", on_model));
-        fmt::print("{}: slip {:.2f} with noise of the picture, {:.2f} with noise of the model\n", name, picture,
-                   on_model);
-        EXPECT_NEAR(picture, 1, 0.01) << name << ": the picture's noise stands still";
-        EXPECT_LT(on_model, 0.85) << name;
+        const Slip picture = slip(subject, "picture"), on_model = slip(subject, "model");
+        RecordProperty(fmt::format("{}_slip_of_model_noise", name), fmt::format("{:.3f}", on_model.all));
+        fmt::print(
+            "{}: slip {:.2f} with noise of the picture, {:.2f} with noise of the model, {:.2f} for most points\n", name,
+            picture.all, on_model.all, on_model.most);
+        EXPECT_NEAR(picture.all, 1, 0.01) << name << ": the picture's noise stands still";
+        EXPECT_LT(on_model.all, 0.5) << name << ": near edges in depth it passes from one surface to the other";
+        EXPECT_LT(on_model.most, 0.18) << name;
     }
 }
 
