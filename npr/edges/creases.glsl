@@ -7,7 +7,7 @@
 // they were made: what is left to be left out is what a matrix has made flat.
 const float kLeastCrease = 0.052359878f;
 const float kLeastOfLeaf = 0.017453293f;
-const float kNever = 4.0f;
+const float kNever = 4.0f;  // more than any angle
 // Where leaves of one tessellation go on in each other, the angle is just what their facets leave open, but for rounding.
 const float kRoundedBend = 1e-3f;
 const float kUsualCrease = 0.5759f;  // a little less than the 33 degrees of the parameter

@@ -16,9 +16,11 @@ float bend_ahead(ivec2 pixel, int layer, ivec2 offset) {
 // between them grows beyond that of facets. It is told from a crease by the bends on both sides of it. Surfaces of one
 // leaf are known, and need no such care.
 bool is_crease(Surface s, ivec2 p, int layer, ivec2 q, Continuation c) {
-    float angle = angle_between(c.cosine);
     Surface t = layer_surface(q, c.layer, pixel_ray(q));
     float limit = crease_limit(s, t);
+    if (limit >= kNever)
+        return false;
+    float angle = angle_between(c.cosine);
     if (angle <= limit)
         return false;
     if (limit == kLeastOfLeaf || (s.leaf != t.leaf && angle > limit + kCurved))

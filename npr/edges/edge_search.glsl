@@ -23,9 +23,11 @@ bool smooth_joint(ivec2 p, ivec2 q, int layer) {
     float cosine = dot(s.normal, t.normal);
     vec2 gradient = depth_gradient(s.plane);
     vec2 other = depth_gradient(t.plane);
-    return !(part_edges && !look_alike(s.leaf, t.leaf)) &&
-           meet(nearer(s.depth, gradient, t.depth, other, q - p), s, gradient, other, cosine) &&
-           acos(clamp(cosine, -1.0f, 1.0f)) <= crease_limit(s, t);
+    if ((part_edges && !look_alike(s.leaf, t.leaf)) ||
+        !meet(nearer(s.depth, gradient, t.depth, other, q - p), s, gradient, other, cosine))
+        return false;
+    float limit = crease_limit(s, t);
+    return limit >= kNever || acos(clamp(cosine, -1.0f, 1.0f)) <= limit;
 }
 
 // Calls add(link, layer, end) for the surfaces that do not go on in their own plane at the other end of the link from p

@@ -50,10 +50,17 @@ void TileInk::spread(const CpuEdge& edge, shader::Frame& rules) {
     const Pen pen = pen_of(edge, rules);
     const float width = pen.width;
     const float strength = pen.strength * (lines_.hard ? 1 : rules.thin_ink(edge.thickness, width));
+    // Farther away there is no ink, by more than rounding.
+    const float reach = lines_.hard ? 1e9F
+                                    : (0.5F * width + 0.5F) * (0.5F * width + 0.5F) * 1.001F + 0.71F * 0.71F +
+                                          1.42F * (0.5F * width + 0.5F);
     for (int y = lo.y; y < hi.y; ++y) {
         float* row = &ink_[at(edge.layer, {0, y - box_.lo.y})];
         for (int x = lo.x; x < hi.x; ++x) {
             const glm::vec2 from_point = glm::vec2(x, y) - edge.at;
+            if (glm::dot(from_point, from_point) > reach) {
+                continue;
+            }
             const float coverage = lines_.hard ? rules.hard_piece(from_point, edge.across, width)
                                                : rules.piece(from_point, edge.across, width);
             if (coverage > 0) {
