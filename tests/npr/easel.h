@@ -14,8 +14,12 @@ namespace scene {
 /// A model with its lists, drawn either way.
 class Easel {
   public:
-    explicit Easel(const Model& model)
+    /// Are the faces that the last leaf leaves those of a section?
+    enum class LastLeaf { IsAsOthers, IsSection };
+
+    explicit Easel(const Model& model, LastLeaf last = LastLeaf::IsAsOthers)
         : subject_(random_tree::make_tree(model)), lists_(subject_.scene, subject_.geometry) {
+        subject_.scene.leaves.back().hatching = last == LastLeaf::IsSection ? 1 : 0;
         const auto table = goldfeather::surface_table(subject_.scene, subject_.geometry);
         table->smooth = goldfeather::smooth_facets(subject_.geometry);
         layers_.table = table;
@@ -54,30 +58,58 @@ class Easel {
         accumulate(gl, accumulator, picture);
         return accumulator.image();
     }
+    /// By a style that has been made before, and an accumulator: making them takes far longer than a small picture.
+    [[nodiscard]] base::Image draw(const gl::Functions& gl, npr::Accumulator& accumulator, npr::Style& style,
+                                   const npr::Picture& picture) {
+        accumulate(gl, accumulator, style, picture);
+        return accumulator.image();
+    }
+
+    /// Blocks of pixels lie in shadows, in each layer others: for what styles make of them, wherever they are from.
+    void darken_blocks() {
+        shadows_ = [](const base::View& v) {
+            std::vector<npr::ShadowBits> bits;
+            for (int y = 0; y < v.size().y; ++y) {
+                for (int x = 0; x < v.size().x; ++x) {
+                    bits.push_back(0xc35aU >> ((x / 7 + y / 9) % 8));
+                }
+            }
+            return bits;
+        };
+    }
 
   private:
     void accumulate(npr::CpuAccumulator& accumulator, const npr::Paint& paint, const npr::Picture& picture,
                     unsigned threads) {
-        const npr::CpuSubject subject{box().lo, box().hi, [&](const base::View& v) -> const layers::HostStack& {
+        const npr::CpuSubject subject{box().lo, box().hi,
+                                      [&](const base::View& v) -> const layers::HostStack& {
                                           goldfeather::ListsStats stats;
                                           goldfeather::peel_lists(lists_, v, most_layers_, threads, layers_, stats);
                                           return layers_;
-                                      }};
+                                      },
+                                      nullptr, shadows_};
         for (std::size_t i = 0; i < npr::sample_offsets(picture.samples).size(); ++i) {
             accumulator.paint_sample(paint, picture, i, subject);
         }
     }
 
     void accumulate(const gl::Functions& gl, npr::Accumulator& accumulator, const npr::Picture& picture) {
+        accumulate(gl, accumulator, *picture.style->make(gl), picture);
+    }
+
+    void accumulate(const gl::Functions& gl, npr::Accumulator& accumulator, npr::Style& style,
+                    const npr::Picture& picture) {
         const auto engine = goldfeather::make_engine(*goldfeather::find_engine("lists-cpu"), {&gl});
         const auto prepared = engine->prepare(subject_.input());
-        accumulator.draw(*picture.style->make(gl), picture,
-                         {box().lo, box().hi, [&](const base::View& v) { return peel(gl, subject_, *prepared, v); }});
+        accumulator.draw(style, picture,
+                         {box().lo, box().hi, [&](const base::View& v) { return peel(gl, subject_, *prepared, v); },
+                          nullptr, shadows_});
     }
 
     comparison::Subject subject_;
     goldfeather::ListsModel lists_;
     layers::HostStack layers_;
+    npr::FindShadows shadows_;
     int most_layers_ = 0;
 };
 

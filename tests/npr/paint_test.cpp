@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "npr/srgb.h"
 #include "tests/npr/easel.h"
@@ -44,12 +45,20 @@ std::vector<View> views(const csg::Box& box) {
             {"one row", plain, {70, 1}, 1, false}};
 }
 
-/// Each style as it is, and with what changes its ways.
-std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>> ways() {
-    std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>> list;
+using Ways = std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>>;
+
+/// Each style as it is.
+Ways plain_ways() {
+    Ways list;
     for (const npr::StyleInfo& style : npr::styles()) {
         list.push_back({&style, {}});
     }
+    return list;
+}
+
+/// Settings that change their ways.
+Ways changed_ways() {
+    Ways list;
     const auto add = [&](std::string_view style, std::map<std::string, std::string> settings) {
         list.push_back({npr::find_style(style), std::move(settings)});
     };
@@ -60,7 +69,9 @@ std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>
     add("hatch", {{"tone", "1"}, {"color", "0.5"}, {"spacing", "6"}, {"crossed", "0.1"}});
     add("stipple", {{"tone", "1"}, {"spacing", "8"}, {"seed", "3"}});
     add("tech", {{"dashes", "on"}, {"opacity", "0.7"}});
-    add("ntone", {{"steps", "7"}, {"cue", "1"}});
+    add("ntone", {{"steps", "7"}, {"cue", "1"}, {"shadows", "off"}});
+    add("toon", {{"shadows", "on"}});
+    add("gooch", {{"shadows", "on"}});
     add("blueprint", {{"grid", "on"}, {"ground", "white"}, {"layers", "2"}, {"width", "0.5"}});
     add("blueprint", {{"width", "3.3"}, {"crease", "4"}, {"inner", "0.3"}});
     add("blueprint", {{"dashes", "on"}, {"width", "2"}});
@@ -72,6 +83,13 @@ std::vector<std::pair<const npr::StyleInfo*, std::map<std::string, std::string>>
     add("sketch", {{"hidden", "0.6"}, {"strokes", "4"}, {"width", "3"}, {"wobble", "9"}, {"color", "0.2"}});
     add("sketch", {{"medium", "ink"}, {"anchor", "model"}, {"seed", "7"}, {"overshoot", "60"}, {"hatch", "1"}});
     add("sketch", {{"medium", "chalk"}, {"paper", "#24342f"}, {"ink", "#f4f1e4"}, {"width", "0.5"}});
+    return list;
+}
+
+Ways ways() {
+    Ways list = plain_ways();
+    const Ways more = changed_ways();
+    list.insert(list.end(), more.begin(), more.end());
     return list;
 }
 
@@ -95,14 +113,24 @@ npr::Picture picture(const npr::StyleInfo& style, const std::map<std::string, st
 /// is 3.3 wide. Five or six of the some thousand pieces in a picture of 150 x 97 pixels come to less than that.
 constexpr double kTurned = 0.006;
 
-class PaintTest : public test_support::GlTest {};
+class PaintTest : public test_support::GlTest {
+  protected:
+    /// `sections`: of each picture.
+    void compare(Easel& easel, const Ways& ways, const std::vector<View>& views, const npr::Sections& sections = {});
+};
 
-TEST_P(PaintTest, IsWhatOpenGlDraws) {
-    Easel easel(mixed());
-    for (const View& view : views(easel.box())) {
-        for (const auto& [style, settings] : ways()) {
-            const npr::Picture p = picture(*style, settings, view);
-            const base::Image painted = easel.paint(p), drawn = easel.draw(gl(), p);
+/// Styles are made once, as programs do: compiling their shaders takes longer than drawing.
+void PaintTest::compare(Easel& easel, const Ways& ways, const std::vector<View>& views, const npr::Sections& sections) {
+    easel.darken_blocks();
+    npr::Accumulator accumulator(gl());
+    std::map<const npr::StyleInfo*, std::unique_ptr<npr::Style>> styles;
+    for (const View& view : views) {
+        for (const auto& [style, settings] : ways) {
+            npr::Picture p = picture(*style, settings, view);
+            p.sections = sections;
+            std::unique_ptr<npr::Style>& made = styles[style];
+            made = made ? std::move(made) : style->make(gl());
+            const base::Image painted = easel.paint(p), drawn = easel.draw(gl(), accumulator, *made, p);
             ASSERT_EQ(painted.rgba.size(), drawn.rgba.size());
             EXPECT_LE(differing(painted, drawn, golden::tolerance(context_->renderer()).channel),
                       view.samples * kTurned * view.size.x * view.size.y)
@@ -111,19 +139,44 @@ TEST_P(PaintTest, IsWhatOpenGlDraws) {
     }
 }
 
+TEST_P(PaintTest, StylesAreWhatOpenGlDraws) {
+    Easel easel(mixed());
+    compare(easel, plain_ways(), views(easel.box()));
+}
+
+TEST_P(PaintTest, SettingsAreWhatOpenGlDraws) {
+    Easel easel(mixed());
+    compare(easel, changed_ways(), views(easel.box()));
+}
+
+TEST_P(PaintTest, CutFacesAreWhatOpenGlDraws) {
+    // They are hatched, and lines about them are heavier.
+    Easel easel(scene::combine(Operation::Difference, {mixed(), scene::box({0, -40, -40}, {80, 80, 80})}),
+                Easel::LastLeaf::IsSection);
+    const std::vector<View> all = views(easel.box());
+    const npr::Sections sections{{{npr::PlaneSection{{1, 0, 0}, 0}, "plane"}}, {}, npr::Sections::kOwnSpacing};
+    compare(easel, plain_ways(), {all[0], all[2]}, sections);
+    npr::Picture cut = picture(*npr::find_style("edges"), {}, all[0]), uncut = cut;
+    cut.sections = sections;
+    EXPECT_GT(differing(easel.paint(cut), easel.paint(uncut), 8), 500) << "nothing is hatched";
+}
+
 TEST_P(PaintTest, AllModelsOfTransparencyAreWhatOpenGlDraws) {
     Easel easel(scene::combine(
         Operation::Union, {mixed(), scene::colored({0.2F, 0.4F, 0.9F, 0.7F}, scene::box({-4, -9, -12}, {9, 18, 30})),
                            scene::colored({0.2F, 0.4F, 0.9F, 0.7F}, scene::box({-9, -11, -9}, {18, 9, 9}))}));
-    for (const npr::TransparencyInfo& transparency : npr::transparencies()) {
-        for (const View& view : views(easel.box())) {
-            for (const char* style : {"shaded", "edges"}) {
-                npr::Picture p = picture(*npr::find_style(style), {}, view);
+    npr::Accumulator accumulator(gl());
+    for (const char* name : {"shaded", "edges"}) {
+        const npr::StyleInfo& style = *npr::find_style(name);
+        const std::unique_ptr<npr::Style> made = style.make(gl());
+        for (const npr::TransparencyInfo& transparency : npr::transparencies()) {
+            for (const View& view : views(easel.box())) {
+                npr::Picture p = picture(style, {}, view);
                 p.transparency = transparency.model;
-                EXPECT_LE(
-                    differing(easel.paint(p), easel.draw(gl(), p), golden::tolerance(context_->renderer()).channel),
-                    view.samples * kTurned * view.size.x * view.size.y)
-                    << transparency.name << ", " << style << ", " << view.name;
+                EXPECT_LE(differing(easel.paint(p), easel.draw(gl(), accumulator, *made, p),
+                                    golden::tolerance(context_->renderer()).channel),
+                          view.samples * kTurned * view.size.x * view.size.y)
+                    << transparency.name << ", " << name << ", " << view.name;
             }
         }
     }
