@@ -19,7 +19,10 @@ class Easel {
 
     explicit Easel(const Model& model, LastLeaf last = LastLeaf::IsAsOthers)
         : subject_(random_tree::make_tree(model)), lists_(subject_.scene, subject_.geometry) {
-        subject_.scene.leaves.back().hatching = last == LastLeaf::IsSection ? 1 : 0;
+        for (std::size_t i = 0; last == LastLeaf::IsSection && i < subject_.scene.leaves.size(); ++i) {
+            const auto& leaves = subject_.geometry.leaves;  // Each part has its own copy of what cuts it.
+            subject_.scene.leaves[i].hatching = leaves[i].box == leaves.back().box ? 1 : 0;
+        }
         const auto table = goldfeather::surface_table(subject_.scene, subject_.geometry);
         table->smooth = goldfeather::smooth_facets(subject_.geometry);
         layers_.table = table;
