@@ -151,14 +151,14 @@ TEST_P(PaintTest, SettingsAreWhatOpenGlDraws) {
 
 TEST_P(PaintTest, CutFacesAreWhatOpenGlDraws) {
     // They are hatched, and lines about them are heavier.
-    Easel easel(scene::combine(Operation::Difference, {mixed(), scene::box({0, -40, -40}, {80, 80, 80})}),
+    Easel easel(scene::combine(Operation::Difference, {mixed(), scene::box({0, -12, -12}, {12, 24, 24})}),
                 Easel::LastLeaf::IsSection);
     const std::vector<View> all = views(easel.box());
     const npr::Sections sections{{{npr::PlaneSection{{1, 0, 0}, 0}, "plane"}}, {}, npr::Sections::kOwnSpacing};
     compare(easel, plain_ways(), {all[0], all[2]}, sections);
     npr::Picture cut = picture(*npr::find_style("edges"), {}, all[0]), uncut = cut;
     cut.sections = sections;
-    EXPECT_GT(differing(easel.paint(cut), easel.paint(uncut), 8), 500) << "nothing is hatched";
+    EXPECT_GT(differing(easel.paint(cut), easel.paint(uncut), 8), 300) << "nothing is hatched";
 }
 
 TEST_P(PaintTest, AllModelsOfTransparencyAreWhatOpenGlDraws) {

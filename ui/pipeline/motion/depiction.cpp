@@ -86,10 +86,10 @@ class Depicter {
             names.push_back(body.name);
         }
         if (found.empty() && !d.rule) {
-            throw std::runtime_error(
-                motion_.bodies.empty() ? "nothing moves while $t runs"
-                                       : fmt::format("nothing that moves is called {}.{}", d.part,
-                                                     suggestion(d.part, names, " csgscope motion lists what does.")));
+            throw std::runtime_error(motion_.bodies.empty()
+                                         ? "nothing moves while $t runs"
+                                         : fmt::format("nothing that moves is called {}.{}", d.part,
+                                                       suggestion(d.part, names, " csgscope motion lists what does.")));
         }
         return found;
     }
