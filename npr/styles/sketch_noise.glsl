@@ -10,7 +10,7 @@ vec3 noise_place(ivec2 pixel) {
     vec2 at = vec2(pixel) + 0.5f - 0.5f * vec2(view.picture);
     if (!on_model)
         return vec3(at / unit, 0.0f);
-    float distance = relief_at(at);
+    float distance = relief_at(at - jitter);  // Its cells are of what the sample sees.
     vec2 aside = at * (2.0f * view.picture.z / view.picture.y) * (view.depth_range.z > 0.5f ? 1.0f : distance);
     vec3 from_center = (vec3(aside, -distance) - center_in_eye) * mat3(view.eye_from_world);
     return from_center * (400.0f / view.depth_range.w);
