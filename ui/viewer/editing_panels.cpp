@@ -52,7 +52,8 @@ std::string edits_text(const MoveWay& way, const std::string& text) {
     return all;
 }
 
-void ways_note(const Session& session, const Fonts& fonts, Commands& commands) {
+/// `wide`: what each way puts in stands beside it, not only under the pointer.
+void ways_note(const Session& session, const Fonts& fonts, bool wide, Commands& commands) {
     const MoveAnswer& answer = *session.ways();
     if (answer.ways.empty()) {
         bold_text(fmt::format("{} stays where it is", answer.what).c_str(), fonts);
@@ -65,7 +66,7 @@ void ways_note(const Session& session, const Fonts& fonts, Commands& commands) {
         return;
     }
     bold_text((answer.what + ' ' + gesture_of(answer.held).told).c_str(), fonts);
-    if (!ImGui::BeginTable("ways", 3, ImGuiTableFlags_SizingFixedFit)) {
+    if (!ImGui::BeginTable("ways", wide ? 3 : 2, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }
     for (std::size_t i = 0; i < answer.ways.size(); ++i) {
@@ -76,11 +77,15 @@ void ways_note(const Session& session, const Fonts& fonts, Commands& commands) {
             commands.emplace_back(TakeWay{i});
         }
         ImGui::PopID();
-        ImGui::TableNextColumn();
-        ImGui::PushFont(fonts.mono);
         const std::string edits = edits_text(way, answer.text);
-        ImGui::TextDisabled("%s", edits.c_str());
-        ImGui::PopFont();
+        if (wide) {
+            ImGui::TableNextColumn();
+            ImGui::PushFont(fonts.mono);
+            ImGui::TextDisabled("%s", edits.c_str());
+            ImGui::PopFont();
+        } else if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", edits.c_str());
+        }
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", count_text(way).c_str());
     }
@@ -155,7 +160,8 @@ void draw_editing(const Rectangle& place, const Session& session, const Fonts& f
         end_note();
     } else if (!place.empty() && session.ways()) {
         if (begin_note("Ways", place, 12 * scale, scale)) {
-            ways_note(session, fonts, commands);
+            constexpr float kWide = 58;  // Letters.
+            ways_note(session, fonts, place.size.x > kWide * ImGui::GetFontSize(), commands);
         }
         end_note();
     }

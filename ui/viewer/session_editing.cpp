@@ -348,6 +348,11 @@ void Session::select_again(const SelectNext& next) {
         for (csg::OccurrenceId i = 0; i < next.up && found != csg::kNoOccurrence; ++i) {
             found = model.scene.occurrences[found].parent;
         }
+        // What an edit has put in between lies below it.
+        constexpr int kMostPutIn = 2;
+        for (int i = 0; i < kMostPutIn && found != csg::kNoOccurrence && name_at(model, found) != next.name; ++i) {
+            found = model.scene.occurrences[found].parent;
+        }
         if (found != csg::kNoOccurrence && name_at(model, found) != next.name) {
             found = csg::kNoOccurrence;
         }

@@ -69,6 +69,18 @@ class HandEditing : public testing::Test {
     double now_ = 0;
 };
 
+TEST_F(HandEditing, WhatIsTurnedIsSelectedStill) {
+    open("translate([10, 5, 0]) cylinder(h = 4, r = 1);\n");
+    session_->perform(SelectByte{3});
+    const csg::OccurrenceId selected = session_->selected_occurrence();
+    ASSERT_NE(selected, csg::kNoOccurrence);
+    HeldPart held{selected, {}, {90, 0, 0}, {10, 5, 0}};
+    session_->perform(PutPart{held});
+    rest();
+    EXPECT_EQ(text(), "translate([10, 5, 0]) rotate([90, 0, 0]) cylinder(h = 4, r = 1);\n");
+    EXPECT_EQ(session_->selected_occurrence(), selected) << "the translate(), above the rotate() that was put in";
+}
+
 TEST_F(HandEditing, WhatIsSelectedIsArranged) {
     open("translate([10, 0, 0]) cube([4, 2, 1]); // here\n");
     select_leaf(0);
