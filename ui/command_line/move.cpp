@@ -15,6 +15,7 @@
 #include "ui/command_line/option_table.h"
 #include "ui/command_line/option_values.h"
 #include "ui/command_line/subcommand.h"
+#include "ui/pipeline/editable_model.h"
 #include "ui/pipeline/editing/movable_survey.h"
 #include "ui/pipeline/editing/move_leaf.h"
 #include "ui/pipeline/editing/scale_leaf.h"
@@ -31,12 +32,7 @@ struct MoveOptions {
     int number = 1;    ///< Of the solids that come from there.
     /// What is done, of one of these.
     std::optional<glm::dvec3> by, turn, scale;
-    struct Stretch {
-        int axis = 0;
-        bool upper = true;
-        double by = 0;
-    };
-    std::optional<Stretch> stretch;
+    std::optional<HeldSide> stretch;
     int choice = 1;
     int survey = 0;      ///< Of so many solids it is told whether they can be moved; 0: of none.
     std::string output;  ///< Empty: the ways are told.
@@ -44,14 +40,14 @@ struct MoveOptions {
 };
 
 /// Of "+x,5".
-MoveOptions::Stretch read_stretch(const std::string& text) {
+HeldSide read_stretch(const std::string& text) {
     constexpr std::string_view kAxisNames = "xyz", kSideNames = "+-";
     if (text.size() < 4 || kSideNames.find(text[0]) == std::string_view::npos ||
         kAxisNames.find(text[1]) == std::string_view::npos || text[2] != ',') {
         throw UsageError(
             fmt::format("--stretch {}: expected a side and how far, as +x,5 (or -x, +y, -y, +z, -z)", text));
     }
-    MoveOptions::Stretch stretch{static_cast<int>(kAxisNames.find(text[1])), text[0] == '+', 0};
+    HeldSide stretch{static_cast<int>(kAxisNames.find(text[1])), text[0] == '+', 0};
     stretch.by = read_numbers("--stretch", text.substr(3), {1}, "a number behind the side")[0];
     if (stretch.by == 0) {
         throw UsageError(fmt::format("--stretch {} stretches nothing", text));

@@ -17,18 +17,21 @@ constexpr std::size_t kFewInLeaves = 8;
 
 }  // namespace
 
+void FollowingBuilder::forget() {
+    last_.reset();
+    moving_.reset();
+}
+
 void FollowingBuilder::show(csg::Showing showing) {
     if (std::exchange(showing_, showing) != showing) {
-        last_.reset();
-        moving_.reset();
+        forget();
     }
     builder_.show(showing);
 }
 
 void FollowingBuilder::divide(csg::PartRule parts) {
     if (!(parts == parts_)) {
-        last_.reset();
-        moving_.reset();
+        forget();
     }
     parts_ = parts;
     builder_.divide(std::move(parts));
@@ -36,8 +39,7 @@ void FollowingBuilder::divide(csg::PartRule parts) {
 
 void FollowingBuilder::cut(npr::Sections sections) {
     if (!(sections == sections_)) {
-        last_.reset();
-        moving_.reset();
+        forget();
     }
     sections_ = sections;
     builder_.cut(std::move(sections));
@@ -76,8 +78,7 @@ std::shared_ptr<const Model> FollowingBuilder::build(std::shared_ptr<const csg::
     std::shared_ptr<Model> followed = follow(*tree);
     followed_ = followed != nullptr;
     if (!followed) {
-        moving_.reset();
-        last_.reset();
+        forget();
         last_ = builder_.build(std::move(tree), stop, std::move(program));
         return last_;
     }

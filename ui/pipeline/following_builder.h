@@ -26,6 +26,8 @@ class FollowingBuilder {
     [[nodiscard]] bool followed() const { return followed_; }
 
   private:
+    /// The next model is built anew.
+    void forget();
     [[nodiscard]] std::shared_ptr<Model> follow(const csg::Tree& tree);
 
     ModelBuilder builder_;
